@@ -1,5 +1,6 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
+mod assembled;
 mod cases;
 mod columns;
 mod design;
@@ -13,6 +14,7 @@ mod outlier;
 mod own_motion;
 mod points;
 mod prepare;
+mod request;
 mod said_of_drives;
 mod said_of_wheels;
 mod sharing;

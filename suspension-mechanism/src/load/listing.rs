@@ -12,7 +12,8 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, check};
 use crate::kinematics::{Kinematics, changing};
 use crate::load::points::points;
-use crate::load::prepare::{Request, prepare};
+use crate::load::prepare::prepare;
+use crate::load::request::Request;
 use crate::load::{included, unstated};
 use crate::mechanism::{Axes, Length, Mechanism};
 

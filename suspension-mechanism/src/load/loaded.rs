@@ -6,7 +6,8 @@ use crate::failure::Failure;
 use crate::file::{MotionFile, Source, check, tell};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
-use crate::load::prepare::{Request, Start, prepare};
+use crate::load::prepare::prepare;
+use crate::load::request::{Request, Start};
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 
 /// A motion file that was read. Its mechanism is prepared when it is asked for.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
 use crate::load::loaded::Loaded;
-use crate::load::prepare::Start;
+use crate::load::request::Start;
 use crate::mechanism::{End, Instants};
 
 /// Instants at which an interrupt is looked for on the way.

@@ -1,0 +1,197 @@
+//! From what a file says to a mechanism at its design position.
+
+use nalgebra::Vector3;
+use suspension_core::local::LocalOrigin;
+use suspension_core::{GeometryError, Values, parts};
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
+use crate::load::design::{Design, at_design};
+use crate::load::outlier::Outlier;
+use crate::load::request::Request;
+use crate::load::task::Task;
+use crate::load::vehicle::with_vehicle;
+use crate::mechanism::{Names, Suspension};
+
+/// A mechanism at its design position, and the file that it comes of.
+pub(super) struct Assembled<'a, L: Suspension<N>, const N: usize> {
+    source: &'a Source,
+    /// In local coordinates, angles in radians.
+    file: MotionFile,
+    names: Names,
+    first: f64,
+    /// The points as the file has them.
+    pub(super) given: L::Points,
+    pub(super) design: Design<L, N>,
+    /// What to add to drives for the file's coordinates.
+    pub(super) drive_offsets: L::Drives,
+    /// What leads in place of a drive.
+    pub(super) stand_in: Option<StandIn>,
+    pub(super) outlier: Option<Outlier>,
+}
+
+/// What the linkage measures at the design position.
+pub(super) struct Measured {
+    /// In the file's coordinates.
+    pub(super) in_file: Vec<f64>,
+    /// What these are more than in local ones.
+    pub(super) offsets: Vec<f64>,
+}
+
+impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
+    /// Of a file, and of a listing.
+    pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
+        let names = Names::of(&listing);
+        let names = match request.listing {
+            Some(statements) => names.with_links_of(statements),
+            None => names,
+        };
+        let task = Task {
+            source: request.source,
+            file: request.file,
+            first: request.instants.ends()[0],
+            names: &names,
+            middle: 0.0,
+        };
+        let stand_in = check_names(&task)?;
+        let file = request.file.clone().in_radians(names.angles());
+        let task = Task {
+            file: &file,
+            ..task
+        };
+        let points: L::Points = given(&task);
+        let placed = || points.values().take(names.points.len());
+        parts::finite(placed()).map_err(|error| task.refuse_geometry(&error))?;
+        let outlier = Outlier::among(&task, &points);
+        let outlier_first = |failure| before(outlier.as_ref(), failure, request.source);
+        let origin = LocalOrigin::among(placed());
+        let file = file.seen_from(origin.position().into());
+        let task = Task {
+            file: &file,
+            middle: origin.position().y,
+            ..task
+        };
+        let given = given(&task);
+        let model = L::of(listing, &given).and_then(|model| with_lengths(&task, model));
+        let model = model.map_err(|error| outlier_first(task.refuse_geometry(&error)))?;
+        let names = with_vehicle(&task)?;
+        let drive_offsets = origin.of_drives(&model);
+        let offsets = names.of_drives().into_iter().zip(drive_offsets.values());
+        let file = file.clone().driven_from(offsets);
+        let task = Task {
+            file: &file,
+            names: &names,
+            ..task
+        };
+        let design = at_design(&task, model, origin, &given).map_err(outlier_first)?;
+        Ok(Self {
+            source: request.source,
+            first: task.first,
+            given,
+            design,
+            drive_offsets,
+            stand_in,
+            outlier,
+            file,
+            names,
+        })
+    }
+
+    pub(super) fn task(&self) -> Task<'_> {
+        Task {
+            source: self.source,
+            file: &self.file,
+            first: self.first,
+            names: &self.names,
+            middle: self.design.origin.position().y,
+        }
+    }
+
+    /// All points, in the file's coordinates.
+    pub(super) fn in_file(&self) -> Vec<Vector3<f64>> {
+        let origin = self.design.origin.position();
+        let points = self.design.points.values().take(self.names.points.len());
+        points.map(|point| point + origin).collect()
+    }
+
+    pub(super) fn measured(&self) -> Measured {
+        let design = &self.design;
+        let of_listing = |all: L::Measures| all.values().take(self.names.measures.len()).collect();
+        let offsets: Vec<f64> = of_listing(design.origin.of_measures(&design.model));
+        let local: Vec<f64> = of_listing(design.measures());
+        let measured = local.iter().zip(&offsets);
+        Measured {
+            in_file: measured.map(|(local, offset)| local + offset).collect(),
+            offsets,
+        }
+    }
+
+    /// A failure, behind the point that lies far from all others, of which it may be a consequence.
+    pub(super) fn outlier_first(&self, failure: Failure) -> Failure {
+        before(self.outlier.as_ref(), failure, self.source)
+    }
+}
+
+fn before(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failure {
+    match outlier {
+        Some(outlier) => outlier.before(failure, source),
+        None => failure,
+    }
+}
+
+fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
+    let Task {
+        source,
+        file,
+        names,
+        ..
+    } = task;
+    check::point_names(source, file, &names.points)?;
+    check::points(source, file, names.markers())?;
+    if let Some(lengths) = &file.lengths {
+        check::names(source, lengths, "length", &names.lengths)?;
+        check::lengths(source, lengths)?;
+    }
+    let drives = names.of_drives();
+    if let Some(design) = &file.design {
+        check::names(source, design, "drive", &drives)?;
+        check::finite_values(source, design, "drive")?;
+    }
+    let stand_in = stand_in(source, &file.drives, &drives, &names.of_measures())?;
+    check::drives(source, &file.drives)?;
+    Ok(stand_in)
+}
+
+/// The points as the file has them, relative ones off the others as they stand.
+fn given<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
+    let points = task.file.points.get_ref();
+    let each = task
+        .names
+        .points
+        .iter()
+        .map(|name| match points[name.as_str()].get_ref() {
+            Position::At(at) => Vector3::from(*at),
+            Position::Off(Offset { from, offset }) => {
+                let base = match points[from.get_ref().as_str()].get_ref() {
+                    Position::At(at) => *at,
+                    Position::Off(_) => [f64::NAN; 3],
+                };
+                Vector3::from(base) + Vector3::from(*offset)
+            }
+        });
+    P::from_values(each)
+}
+
+/// The model with the lengths that the file states.
+fn with_lengths<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    model: L,
+) -> Result<L, GeometryError> {
+    let Some(table) = &task.file.lengths else {
+        return Ok(model);
+    };
+    let table = table.get_ref();
+    let lengths = task.names.lengths.iter();
+    let lengths = lengths.map(|name| *table[name.as_str()].get_ref());
+    model.with_lengths(&L::Lengths::from_values(lengths))
+}
