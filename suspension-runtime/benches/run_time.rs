@@ -20,6 +20,16 @@ linkage! {
     pub mod axle in "run_time/axle.linkage";
 }
 
+linkage! {
+    pub mod five_links {
+        mirror: left -> right;
+        include left: "../../suspension-core/src/linkages/five_link.linkage";
+    }
+}
+
+/// The same.
+const BOTH: &str = "mirror: left -> right; include left: five_link;";
+
 /// The listing that both back ends read.
 const AXLE: &str = include_str!("run_time/axle.linkage");
 
@@ -132,6 +142,7 @@ fn all_steps(criterion: &mut Criterion) {
         pushrod,
         double_wishbone_pushrod::Listing,
     );
+    steps::<five_links::Model<f64>, 30, 30>(criterion, "five_links", BOTH, five_links::Listing);
     steps::<axle::Model<f64>, 60, 60>(criterion, "axle", AXLE, axle::Listing);
 }
 
