@@ -1,259 +1,39 @@
-//! Derivatives that `suspension sweep` writes, of every quantity, at every layout of the catalogue, against central
-//! differences in numbers of 32 digits.
-//!
-//! The reference has the equations' residuals from the core and no derivative at all: places beside the one of a row
-//! are solved to 30 digits, velocities are differences of these, and quantities are computed from points and velocities.
+//! Derivatives and sensitivities of every quantity, at every layout of the catalogue, against central differences in numbers
+//! of 32 digits: see `suspension_exact_derivatives`.
 
-mod lattice;
-mod quantities;
-mod sensitivities;
-mod wheel;
+use suspension_exact_derivatives::{GATE, Worst, layouts};
 
-use std::collections::{BTreeMap, BTreeSet};
-use suspension_runtime::CatalogueAndFiles;
+use super::program::{folder, run};
 
-use nalgebra::Vector3;
-use suspension_core::linkages::LISTINGS;
-use suspension_core::listing::{DriveKind, Kind, Part, Parts};
-use suspension_core::{Build, Values};
-use suspension_listing::system::System;
-use suspension_runtime::{Fitted, Listing, Room, Size, Work};
-
-use super::program::{folder, rows, run};
-use lattice::Lattice;
-use quantities::{Car, Reference, travel_and_steering};
-
-/// What values and derivatives may differ by, relative to their magnitude.
-const GATE: f64 = 1e-8;
-
-/// Or, where they are smaller than that, to this: in metres, radians and percent, per metre or radian of a drive.
-const SMALL: f64 = 1e-3;
-
-/// Beyond this there is no instant centre: in the view the carrier does not turn, but for rounding.
-const NOWHERE: f64 = 1e9;
-
-/// Quantities in roll, which `axle::derivatives` holds against differences.
-const OF_ROLL: [&str; 3] = ["axle_roll_centre", "roll_camber", "roll_steer"];
-
-fn is_of_roll(name: &str) -> bool {
-    OF_ROLL.iter().any(|of_roll| name.contains(of_roll))
+/// What the program writes for a motion file.
+fn program(file: &str, arguments: &[&str]) -> Vec<u8> {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), arguments);
+    assert_eq!(output.status.code(), Some(0), "{file}: {output:?}");
+    output.stdout
 }
 
-/// From the design position to the second place, m and rad.
-const OFFSETS: [f64; 2] = [0.013, 0.05];
-
-const CARS: [Car; 2] = [Car::Front, Car::Rear];
-
-/// The point that two listings leave to their files, outboard of the upper trailing link.
-const WHEEL_CENTRE: [f64; 3] = [-1.270, 0.415, 0.218];
-
-/// A row of a table, by the names of its columns.
-type Row = BTreeMap<String, f64>;
-
-/// A layout of the catalogue.
-struct Layout {
-    name: &'static str,
-    text: &'static str,
-}
-
-/// The largest difference, and of what.
-#[derive(Default)]
-struct Worst {
-    off: f64,
-    what: String,
-    count: usize,
-}
-
-impl Layout {
-    fn system(&self) -> System {
-        suspension_listing::text::parse(self.text, self.name, &CatalogueAndFiles::default())
-            .expect("a listing")
-    }
-
-    /// A motion file of it.
-    fn file(&self, listing: &Listing, car: Car, drives: &[f64]) -> String {
-        let names = drive_names(listing);
-        let mut file = format!("linkage = \"{}\"\nunit = \"m\"\n", self.name);
-        for (place, _) in missing(listing) {
-            let name = listing.name(Part::Point(place));
-            file += &format!("points.{name} = {WHEEL_CENTRE:?}\n");
-        }
-        file += "time = { instants = [0.0] }\n";
-        for (name, drive) in names.iter().zip(drives) {
-            file += &format!("drives.{name} = {drive:?}\n");
-        }
-        file + &car.vehicle(names[travel_and_steering(&names).0])
-    }
-
-    /// The rows at the design position and at the other place, with derivatives up to an order.
-    fn swept(&self, listing: &Listing, car: Car, drives: &[f64], order: &str) -> [Row; 2] {
-        let folder = folder();
-        let file = self.file(listing, car, drives);
-        std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        let mut arguments = ["sweep", "a.toml", "--derivatives", order, "--csv", "-"]
-            .map(str::to_owned)
-            .to_vec();
-        for (drive, name) in drive_names(listing).into_iter().enumerate() {
-            let to = offset(listing.drive_kind(drive));
-            arguments.extend(["--drive".to_owned(), format!("{name}=0:{to}:2")]);
-        }
-        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-        let output = run(folder.path(), &arguments);
-        assert_eq!(output.status.code(), Some(0), "{}: {output:?}", self.name);
-        let table = rows(&output.stdout);
-        [0, table.len() - 1].map(|place| table[place].clone())
-    }
-}
-
-fn drive_names(listing: &Listing) -> Vec<&str> {
-    let drives = 0..listing.count(Kind::Drive);
-    drives
-        .map(|drive| listing.name(Part::Drive(drive)))
-        .collect()
-}
-
-/// All points of the design.
-fn design(listing: &Listing) -> Vec<Vector3<f64>> {
-    let mut hardpoints: Vec<_> = listing.stated().chain(missing(listing)).collect();
-    hardpoints.sort_by_key(|(place, _)| *place);
-    hardpoints.into_iter().map(|(_, at)| at).collect()
-}
-
-fn offset(kind: DriveKind) -> f64 {
-    match kind {
-        DriveKind::Coordinate => OFFSETS[0],
-        DriveKind::Angle | DriveKind::Turn => OFFSETS[1],
-    }
-}
-
-/// The points whose positions the listing does not state.
-fn missing(listing: &Listing) -> impl Iterator<Item = (usize, Vector3<f64>)> {
-    let stated: BTreeSet<usize> = listing.stated().map(|(place, _)| place).collect();
-    let count = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker].map(|kind| listing.count(kind));
-    let all = 0..count.iter().sum();
-    all.filter(move |place| !stated.contains(place))
-        .map(|place| (place, Vector3::from(WHEEL_CENTRE)))
-}
-
-impl Work for &Layout {
-    type Answer = Worst;
-
-    fn on<const N: usize>(self, fitted: Fitted<'_, N>) -> Worst
-    where
-        Room<N>: Size,
-    {
-        let listing = fitted.listing();
-        let hardpoints = design(listing);
-        let model = listing.model::<N>(&hardpoints).expect("a model");
-        let design = Values::from_values(hardpoints.iter().copied());
-        let count = listing.count(Kind::Drive);
-        let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
-        let system = self.system();
-        let mut worst = Worst::default();
-        for car in CARS {
-            let [first, second] = ["1", "2"].map(|order| self.swept(listing, car, &drives, order));
-            for (first, row) in first.iter().zip(second) {
-                worst.compare_rows(self.name, first, &row);
-                let lattice = Lattice::about(&model, &design, &row);
-                let reference = Reference {
-                    system: &system,
-                    car,
-                    design: &hardpoints,
-                };
-                worst.compare(self.name, &lattice, &reference, &row);
-            }
-        }
-        worst
-    }
-}
-
-impl Worst {
-    /// Holds the derivatives of a row against differences.
-    fn compare<const N: usize>(
-        &mut self,
-        layout: &str,
-        lattice: &Lattice<'_, N>,
-        reference: &Reference<'_>,
-        row: &Row,
-    ) where
-        Room<N>: Size,
-    {
-        let drives = lattice.drive_names();
-        let mut known = BTreeSet::new();
-        for (drive, per) in drives.iter().enumerate() {
-            let along: Vec<_> = (-3..=3)
-                .map(|steps| reference.all(lattice, &lattice.beside(drive, steps)))
-                .collect();
-            for (place, (name, value)) in along[3].iter().enumerate() {
-                let stencil = [0, 1, 2, 3, 4, 5, 6].map(|steps: usize| along[steps][place].1);
-                let [first, second] = lattice::differences(&stencil);
-                let key = format!("{name}_per_{per}");
-                self.hold(&format!("{layout} {name}"), row[name], value.nearest());
-                self.hold(&format!("{layout} {key}"), row[&key], first);
-                self.hold(&format!("{layout} {key}2"), row[&format!("{key}2")], second);
-                known.insert(key);
-            }
-        }
-        let unknown: Vec<_> = row
-            .iter()
-            .filter(|(_, value)| !value.is_nan())
-            .map(|(name, _)| name)
-            .filter(|name| {
-                drives
-                    .iter()
-                    .any(|drive| name.ends_with(&format!("_per_{drive}")))
-                    && !known.contains(*name)
-                    && !is_of_roll(name)
-            })
-            .collect();
-        assert!(
-            unknown.is_empty(),
-            "{layout}: the reference has no {unknown:?}"
-        );
-    }
-
-    /// Holds a row without second derivatives against one with them: other numbers have read it.
-    fn compare_rows(&mut self, layout: &str, first: &Row, row: &Row) {
-        for (name, found) in first {
-            let (what, expected) = (format!("{layout} {name} alone"), row[name]);
-            assert_eq!(found.is_nan(), expected.is_nan(), "{what}");
-            self.hold(&what, *found, expected);
-        }
-    }
-
-    fn hold(&mut self, what: &str, found: f64, expected: f64) {
-        self.hold_to(SMALL, what, found, expected);
-    }
-
-    /// Holds a number to a small one, or to the magnitude of what is expected where that is larger.
-    fn hold_to(&mut self, small: f64, what: &str, found: f64, expected: f64) {
-        if expected.is_nan() || expected.abs() > NOWHERE {
-            return;
-        }
-        let off = (found - expected).abs() / expected.abs().max(small);
-        if off > GATE {
-            println!("{what}: {found:e} instead of {expected:e}, {off:.1e}");
-        }
-        self.count += 1;
-        if off > self.off {
-            (self.off, self.what) = (off, what.to_owned());
-        }
-    }
-}
-
-/// The catalogue without what includes another of it: tests/cli/axle/car.rs holds that against the other.
-fn layouts() -> impl Iterator<Item = Layout> {
-    let layouts = LISTINGS.iter().map(|(name, text)| Layout { name, text });
-    layouts.filter(|layout| !layout.text.contains("include "))
+/// Holds the worst number of a layout, of more than so many, to the gate.
+fn hold(layout: &str, Worst { off, what, count }: Worst, least: usize) {
+    println!("{count} numbers within {off:.1e}, the worst {what}");
+    assert!(off <= GATE, "{what}: off by {off:e}");
+    assert!(count > least, "{layout}: {count}");
 }
 
 #[test]
 fn derivatives_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
     for layout in layouts() {
-        let listing = Listing::parse(layout.text).expect("a listing");
-        let Worst { off, what, count } = listing.in_its_size(&layout);
-        println!("{count} numbers within {off:.1e}, the worst {what}");
-        assert!(off <= GATE, "{what}: off by {off:e}");
-        assert!(count > 300, "{}: {count}", layout.name);
+        hold(layout.name, layout.derivatives(&program), 300);
+    }
+}
+
+#[test]
+fn sensitivities_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
+    let seed = fastrand::u64(..);
+    println!("seed {seed}");
+    let random = &mut fastrand::Rng::with_seed(seed);
+    for layout in layouts() {
+        hold(layout.name, layout.sensitivities(random, &program), 100);
     }
 }

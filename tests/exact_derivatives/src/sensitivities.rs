@@ -11,8 +11,7 @@ use suspension_runtime::{Fitted, Listing, Model, Room, Size, Work};
 
 use super::lattice::{Lattice, first_difference};
 use super::quantities::{Car, Reference};
-use super::{GATE, Layout, Row, Worst, design, is_of_roll, layouts, missing};
-use crate::program::{folder, run};
+use super::{Layout, Program, Row, Worst, design, is_of_roll, missing};
 
 /// What a hardpoint or a length differs by from suspension to suspension, m. The model's constants are rounded to 16 digits,
 /// which shows in differences over the second, and those over the first miss how curved a number is close to a pole: a
@@ -37,7 +36,11 @@ type Numbers = BTreeMap<String, DoubleDouble>;
 const DRAWN: usize = 16;
 
 /// A layout whose sensitivities are held, and what is drawn at random of all changes.
-struct Sensitive<'a>(&'a Layout, &'a mut fastrand::Rng);
+pub(super) struct Sensitive<'a> {
+    pub(super) layout: &'a Layout,
+    pub(super) random: &'a mut fastrand::Rng,
+    pub(super) program: Program<'a>,
+}
 
 /// All that a suspension is made of, by its name in the table.
 fn all(listing: &Listing) -> impl Iterator<Item = (String, Changed)> {
@@ -58,12 +61,9 @@ fn all(listing: &Listing) -> impl Iterator<Item = (String, Changed)> {
 impl Sensitive<'_> {
     /// The table's rows, by what is changed.
     fn table(&self, listing: &Listing, drives: &[f64]) -> BTreeMap<String, Row> {
-        let folder = folder();
-        let file = self.0.file(listing, Car::Front, drives);
-        std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        let output = run(folder.path(), &["sensitivities", "a.toml", "--csv", "-"]);
-        assert_eq!(output.status.code(), Some(0), "{}: {output:?}", self.0.name);
-        let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+        let file = self.layout.file(listing, Car::Front, drives);
+        let table = (self.program)(&file, &["sensitivities", "a.toml", "--csv", "-"]);
+        let mut reader = csv::Reader::from_reader(table.as_slice());
         let records = reader.deserialize::<(String, Vec<f64>)>();
         let rows: Vec<_> = records.map(|record| record.expect("a row")).collect();
         let headings = reader.headers().expect("headings").clone();
@@ -89,7 +89,7 @@ impl Work for Sensitive<'_> {
         let count = listing.count(Kind::Drive);
         let drives: Vec<f64> = model.drives_at(&points).values().take(count).collect();
         let table = self.table(listing, &drives);
-        let system = self.0.system();
+        let system = self.layout.system();
         let reference = Reference {
             system: &system,
             car: Car::Front,
@@ -97,7 +97,7 @@ impl Work for Sensitive<'_> {
         };
         let mut worst = Worst::default();
         let known = all(listing).filter(|(name, _)| table.contains_key(name));
-        for (name, changed) in self.1.choose_multiple(known, DRAWN) {
+        for (name, changed) in self.random.choose_multiple(known, DRAWN) {
             let row = &table[&name];
             let numbers = |by: f64| numbers::<N>(&reference, listing, (&hardpoints, changed), by);
             let beside =
@@ -116,7 +116,7 @@ impl Work for Sensitive<'_> {
                 let nearer = differences
                     .into_iter()
                     .min_by(|a, b| off(a).total_cmp(&off(b)));
-                let what = format!("{}: {key} by {name}", self.0.name);
+                let what = format!("{}: {key} by {name}", self.layout.name);
                 let small = NONE.max(SMALL * largest(&table, key));
                 worst.hold_to(small, &what, *found, nearer.expect("two differences"));
             }
@@ -189,18 +189,4 @@ where
         }
     }
     numbers
-}
-
-#[test]
-fn sensitivities_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
-    let seed = fastrand::u64(..);
-    println!("seed {seed}");
-    let random = &mut fastrand::Rng::with_seed(seed);
-    for layout in layouts() {
-        let listing = Listing::parse(layout.text).expect("a listing");
-        let Worst { off, what, count } = listing.in_its_size(Sensitive(&layout, random));
-        println!("{count} numbers within {off:.1e}, the worst {what}");
-        assert!(off <= GATE, "{what}: off by {off:e}");
-        assert!(count > 100, "{}: {count}", layout.name);
-    }
 }
