@@ -205,8 +205,8 @@ susp_status susp_attia2003_f64_step(
 
 /** A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
  * as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
- * drives follow the cubics that have their values and rates at the ends. `report` may be
- * NULL. */
+ * drives follow the cubics that have their values and rates at the ends or, where these lead
+ * past a lock, straight lines from rest, in 200 more. `report` may be NULL. */
 susp_status susp_attia2003_f64_step_between(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *from,

@@ -90,8 +90,8 @@ macro_rules! functions_of_a_linkage {
 
         /// A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
         /// as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
-        /// drives follow the cubics that have their values and rates at the ends. `report` may be
-        /// NULL.
+        /// drives follow the cubics that have their values and rates at the ends or, where these lead
+        /// past a lock, straight lines from rest, in 200 more. `report` may be NULL.
         fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, from, to) = (model.object()?, from.get()?, to.get()?);

@@ -63,6 +63,18 @@ impl<T: Scalar> Cubic<T> {
         }
     }
 
+    /// The same place on a straight line, which is a cubic too: the rates of the ends do not matter.
+    fn on_line(t: T, dt: T) -> Self {
+        let [zero, one] = [T::zero(), T::one()];
+        Self {
+            weights: Signal {
+                value: [t / dt, zero, zero],
+                rate: [one / dt, zero, zero],
+                second_rate: [zero; 3],
+            },
+        }
+    }
+
     fn between<V, S>(&self, from: &Signal<S>, to: &Signal<S>) -> Signal<S>
     where
         S: Values<V>,
@@ -93,7 +105,8 @@ impl<T: Real> Tracker<T> {
     /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
     /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
     /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
-    /// that have their values and rates there; the result has the rates of `to`.
+    /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
+    /// was long, they follow straight lines from rest, which takes up to as long again. The result has the rates of `to`.
     ///
     /// # Errors
     ///
@@ -110,8 +123,20 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        let (mut inputs, mut next) = (*from, *motion);
-        let advanced = self.advance_between(linkage, &mut inputs, to, dt, &mut next)?;
+        let mut next = *motion;
+        let advanced = self.advance_by(Cubic::at, linkage, &mut from.clone(), to, dt, &mut next);
+        let advanced = advanced.or_else(|stopped| {
+            next = Motion::at_rest(motion.position);
+            let advanced = self.advance_by(
+                Cubic::on_line,
+                linkage,
+                &mut from.clone(),
+                to,
+                dt,
+                &mut next,
+            );
+            advanced.map_err(|_| stopped)
+        })?;
         *motion = next;
         Ok(advanced)
     }
@@ -135,13 +160,30 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
+        self.advance_by(Cubic::at, linkage, inputs, to, dt, motion)
+    }
+
+    /// The same on a way that has the place after a time, of all.
+    fn advance_by<L, C, const N: usize>(
+        &self,
+        place: fn(T, T) -> Cubic<T>,
+        linkage: &L,
+        inputs: &mut Inputs<C, L::Drives>,
+        to: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
         let from = *inputs;
         let at = |t: T| {
             // A step of no length has no rates between its ends: those of the cubic are then NaN.
             if t == dt && dt != T::zero() {
                 return *to;
             }
-            let cubic = Cubic::at(t, dt);
+            let cubic = place(t, dt);
             Inputs {
                 chassis: from.chassis.between(&to.chassis, &cubic),
                 drives: cubic.between(&from.drives, &to.drives),

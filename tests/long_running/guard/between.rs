@@ -1,6 +1,7 @@
 //! Ways from one input to another.
 
 use nalgebra::SVector;
+use suspension_core::linkages::double_wishbone::{Corner, Drives};
 use suspension_core::linkages::five_link;
 use suspension_core::{Inputs, Signal, Tracker};
 
@@ -41,4 +42,65 @@ fn inputs_far_apart_are_joined_in_sub_steps() {
     let stopped = tracker.step_between(&model, ends, 1.0, &mut motion);
     assert!(stopped.is_err_and(|stopped| stopped.reached < 1.0));
     assert_eq!(motion, motions[0]);
+}
+
+/// Travel of 50 mm at 3 Hz.
+fn in_travel(start: Drives<f64>, t: f64) -> Signal<Drives<f64>> {
+    let frequency = std::f64::consts::TAU * 3.0;
+    let (sine, cosine) = (frequency * t).sin_cos();
+    let travel = |bump: f64| Drives { bump, steer: 0.0 };
+    Signal {
+        value: Drives {
+            bump: start.bump + 0.05 * sine,
+            ..start
+        },
+        rate: travel(0.05 * frequency * cosine),
+        second_rate: travel(-0.05 * frequency * frequency * sine),
+    }
+}
+
+/// One tick whose rate is wrong is accepted, as its value is right; the cubic from there leads past a lock and back.
+#[test]
+fn a_rate_that_was_wrong_once_does_not_refuse_what_follows() {
+    for (dt, rate) in [(1.0 / 60.0, 150.0), (1e-3, 2500.0), (1e-3, 1e6)] {
+        let mut corner: Corner = Corner::design().expect("a design");
+        let rest = Signal::still(corner.drives());
+        let mut wrong = rest;
+        wrong.rate.bump = rate;
+        corner.step(dt, wrong).expect("the value is right");
+        for _ in 0..10 {
+            corner.step(dt, rest).expect("the design position, at rest");
+        }
+        assert!(corner.motion().velocity.amax() < 1e-12);
+    }
+}
+
+/// However long a program stood still, its next tick leads to where the drives are.
+#[test]
+fn a_tick_after_a_long_stall_is_followed() {
+    const TICK: f64 = 1.0 / 60.0;
+    for stall in [0.1, 0.5, 1.0, 2.0, 5.0] {
+        for trial in 0..40 {
+            let mut corner: Corner = Corner::design().expect("a design");
+            let start = corner.drives();
+            let before = (30 + trial) as f64 * TICK;
+            let after = before + stall + 0.0007 * f64::from(trial);
+            corner.step(TICK, in_travel(start, 0.0)).expect("a tick");
+            corner
+                .step(before, in_travel(start, before))
+                .expect("a tick");
+            corner
+                .step(after - before, in_travel(start, after))
+                .expect("a tick");
+            let mut direct: Corner = Corner::design().expect("a design");
+            let there = in_travel(start, after);
+            direct.step(1.0, there).expect("a configuration");
+            let off = corner.motion().position - direct.motion().position;
+            assert!(
+                off.amax() < 1e-12,
+                "{stall} s, trial {trial}: {} m",
+                off.amax()
+            );
+        }
+    }
 }
