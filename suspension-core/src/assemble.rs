@@ -9,6 +9,7 @@ use nalgebra::SVector;
 use crate::error::SolveError;
 use crate::handedness;
 use crate::linkage::Build;
+use crate::listing::Kind;
 use crate::motion::Prescribed;
 use crate::newton::Newton;
 use crate::report::Report;
@@ -74,7 +75,7 @@ where
         Ok(Found::new(root, q, converged))
     };
     let mut nearest = solve(q);
-    for start in around(q, &off) {
+    for start in around(q, linkage.count(Kind::Unknown), &off) {
         nearest = nearer(nearest, solve(&start), linkage.size());
     }
     if let Ok(found) = &nearest

@@ -60,8 +60,8 @@ pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenSt
         #(#[doc = #docs])*
         #header
         // A program need not use every name, nor pass the module on; names made of two of the listing's
-        // may have two underscores in a row.
-        #[allow(dead_code, non_snake_case, unreachable_pub)]
+        // may have two underscores in a row, and numbers are those of the listing, near constants of mathematics or not.
+        #[allow(clippy::approx_constant, dead_code, non_snake_case, unreachable_pub)]
         #vis mod #name {
             use #core::generated::*;
             // Before macros of the same names that the crate may have in scope.

@@ -1,6 +1,7 @@
 //! Listings read at run time beside those that the macro compiles. A package of its own, since it takes longer
 //! to optimise these tests than to run them as they are.
 
+mod assembled;
 mod at_a_lock;
 mod back_ends;
 mod committed;

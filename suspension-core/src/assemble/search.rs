@@ -16,15 +16,23 @@ pub(super) const AROUND: usize = 16;
 /// equations are off by there (root mean square): about as far as the guess is from a root.
 const SPREAD: f64 = 1.5;
 
-/// Starts around the guess, the same at every call. `off` is the residual at the guess.
+/// Starts around the guess, of which the first `unknowns` entries are some: the same at every call and in every room. `off` is
+/// the residual at the guess.
 pub(super) fn around<T: Real, const N: usize>(
     guess: &SVector<T, N>,
+    unknowns: usize,
     off: &SVector<T, N>,
 ) -> impl Iterator<Item = SVector<T, N>> {
-    let spread = off.norm() * T::constant(SPREAD / libm::sqrt(N as f64));
+    let spread = off.norm() * T::constant(SPREAD / libm::sqrt(unknowns as f64));
     let guess = *guess;
     let mut state = 1;
-    let around = move || guess.map(|x| x + spread * random(&mut state));
+    let around = move || {
+        let mut start = guess;
+        for x in start.iter_mut().take(unknowns) {
+            *x += spread * random(&mut state);
+        }
+        start
+    };
     core::iter::repeat_with(around).take(AROUND)
 }
 

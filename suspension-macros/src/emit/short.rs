@@ -10,7 +10,7 @@ use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, System};
 
 /// Variables and functions of the elimination, and names that a pattern does not bind.
-const TAKEN: [&str; 22] = [
+const TAKEN: [&str; 23] = [
     "Err",
     "Listing",
     "None",
@@ -22,6 +22,8 @@ const TAKEN: [&str; 22] = [
     "difference",
     "fixed",
     "free",
+    // A keyword from edition 2024 on, which syn does not know yet.
+    "gen",
     "gradient",
     "growth",
     "opposite",
@@ -153,5 +155,7 @@ mod tests {
         // A keyword, a variable, a body; two that have the same letters; none at all.
         let names = short(["front_nut", "d", "knuckle_rear", "a_b", "a__b", "_"]);
         assert_eq!(names, ["frnu", "d1", "knre", "ab3", "ab4", "n5"]);
+        // A keyword of edition 2024 alone.
+        assert_eq!(short(["gearbox_end_near"]), ["geenne"]);
     }
 }

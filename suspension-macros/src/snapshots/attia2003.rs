@@ -22,7 +22,7 @@
 /// | curvature | 56 | 112 | 0 |
 /// | factor | 200 | 118 | 14 |
 /// | solve | 78 | 64 | 0 |
-#[allow(dead_code, non_snake_case, unreachable_pub)]
+#[allow(clippy::approx_constant, dead_code, non_snake_case, unreachable_pub)]
 pub mod attia2003 {
     use ::suspension_core::generated::*;
     use ::suspension_core::generated::{unknown_names, vector_of};

@@ -16,7 +16,7 @@
 /// | curvature | 62 | 94 | 0 |
 /// | factor | 166 | 116 | 8 |
 /// | solve | 95 | 93 | 0 |
-#[allow(dead_code, non_snake_case, unreachable_pub)]
+#[allow(clippy::approx_constant, dead_code, non_snake_case, unreachable_pub)]
 pub mod five_link {
     use ::suspension_core::generated::*;
     use ::suspension_core::generated::{unknown_names, vector_of};

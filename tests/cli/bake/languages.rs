@@ -114,6 +114,26 @@ int main(void)
 "#
     );
     assert_eq!(exit_of_c(folder.path(), &program), Some(0), "{number}");
+    assert_converts(folder.path(), "WHEEL_BY_THETA", number);
+}
+
+/// The header alone compiles without a warning of numbers that are rounded, as the rules of controllers may ask for.
+pub(super) fn assert_converts(folder: &Path, name: &str, number: &str) {
+    let unit = format!("#define {name}_NUMBER {number}\n#include \"wheel.h\"\nint none;\n");
+    std::fs::write(folder.join("unit.c"), unit).expect("written");
+    let compiled = Command::new("cc")
+        .current_dir(folder)
+        .args([
+            "-std=c99",
+            "-Wall",
+            "-Wextra",
+            "-Wconversion",
+            "-Wfloat-conversion",
+        ])
+        .args(["-pedantic", "-Werror", "-c", "unit.c"])
+        .output()
+        .expect("a C compiler");
+    assert!(compiled.status.success(), "{number}: {compiled:?}");
 }
 
 /// Compiles a program in C99, without warnings, and runs it.

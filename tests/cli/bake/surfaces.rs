@@ -11,7 +11,7 @@ use super::kept::is_as_kept;
 use super::kept::wheel_by_bump_and_steer::{
     WHEEL_BY_BUMP_AND_STEER, WHEEL_BY_BUMP_AND_STEER_OUTPUTS,
 };
-use super::languages::{exit_of_c, numbers};
+use super::languages::{assert_converts, exit_of_c, numbers};
 
 /// A double wishbone of two drives, with the hardpoints of its listing.
 const FILE: &str = "linkage = \"double_wishbone\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump = 0.3\nsteer = 0.34\n";
@@ -172,6 +172,9 @@ int main(void)
 "#
     );
     assert_eq!(exit_of_c(folder.path(), &program), Some(0));
+    for number in ["double", "float"] {
+        assert_converts(folder.path(), "WHEEL_BY_BUMP_AND_STEER", number);
+    }
 }
 
 #[test]

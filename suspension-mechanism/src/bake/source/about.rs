@@ -5,6 +5,21 @@ use std::path::Path;
 use crate::bake::driven::Output;
 use crate::number::{counted, exact};
 
+/// Around what a header in C has in it, so that float is rounded without a warning.
+pub(super) const ROUNDED: [&str; 2] = [
+    "\
+/* Where numbers are float, those in this file are rounded. */
+#if defined __GNUC__
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored \"-Wconversion\"
+#pragma GCC diagnostic ignored \"-Wfloat-conversion\"
+#endif",
+    "\
+#if defined __GNUC__
+#pragma GCC diagnostic pop
+#endif",
+];
+
 /// What the numbers of a baked file mean.
 #[derive(Clone, Debug)]
 pub struct About {

@@ -24,6 +24,7 @@ use suspension_core::baked::Curve;
 pub const {name}_OUTPUTS: [&str; {width}] = {names:?};
 
 /// See the head of this file.
+#[allow(clippy::approx_constant)]
 #[rustfmt::skip]
 pub static {name}: Curve<'static, f64, {width}, {TERMS}> = Curve {{
     range: [{from:?}, {to:?}],

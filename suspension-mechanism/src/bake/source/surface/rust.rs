@@ -25,6 +25,7 @@ use suspension_core::baked::Surface;
 pub const {name}_OUTPUTS: [&str; {width}] = {names:?};
 
 /// See the head of this file.
+#[allow(clippy::approx_constant)]
 #[rustfmt::skip]
 pub static {name}: Surface<'static, f64, {width}, {TERMS}> = Surface {{
     ranges: {ranges:?},
