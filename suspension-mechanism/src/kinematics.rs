@@ -5,12 +5,13 @@ mod changed;
 mod changing;
 mod equations;
 
-use std::ops::{Deref, Range};
+use std::ops::Deref;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
+use suspension_runtime::Exerting;
 
 use crate::assemblies::Watch;
 use crate::bake::{
@@ -52,12 +53,7 @@ pub trait Kinematics: Deref<Target = Description> {
     ) -> VisitEnd;
 
     /// See [`Mechanism::under`].
-    fn under(
-        &self,
-        state: &State,
-        forces: &[Vector3<f64>],
-        groups: &[Vec<Range<usize>>],
-    ) -> Option<Borne>;
+    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne>;
 
     /// See [`Mechanism::gradient`].
     fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>>;
@@ -182,13 +178,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         self.visit_each(grid, order, interrupted, on_place)
     }
 
-    fn under(
-        &self,
-        state: &State,
-        forces: &[Vector3<f64>],
-        groups: &[Vec<Range<usize>>],
-    ) -> Option<Borne> {
-        self.under(state, forces, groups)
+    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne> {
+        self.under(state, forces, parts)
     }
 
     fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {

@@ -4,12 +4,10 @@
 mod forces;
 mod site;
 
-use std::ops::Range;
-
 use nalgebra::{DMatrix, DVector, Vector3};
 use suspension_core::listing::{self, Parts};
 use suspension_listing::Kind;
-use suspension_runtime::{Listing, Statement};
+use suspension_runtime::{AngleLine, Exerting, Listing, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, State};
@@ -66,7 +64,9 @@ impl Outcome {
 pub struct Structure<'l> {
     /// They, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
-    groups: Vec<Vec<Range<usize>>>,
+    exerting: Vec<Exerting>,
+    /// Of each measure the lines of an angle that parts carry.
+    measured: Vec<Vec<AngleLine>>,
     /// How many chassis points there are, the first of all points.
     chassis: usize,
     /// Markers with three points of the body that carries each.
@@ -77,20 +77,22 @@ impl<'l> Structure<'l> {
     /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
     /// they bear.
     pub fn of(listing: &'l Listing) -> Self {
-        let statements: Vec<_> = listing.parts().collect();
-        let groups = statements.iter().map(|each| each.equations.clone());
+        let measures = 0..listing.count(listing::Kind::Measure);
         Self {
-            groups: groups.collect(),
+            exerting: listing.exerting(),
+            measured: measures
+                .map(|measure| listing.lines_of_measure(measure))
+                .collect(),
             carriers: listing.carriers(),
             chassis: listing.count(listing::Kind::ChassisPoint),
-            statements,
+            statements: listing.parts().collect(),
         }
     }
 
     /// What a case does at a state; `None` where the mechanism locks, where what is to bear the load of a drive does not
     /// move with it, and where points that hold a body with a mass are in line.
     pub fn under(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
-        let here = Here::new(mechanism, &self.carriers, state);
+        let here = self.here(mechanism, state);
         let mut forces = here.at_sites(&case.at);
         forces.extend(here.in_measures(&case.along));
         forces.extend(here.of_masses(&case.field)?);
@@ -98,8 +100,8 @@ impl<'l> Structure<'l> {
         forces.extend(here.in_measures(&in_measures));
         let Borne {
             on_drives,
-            by_groups,
-        } = here.under(&summed(&forces, here.points()), &self.groups)?;
+            by_parts,
+        } = here.under(&summed(&forces, here.points()), &self.exerting)?;
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
             in_measures,
@@ -110,9 +112,9 @@ impl<'l> Structure<'l> {
                 .map(|each| each.force.norm())
                 .fold(0.0, f64::max),
         };
-        for (number, by) in by_groups.into_iter().enumerate() {
+        for (number, by) in by_parts.into_iter().enumerate() {
             let own = forces.iter();
-            let own = own.filter(|force| force.is_on(&self.statements[number]));
+            let own = own.filter(|force| force.is_on(number, &self.statements[number]));
             self.add(&mut outcome, number, (by, own.collect()), here.points());
         }
         Some(outcome)
@@ -125,10 +127,19 @@ impl<'l> Structure<'l> {
         case: &Case,
         state: &State,
     ) -> Vec<[Vector3<f64>; 2]> {
-        let here = Here::new(mechanism, &self.carriers, state);
+        let here = self.here(mechanism, state);
         let each = case.at.iter();
         each.map(|(site, [force, _])| [here.place_of(*site) + state.origin, *force])
             .collect()
+    }
+
+    fn here<'a>(&'a self, mechanism: &'a dyn Kinematics, state: &'a State) -> Here<'a> {
+        Here {
+            mechanism,
+            carriers: &self.carriers,
+            measured: &self.measured,
+            state,
+        }
     }
 
     /// Adds the forces `by` a statement on all points, with what acts on the part itself, which it passes on.
@@ -139,11 +150,20 @@ impl<'l> Structure<'l> {
         (mut by, own): (Vec<Vector3<f64>>, Vec<&Force>),
         at: &[Vector3<f64>],
     ) {
-        let statement = &self.statements[number];
+        let (statement, exerting) = (&self.statements[number], &self.exerting[number]);
+        if exerting.is_of_others() {
+            return;
+        }
+        let (moments, own): (Vec<&Force>, Vec<_>) =
+            own.into_iter().partition(|force| force.is_of_moment());
+        let bears_only_tension = own.is_empty() && moments.is_empty() && !exerting.has_lines();
+        for force in moments {
+            by[force.point] += force.force;
+        }
         if let Some([from, to]) = statement.ends() {
             let along = (at[to] - at[from]).normalize();
             outcome.links.push((number, by[from].dot(&along)));
-            if own.is_empty() {
+            if bears_only_tension {
                 return;
             }
         }

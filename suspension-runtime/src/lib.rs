@@ -44,6 +44,7 @@ pub mod catalogue;
 mod catalogue_and_files;
 mod design_change;
 mod equations;
+mod exerting;
 mod factors;
 mod fit;
 mod fitted;
@@ -64,6 +65,7 @@ mod table;
 
 pub use catalogue_and_files::CatalogueAndFiles;
 pub use design_change::{AlongDrive, DesignChange, Start, Unknowns};
+pub use exerting::{AngleLine, Exerting};
 pub use factors::Factors;
 pub use fitted::{Fitted, Work};
 pub use hardpoints::ModelError;

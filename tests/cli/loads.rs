@@ -1,6 +1,7 @@
 //! Forces under load cases.
 
 mod cases;
+mod moments;
 
 use std::collections::BTreeMap;
 

@@ -161,3 +161,32 @@ fn the_rod_that_cannot_reach_is_named(rate: f64) {
     assert!(!reaches(length), "{has}");
     assert!(!reaches(needs + 1e-6) && reaches(needs - 1e-6), "{needs}");
 }
+
+/// A longer link at a driven angle would have another height at that angle: the other link is named, with the distance from its
+/// end to the circle on which the first one ends.
+#[test]
+fn a_link_whose_angle_is_driven_is_not_said_to_be_in_the_way() {
+    let folder = folder();
+    let file = "statements = '''
+fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2];
+free: p at [0.05, 0.16, 0.42];
+link ap: a -> p;
+link bp: b -> p;
+drive turn: angle(a -> p, z);
+'''
+unit = \"m\"
+time = { instants = [0.0, 1.0] }
+[drives]
+turn = [0.949505195260471, -0.0516]
+";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let length = (0.05_f64.powi(2) + 0.16_f64.powi(2) + 0.12_f64.powi(2)).sqrt();
+    let (sine, cosine) = (0.949_505_195_260_471_f64 - 0.0516).sin_cos();
+    let across = 0.3_f64.hypot(0.5) - length * sine;
+    let needs = across.hypot(0.3 + length * cosine - 0.2);
+    let said = text(&output.stderr);
+    let expected = format!("`bp` is 0.47592 m long and would have to be {needs:.6} m");
+    assert!(said.contains(&expected), "{expected}: {said}");
+}

@@ -1,7 +1,6 @@
 //! What forces at the points of a suspension do.
 
 use std::borrow::ToOwned;
-use std::ops::Range;
 use std::string::String;
 use std::vec::Vec;
 
@@ -9,7 +8,7 @@ use suspension_core::error::{Explain, Facts};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::statics::{Loads, spread};
 use suspension_core::{Corner, Linkage, Values};
-use suspension_runtime::{Listing, Model, Room, Size};
+use suspension_runtime::{Exerting, Listing, Model, Room, Size};
 
 use super::row::{Row, write};
 use crate::masses::{add_at, each_force};
@@ -29,17 +28,18 @@ pub(super) struct Structure {
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) name: String,
-    equations: Vec<Range<usize>>,
+    exerting: Exerting,
     /// The ends of a link.
     ends: Option<[usize; 2]>,
 }
 
 impl Structure {
     pub(super) fn of(listing: &Listing) -> Self {
-        let parts = listing.parts().map(|part| Part {
+        let parts = listing.parts().zip(listing.exerting());
+        let parts = parts.map(|(part, exerting)| Part {
             name: part.name.to_owned(),
             ends: part.ends(),
-            equations: part.equations,
+            exerting,
         });
         Self {
             parts: parts.collect(),
@@ -78,7 +78,7 @@ where
     let each = wanted.reactions.len() / structure.parts.len().max(1);
     let rows = wanted.reactions.chunks_exact_mut(each.max(1));
     for (row, part) in rows.zip(&structure.parts) {
-        let forces = part.forces(&loads);
+        let forces = part.exerting.forces(&loads);
         write(forces.values().flat_map(<[f64; 3]>::from), row);
     }
     Ok(())
@@ -127,22 +127,6 @@ fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: 
 }
 
 impl Part {
-    /// The forces that it exerts on all points.
-    fn forces<L: Linkage<N, Scalar = f64>, const N: usize>(
-        &self,
-        loads: &Loads<'_, L, N>,
-    ) -> L::Points {
-        let by = self
-            .equations
-            .iter()
-            .map(|equations| loads.by(equations.clone()));
-        let none = L::Points::from_values([]);
-        by.fold(none, |sum, by| {
-            let each = sum.values().zip(by.values());
-            L::Points::from_values(each.map(|(sum, by)| sum + by))
-        })
-    }
-
     /// The force in a link; zero of what is none.
     fn tension<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
@@ -152,7 +136,7 @@ impl Part {
         let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
         self.ends.map_or(0.0, |[from, to]| {
             let along = (of(at, to) - of(at, from)).normalize();
-            of(&self.forces(loads), from).dot(&along)
+            of(&self.exerting.forces(loads), from).dot(&along)
         })
     }
 }

@@ -85,11 +85,11 @@ fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream 
     }
 }
 
-/// Fields without those whose name is taken already.
+/// Fields without those whose name is taken already, or a keyword of edition 2024, which is refused and would be once more.
 fn distinct(names: impl Iterator<Item = Name>) -> Vec<Field> {
     let mut seen = BTreeSet::new();
     names
-        .filter(|name| seen.insert(name.clone()))
+        .filter(|name| name.to_string() != "gen" && seen.insert(name.clone()))
         .map(|name| Field::undocumented(name, String::new()))
         .collect()
 }

@@ -1,29 +1,45 @@
 //! Forces at the points of a mechanism: what loads at places of bodies and in measures come to.
 
-use std::ops::Range;
-
 use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
 use suspension_core::wheel::contact;
-use suspension_runtime::Statement;
+use suspension_runtime::{AngleLine, Exerting, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::loads::site::Site;
 use crate::mechanism::{Borne, Mass, State};
 
-/// A force at a point, with the points of the part on which it acts, none where it acts on the point itself.
+/// A force at a point, and what it acts on there.
 pub(super) struct Force {
     pub(super) point: usize,
     pub(super) force: Vector3<f64>,
-    part: Vec<usize>,
+    on: On,
+}
+
+/// What a force acts on.
+enum On {
+    /// The point itself.
+    Point,
+    /// The part with these points.
+    Having(Vec<usize>),
+    /// The part of this number, by a moment about an angle of which it carries a line.
+    Line(usize),
 }
 
 impl Force {
-    /// Whether it acts on the body of a statement.
-    pub(super) fn is_on(&self, statement: &Statement<'_>) -> bool {
-        let has = |point: &usize| statement.points.contains(point);
-        !self.part.is_empty() && self.part.iter().all(has)
+    /// Whether it acts on the part of a statement, and not on the point itself.
+    pub(super) fn is_on(&self, number: usize, statement: &Statement<'_>) -> bool {
+        match &self.on {
+            On::Point => false,
+            On::Having(points) => points.iter().all(|point| statement.points.contains(point)),
+            On::Line(part) => *part == number,
+        }
+    }
+
+    /// Whether it is of a moment about an angle.
+    pub(super) fn is_of_moment(&self) -> bool {
+        matches!(self.on, On::Line(_))
     }
 }
 
@@ -33,7 +49,7 @@ fn on<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<For
     each.map(|(point, force)| Force {
         point: *point,
         force,
-        part: points.to_vec(),
+        on: On::Having(points.to_vec()),
     })
     .collect()
 }
@@ -49,32 +65,18 @@ pub(super) fn summed(forces: &[Force], points: &[Vector3<f64>]) -> Vec<Vector3<f
 
 /// A mechanism at a place.
 pub(super) struct Here<'a> {
-    mechanism: &'a dyn Kinematics,
+    pub(super) mechanism: &'a dyn Kinematics,
     /// Markers with three points of the body that carries each.
-    carriers: &'a [(usize, [usize; 3])],
-    state: &'a State,
+    pub(super) carriers: &'a [(usize, [usize; 3])],
+    /// Of each measure the lines of an angle that parts carry.
+    pub(super) measured: &'a [Vec<AngleLine>],
+    pub(super) state: &'a State,
 }
 
-impl<'a> Here<'a> {
-    pub(super) fn new(
-        mechanism: &'a dyn Kinematics,
-        carriers: &'a [(usize, [usize; 3])],
-        state: &'a State,
-    ) -> Self {
-        Self {
-            mechanism,
-            carriers,
-            state,
-        }
-    }
-
-    /// What forces at the points do, and groups of equations to the points; `None` where the mechanism locks.
-    pub(super) fn under(
-        &self,
-        forces: &[Vector3<f64>],
-        groups: &[Vec<Range<usize>>],
-    ) -> Option<Borne> {
-        self.mechanism.under(self.state, forces, groups)
+impl Here<'_> {
+    /// What forces at the points do, and parts to the points; `None` where the mechanism locks.
+    pub(super) fn under(&self, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne> {
+        self.mechanism.under(self.state, forces, parts)
     }
 
     /// All points, in local coordinates.
@@ -96,7 +98,7 @@ impl<'a> Here<'a> {
             Site::Point(point) => vec![Force {
                 point,
                 force: *force,
-                part: Vec::new(),
+                on: On::Point,
             }],
             Site::Body(_, body) => self.spread(body, self.place_of(*site), *force, *moment),
             Site::Contact(wheel) => {
@@ -120,15 +122,31 @@ impl<'a> Here<'a> {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
             MeasureKind::Length => along,
         };
-        let gradient = self
-            .mechanism
-            .gradient(self.state, measure)
-            .into_iter()
-            .enumerate();
-        let acting = gradient.filter(|(_, gradient)| *gradient != Vector3::zeros());
-        let each = acting
-            .map(|(point, gradient)| (self.site_of(point), [gradient * along, Vector3::zeros()]));
-        self.at_sites(&each.collect::<Vec<_>>())
+        let gradient = self.mechanism.gradient(self.state, measure).into_iter();
+        let mut acting: Vec<_> = gradient.map(|gradient| gradient * along).collect();
+        let mut forces = Vec::new();
+        // What acts at a marker acts on its body in any case.
+        let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
+        let couples = self.measured[measure].iter();
+        let couples: Vec<_> = couples
+            .map(|line| (line, line.couple(|point| acting[point])))
+            .collect();
+        for (line, couple) in couples {
+            let ends = line.ends.into_iter().zip(couple);
+            for (point, force) in ends.filter(|(point, _)| !is_marker(*point)) {
+                acting[point] -= force;
+                forces.push(Force {
+                    point,
+                    force,
+                    on: On::Line(line.part),
+                });
+            }
+        }
+        let rest = acting.into_iter().enumerate();
+        let rest = rest.filter(|(_, force)| *force != Vector3::zeros());
+        let rest = rest.map(|(point, force)| (self.site_of(point), [force, Vector3::zeros()]));
+        forces.extend(self.at_sites(&rest.collect::<Vec<_>>()));
+        forces
     }
 
     /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` where three points that hold a
@@ -146,7 +164,7 @@ impl<'a> Here<'a> {
             all.extend(forces.into_iter().map(|(point, force)| Force {
                 point,
                 force,
-                part: part.clone(),
+                on: On::Having(part.clone()),
             }));
         }
         Some(all)

@@ -113,7 +113,8 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
-    /// Of the equations of links the one that bears most where the mechanism locks: there the rows of the
+    /// Of the equations of links, but those that are lines of an angle that is driven or held (a longer one would have another
+    /// angle), the one that bears most where the mechanism locks: there the rows of the
     /// Jacobian depend on each other, with forces that balance within the mechanism as factors. Beside it the motion
     /// that changes no equation there.
     fn bearing(&self, names: &Names, q: &SVector<f64, N>) -> Option<(usize, SVector<f64, N>)> {
@@ -124,7 +125,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
             motion = factors.solve(&forces).normalize();
             forces = factors.solve_transposed(&motion).normalize();
         }
-        let is_link = |row: &usize| names.link(&names.equations[*row]).is_some();
+        let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = (0..names.equations.len()).filter(is_link);
         let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
         (forces[bearing].abs() > BEARS * forces.amax()).then_some((bearing, motion))

@@ -35,6 +35,8 @@ pub struct Names {
     pub lengths: Vec<String>,
     /// Those of links, by number; of a listing that was read while the program runs.
     pub links: Vec<usize>,
+    /// Of these the ones that are lines of an angle that is driven or held.
+    pub angled_links: Vec<usize>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
@@ -84,6 +86,7 @@ impl Names {
             free,
             lengths: named(count(Kind::Length), Part::Length),
             links: Vec::new(),
+            angled_links: Vec::new(),
             drives: (0..)
                 .zip(drives)
                 .map(|(drive, name)| Drive {
@@ -114,6 +117,9 @@ impl Names {
         let links = statements.filter(|statement| statement.ends().is_some());
         let number = |link: &str| self.lengths.iter().position(|length| length == link);
         self.links = links.filter_map(|link| number(link.name)).collect();
+        let parts = listing.parts().zip(listing.exerting());
+        let angled = parts.filter(|(part, exerting)| part.ends().is_some() && exerting.has_lines());
+        self.angled_links = angled.filter_map(|(part, _)| number(part.name)).collect();
         self
     }
 
@@ -127,6 +133,12 @@ impl Names {
     pub(crate) fn link(&self, name: &str) -> Option<usize> {
         let found = self.links().find(|(link, _)| *link == name);
         found.map(|(_, length)| length)
+    }
+
+    /// Whether there is a link of that name which is no line of an angle that is driven or held.
+    pub(crate) fn is_free_link(&self, name: &str) -> bool {
+        let length = self.link(name);
+        length.is_some_and(|length| !self.angled_links.contains(&length))
     }
 
     /// The same with springs, and parts that have a mass.

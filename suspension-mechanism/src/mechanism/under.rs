@@ -1,10 +1,13 @@
 //! A mechanism under forces.
 
-use std::ops::Range;
+use std::f64::consts::TAU;
 
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
+use suspension_core::listing::DriveKind;
+use suspension_core::motion::Prescribed;
 use suspension_core::statics::{Loads, Statics};
-use suspension_core::{Signal, Values};
+use suspension_core::{Inputs, Signal, Values};
+use suspension_runtime::Exerting;
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -16,40 +19,53 @@ pub struct Borne {
     /// The work of the forces per unit of each drive, which what moves the drive bears: N, and N times the unit of lengths
     /// about angles.
     pub on_drives: Vec<f64>,
-    /// The forces that each group of equations exerts on the points, N.
-    pub by_groups: Vec<Vec<Vector3<f64>>>,
+    /// The forces that each part exerts on the points, N.
+    pub by_parts: Vec<Vec<Vector3<f64>>>,
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// What forces at chassis points and free points do at a state, and groups of equations to the points; `None`
-    /// where the mechanism locks.
+    /// What forces at chassis points and free points do at a state, and parts to the points; `None` where the mechanism
+    /// locks.
     pub fn under(
         &self,
         state: &State,
         forces: &[Vector3<f64>],
-        groups: &[Vec<Range<usize>>],
+        parts: &[Exerting],
     ) -> Option<Borne> {
         let position = self.model.unknowns(&points(state));
         let given = state.drives.iter().zip(&self.drive_offsets);
         let drives = L::Drives::from_values(given.map(|(given, offset)| given - offset));
+        let drives = self.on_the_turn_of(&position, drives);
         let statics = Statics::new(&self.model, drives, &position).ok()?;
         let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
+        let by = |part: &Exerting, loads: &Loads<'_, L, N>| {
+            let forces = part.forces(loads);
+            forces.values().take(self.names.points.len()).collect()
+        };
         Some(Borne {
             on_drives: loads.on_drives().values().take(count).collect(),
-            by_groups: groups.iter().map(|group| self.by(&loads, group)).collect(),
+            by_parts: parts.iter().map(|part| by(part, &loads)).collect(),
         })
     }
 
-    fn by(&self, loads: &Loads<'_, L, N>, group: &[Range<usize>]) -> Vec<Vector3<f64>> {
-        let mut sum = vec![Vector3::zeros(); self.names.points.len()];
-        for equations in group {
-            let forces = loads.by(equations.clone());
-            for (sum, force) in sum.iter_mut().zip(forces.values()) {
-                *sum += force;
-            }
+    /// Drives whose angles about axes are on the turn that unknowns read off the points are on: within half a turn of the design.
+    fn on_the_turn_of(&self, position: &SVector<f64, N>, mut drives: L::Drives) -> L::Drives {
+        const TURNS: [f64; 3] = [0.0, TAU, -TAU];
+        let named = self.names.drives.iter().enumerate();
+        for (place, _) in named.filter(|(_, drive)| drive.kind == DriveKind::Turn) {
+            let value = drives.values().nth(place).unwrap_or_default();
+            let turned = TURNS.map(|turn| drives.with(place, value + turn));
+            let off = |drives: &L::Drives| {
+                let still = Inputs::still(Signal::still(*drives));
+                let Prescribed { fixed, drives } = Prescribed::new(&self.model, &still);
+                let residual = self.model.residual(position, &fixed.value, &drives.value);
+                residual.norm()
+            };
+            let nearest = turned.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+            drives = nearest.unwrap_or(drives);
         }
-        sum
+        drives
     }
 
     /// The derivative of a measure with respect to each point, at a state.

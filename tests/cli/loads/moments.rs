@@ -1,0 +1,191 @@
+//! Moments about angles: a torsion bar, a rotary actuator, an angle that is held. What carries a line of the angle passes them on.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+
+use super::{force, table};
+
+type Row = BTreeMap<String, f64>;
+
+/// The one row of loads of statements at their only instant.
+fn only(statements: &str, drives: &str, loads: &str) -> Row {
+    let file = file(statements, drives, loads);
+    let rows = table(&file, &["--motion"]);
+    assert_eq!(rows.len(), 1);
+    rows[0].clone()
+}
+
+fn file(statements: &str, drives: &str, loads: &str) -> String {
+    format!(
+        "statements = '''\n{statements}'''\nunit = \"m\"\ntime = {{ instants = [0.0] }}\nvehicle = {{ wheel_radius = 0.3 }}\n\
+         [drives]\n{drives}\n[loads.c]\n{loads}\n"
+    )
+}
+
+fn assert_near(found: Vector3<f64>, expected: [f64; 3], what: &str) {
+    let off = (found - Vector3::from(expected)).norm();
+    assert!(off < 1e-8, "{what}: {found:?}, not {expected:?}");
+}
+
+/// A trailing arm, 0.4 m long, whose hub is beside the outer bush.
+const ARM: &str =
+    "fixed: outer at [0.4, 0.6, 0.3], inner at [0.4, 0.3, 0.3], mark at [0.0, 0.3, 0.3];
+free: hub at [0.0, 0.6, 0.3];
+hinge arm: outer, inner -> hub;\n";
+const BAR: &str = "bar: angle(inner -> mark, outer -> hub about inner -> outer);";
+
+/// A bar gives a moment alone: the outer bush bears the load.
+#[test]
+fn bushes_bear_what_a_torsion_bar_carries() {
+    let hub = "hub = [0.0, 0.0, 1000.0]";
+    let measured = format!("{ARM}drive bump: hub.z;\nmeasure {BAR}\n");
+    let carried = only(&measured, "bump = 0.3", &format!("{hub}\nbump = \"bar\""));
+    let driven = only(&format!("{ARM}drive {BAR}\n"), "bar = 0.0", hub);
+    assert!((carried["c_bar_Nm"] + 400.0).abs() < 1e-9, "{carried:?}");
+    assert!((driven["c_bar_Nm"] - 400.0).abs() < 1e-9, "{driven:?}");
+    for row in [carried, driven] {
+        assert_near(force(&row, "c_arm_outer"), [0.0, 0.0, 1000.0], "outer");
+        assert_near(force(&row, "c_arm_inner"), [0.0; 3], "inner");
+        assert_near(force(&row, "c_arm_hub"), [0.0, 0.0, -1000.0], "hub");
+    }
+}
+
+/// Where the knuckle meets the wishbone one presses the other, and the bushes bear that.
+#[test]
+fn a_wishbone_on_a_torsion_bar_is_in_equilibrium() {
+    let statements = "fixed: af at [0.3, 0.3, 0.2], ar at [-0.25, 0.28, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.42, 0.44];
+fixed: rk at [0.12, 0.33, 0.2], mark at [0.0, 0.5, 0.35];
+free: lb at [0.0, 0.7, 0.16], ub at [-0.02, 0.66, 0.44], tb at [0.12, 0.67, 0.21], wc at [0.0, 0.75, 0.3];
+hinge lower: af, ar -> lb;
+hinge upper: uf, ur -> ub;
+body knuckle: lb, ub, tb, wc;
+link tie: rk -> tb;
+drive bump: wc.z;
+measure bar: angle(af -> mark, af -> lb about ar -> af);
+point axle: knuckle at [0.002, 0.62, 0.301];
+wheel: axle -> wc;\n";
+    let row = only(
+        statements,
+        "bump = 0.3",
+        "contact = [0.0, 0.0, 4000.0]\nbump = \"bar\"",
+    );
+    let of = |name: &str| force(&row, &format!("c_{name}"));
+    assert!((of("lower_lb") + of("knuckle_lb")).norm() < 1e-8, "{row:?}");
+    let bushes = of("lower_af") + of("lower_ar");
+    assert!((bushes - of("knuckle_lb")).norm() < 1e-8, "{bushes:?}");
+    // With what the upper wishbone and the tie rod bear, all of the load.
+    let all = bushes + of("upper_uf") + of("upper_ur") + of("knuckle_tb");
+    assert!(
+        (all - Vector3::new(0.0, 0.0, 4000.0)).norm() < 1e-8,
+        "{all:?}"
+    );
+}
+
+/// Wherever the angle counts from, and on which of its turns it is.
+#[test]
+fn a_moment_does_not_depend_on_the_turn_that_its_angle_is_on() {
+    let statements =
+        "fixed: a at [0.0, 0.0, 0.3], ahead at [0.2, 0.0, 0.3], mark at [0.0, 0.3, 0.3];
+free: p at [0.0, 0.0, 0.5];
+hinge arm: a, ahead -> p;
+drive turn: angle(a -> mark, a -> p about a -> ahead);\n";
+    let mut count = 0;
+    for design in [1.570_796_326_794_896_6_f64, -4.712_388_980_384_69] {
+        for turned in [-3.3, -3.0, -1.0, 0.0, 1.0, 3.0, 3.3] {
+            let turn = design + turned;
+            if turn.abs() > 6.2 {
+                continue;
+            }
+            let drives = format!("turn = {turn:?}\n[design]\nturn = {design:?}");
+            let row = only(statements, &drives, "p = [0.0, 10.0, 0.0]");
+            // The arm is 0.2 m long.
+            let expected = -2.0 * f64::sin(turn);
+            let found = row["c_turn_Nm"];
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "{design} {turn}: {found}, not {expected}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 8);
+}
+
+const TWO_LINKS: &str = "fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2];
+free: p at [0.05, 0.16, 0.42];
+link ap: a -> p;
+link bp: b -> p;\n";
+const ANGLE: f64 = 0.949_505_195_260_471;
+
+/// What holds the angle of a link bears its moment, and the link what is left, along it.
+#[test]
+fn a_link_bears_the_same_however_its_angle_is_stated() {
+    let marks = "fixed: above at [0.0, 0.0, 0.6], side at [0.16, -0.05, 0.3];\n";
+    let angles = [
+        ("", "angle(a -> p, z)"),
+        (marks, "angle(a -> above, a -> p about side -> a)"),
+    ];
+    let rows = angles.map(|(marks, angle)| {
+        let statements = format!("{TWO_LINKS}{marks}drive turn: {angle};\n");
+        only(
+            &statements,
+            &format!("turn = {ANGLE}"),
+            "p = [3.0, 10.0, 4.0]",
+        )
+    });
+    let [from_axis, about] = &rows;
+    for (name, found) in from_axis {
+        let expected = about[name];
+        // A driven angle has unknowns of its own, and is beside the points by rounding.
+        assert!(
+            (found.abs() - expected.abs()).abs() < 1e-6,
+            "{name}: {found}, not {expected}"
+        );
+    }
+    assert!(
+        (from_axis["c_ap_N"] - 10.987_6).abs() < 1e-3,
+        "{from_axis:?}"
+    );
+    let [at, end] = [[0.05, 0.16, 0.42], [0.3, 0.5, 0.2]].map(Vector3::from);
+    let other = (end - at).normalize() * from_axis["c_bp_N"];
+    let sum = force(from_axis, "c_ap_p") + other + Vector3::new(3.0, 10.0, 4.0);
+    assert!(sum.norm() < 1e-8, "{sum:?}");
+}
+
+/// At both ends of the angle all forces are in equilibrium, the couple on each line among them.
+#[test]
+fn links_at_an_angle_that_is_held_are_in_equilibrium() {
+    let statements = "fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2], c at [-0.3, 0.4, 0.25], d at [0.6, 0.1, 0.5];
+free: p at [0.05, 0.16, 0.42], q at [0.4, 0.35, 0.5];
+link ap: a -> p;
+link cp: c -> p;
+link bq: b -> q;
+link dq: d -> q;
+angle held: a -> p, b -> q;
+drive up: p.z;\n";
+    let row = only(
+        statements,
+        "up = 0.42",
+        "p = [3.0, 10.0, 0.0]\nq = [20.0, -10.0, 50.0]",
+    );
+    assert!(!row.keys().any(|name| name.contains("held")), "{row:?}");
+    let [p, q, c, d] = [
+        [0.05, 0.16, 0.42],
+        [0.4, 0.35, 0.5],
+        [-0.3, 0.4, 0.25],
+        [0.6, 0.1, 0.5],
+    ]
+    .map(Vector3::from);
+    let at_q = force(&row, "c_bq_q")
+        + (d - q).normalize() * row["c_dq_N"]
+        + Vector3::new(20.0, -10.0, 50.0);
+    assert!(at_q.norm() < 1e-8, "{at_q:?}");
+    // The drive holds the height.
+    let at_p =
+        force(&row, "c_ap_p") + (c - p).normalize() * row["c_cp_N"] + Vector3::new(3.0, 10.0, 0.0);
+    assert!(
+        at_p.xy().norm() < 1e-8 && (at_p.z - row["c_up_N"]).abs() < 1e-8,
+        "{at_p:?} {row:?}"
+    );
+}
