@@ -1,5 +1,7 @@
 //! Angles in degrees.
 
+use std::f64::consts::TAU;
+
 use super::program::{Rows, folder, rows, run, text};
 
 const FIVE_LINK: &str = include_str!("../../examples/five_link.toml");
@@ -200,4 +202,69 @@ fn a_header_names_the_unit_of_angles() {
         text(&output.stdout).contains("\"angle\":\"deg\""),
         "{output:?}"
     );
+}
+
+/// A hinge whose arm is driven about its axis.
+const HINGE: &str = "statements = '''
+fixed: a at [0.0, 0.0, 0.3], ahead at [0.2, 0.0, 0.3], mark at [0.0, 0.3, 0.3];
+free: p at [0.1, 0.0, 0.5];
+hinge arm: a, ahead -> p;
+drive turn: angle(a -> mark, a -> p about a -> ahead);
+'''
+unit = \"m\"
+time = { instants = [0.0, 1.0] }
+";
+
+/// Beyond a whole turn the equations have the sine and cosine of an angle on its way back.
+#[test]
+fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
+    let folder = folder();
+    for start in 0..40 {
+        let start = 5.4 + 0.02 * f64::from(start);
+        let file = format!("{HINGE}[drives]\nturn = [{start:?}, 1.0]\n");
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
+        let passes = start + 1.0 >= TAU;
+        assert_eq!(
+            output.status.code(),
+            Some(if passes { 3 } else { 0 }),
+            "{start}: {output:?}"
+        );
+        let said =
+            text(&output.stderr).contains("an angle is driven beyond its range: drive `turn`");
+        assert_eq!(said, passes, "{start}: {output:?}");
+    }
+    let output = run(
+        folder.path(),
+        &["sweep", "a.toml", "--drive", "turn=6.65", "--csv", "-"],
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+}
+
+/// More than half a turn from the points, in a mechanism that does not find its way there.
+#[test]
+fn a_design_on_another_turn_is_told_by_name() {
+    let folder = folder();
+    let statements = "fixed: af at [0.3, 0.3, 0.2], ar at [-0.25, 0.28, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.42, 0.44];
+fixed: rk at [0.12, 0.33, 0.2], mark at [0.0, 0.5, 0.35];
+free: lb at [0.0, 0.7, 0.16], ub at [-0.02, 0.66, 0.44], tb at [0.12, 0.67, 0.21], wc at [0.0, 0.75, 0.3];
+hinge lower: af, ar -> lb;
+hinge upper: uf, ur -> ub;
+body knuckle: lb, ub, tb, wc;
+link tie: rk -> tb;
+drive bar: angle(af -> mark, af -> lb about ar -> af);
+";
+    let file = |bar: f64| {
+        format!(
+            "statements = '''\n{statements}'''\nunit = \"m\"\nangle = \"deg\"\ntime = {{ instants = [0.0] }}\n\
+             [design]\nbar = {bar}\n[drives]\nbar = {bar}\n"
+        )
+    };
+    for (bar, code) in [(-41.418_160_4, 0), (-41.418_160_4 + 360.0, 3)] {
+        std::fs::write(folder.path().join("a.toml"), file(bar)).expect("written");
+        let output = run(folder.path(), &["check", "a.toml"]);
+        assert_eq!(output.status.code(), Some(code), "{bar}: {output:?}");
+        let told = "the points have `bar` at -41.4182 deg: state it less than half a turn from there in [design]";
+        assert_eq!(text(&output.stderr).contains(told), code == 3, "{output:?}");
+    }
 }

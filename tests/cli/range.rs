@@ -184,3 +184,17 @@ fn refusals() {
         assert!(message.contains(expected), "{message}");
     }
 }
+
+/// The ends are those of the design position's curve, to which the file's motion does not belong.
+#[test]
+fn a_motion_that_begins_out_of_reach_meets_no_end() {
+    let folder = folder();
+    let file = CORNER.replace("bump = 0.3", "bump = [-0.4, 0.1]");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["range", "a.toml"]);
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("  motion      the file's motion begins out of reach\n"),
+        "{output:?}"
+    );
+}

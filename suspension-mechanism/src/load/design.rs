@@ -1,8 +1,10 @@
 //! The design position: where the mechanism is assembled and its markers are attached.
 
+use std::f64::consts::PI;
+
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;
-use suspension_core::listing::{Kind, Part, Parts};
+use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_core::local::LocalOrigin;
 use suspension_core::motion::Prescribed;
 use suspension_core::{Linkage, Newton, Signal, Values, assemble};
@@ -12,6 +14,7 @@ use crate::file::{Offset, Position};
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::mechanism::{DriveLaws, Suspension};
+use crate::number::rounded;
 
 /// The configuration in which markers are attached.
 pub(super) struct Design<L: Linkage<N>, const N: usize> {
@@ -78,7 +81,9 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
             let drives = given(&origin, &model, &drives);
             let at = names.drives_in_words(&drives, file.unit(), None);
-            unassembled(task, &at, &names.cause(&error), off)
+            let of_points = model.drives_at(guess);
+            let turned = on_another_turn(task, drives.into_iter().zip(of_points.values()));
+            unassembled(task, &at, &names.cause(&error), (off, turned))
         })?;
     }
     check_nearness(task, off, model.size())?;
@@ -131,7 +136,12 @@ fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Resul
 }
 
 /// The equation that a solver ends at says little about the number that was mistyped.
-fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Unsatisfied>) -> Failure {
+fn unassembled(
+    task: &Task<'_>,
+    at: &str,
+    cause: &str,
+    (off, turned): (Option<Unsatisfied>, Option<String>),
+) -> Failure {
     let Task { source, file, .. } = task;
     let name = source.name();
     let doubt = match off {
@@ -145,10 +155,24 @@ fn unassembled(task: &Task<'_>, at: &str, cause: &str, off: Option<Unsatisfied>)
                  at {at} ({cause}); move one of the points of that statement"
             ));
         }
-        _ => "the design may be out of reach".to_owned(),
+        _ => turned.unwrap_or_else(|| "the design may be out of reach".to_owned()),
     };
     Failure::Solver(format!(
         "{name}: the points do not assemble at {at}: {cause}; {doubt}"
+    ))
+}
+
+/// The first angle about an axis that `[design]` states more than half a turn from where the points have it, in words; of each
+/// drive its stated value and that of the points.
+fn on_another_turn(task: &Task<'_>, stated: impl Iterator<Item = (f64, f64)>) -> Option<String> {
+    let Task { file, names, .. } = task;
+    let mut drives = names.drives.iter().zip(stated);
+    let (drive, (_, at)) = drives
+        .find(|(drive, (stated, at))| drive.kind == DriveKind::Turn && (stated - at).abs() > PI)?;
+    let (name, unit) = (&drive.name, file.angle.symbol());
+    let at = rounded(at * file.angle.radian(), 6);
+    Some(format!(
+        "the points have `{name}` at {at} {unit}: state it less than half a turn from there in [design]"
     ))
 }
 

@@ -66,6 +66,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         measure_offsets: measured.offsets,
         design: design.given(&design.drives),
         design_measures: measured.in_file,
+        is_out_of_reach: begin.is_out_of_reach,
         led_by: begin.lead.as_ref().map(|lead| lead.measure),
         names: named,
         notes,
@@ -84,6 +85,7 @@ struct Begin<const N: usize> {
     start: Motion<f64, N>,
     drives: DriveLaws,
     lead: Option<Lead<N>>,
+    is_out_of_reach: bool,
 }
 
 impl<const N: usize> Begin<N> {
@@ -102,10 +104,14 @@ impl<const N: usize> Begin<N> {
                     start,
                     drives,
                     lead: None,
+                    is_out_of_reach: false,
                 }),
                 Err(unreached) if to == Start::WithinReach => {
                     notes.push(format!("{unreached}; it stays at the design position"));
-                    Ok(Self::at_design(design))
+                    Ok(Self {
+                        is_out_of_reach: true,
+                        ..Self::at_design(design)
+                    })
                 }
                 Err(unreached) => {
                     let unreached = doubts.iter().fold(unreached, doubted);
@@ -121,6 +127,7 @@ impl<const N: usize> Begin<N> {
                     start: lead.start.motion(),
                     drives: task.drive_laws(there.drives.value.values()),
                     lead: Some(lead),
+                    is_out_of_reach: false,
                 })
             }
         }
@@ -131,6 +138,7 @@ impl<const N: usize> Begin<N> {
             start: Motion::at_rest(design.q),
             drives: DriveLaws::held(design.drives.values()),
             lead: None,
+            is_out_of_reach: false,
         }
     }
 }

@@ -1,8 +1,9 @@
 //! From polynomials of time to what the solver is given.
 
+use suspension_core::listing::Part;
 use suspension_core::report::Report;
 use suspension_core::stepper::Stopped;
-use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Tracker, Values};
+use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Still, Tracker, Values};
 
 use crate::mechanism::polynomial::Polynomial;
 
@@ -84,7 +85,7 @@ impl DriveLaws {
 pub(super) const MAX_STEPS: usize = 10_000;
 
 /// How motions are followed.
-pub(super) fn tracker() -> Tracker<f64> {
+fn tracker() -> Tracker<f64> {
     Tracker {
         max_steps: MAX_STEPS,
         ..Tracker::default()
@@ -99,8 +100,31 @@ pub(super) fn tracker() -> Tracker<f64> {
 pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     drives: &DriveLaws,
+    times: [f64; 2],
+    motion: &mut Motion<f64, N>,
+) -> Result<Report<f64>, Stopped<f64>> {
+    advance(model, |t| drives.inputs(t), times, motion)
+}
+
+/// The same of inputs at each time. Angles that go beyond their range are refused: the equations have the sine or cosine of
+/// other ones there.
+pub(super) fn advance<L: Linkage<N, Scalar = f64>, const N: usize>(
+    model: &L,
+    inputs: impl Fn(f64) -> Inputs<Still, L::Drives>,
     [from, to]: [f64; 2],
     motion: &mut Motion<f64, N>,
 ) -> Result<Report<f64>, Stopped<f64>> {
-    tracker().advance(model, |t| drives.inputs(t), from, to, motion)
+    let asked = inputs(to).drives.value;
+    let beyond = asked.values().enumerate().find_map(|(drive, asked)| {
+        let end = model.drive_kind(drive).end_exceeded(asked)?;
+        let part = Part::Drive(drive);
+        Some(SolveError::OutOfRange { part, asked, end })
+    });
+    if let Some(error) = beyond {
+        return Err(Stopped {
+            reached: from,
+            refused: Some((to - from, error)),
+        });
+    }
+    tracker().advance(model, inputs, from, to, motion)
 }

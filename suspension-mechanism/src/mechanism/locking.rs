@@ -35,11 +35,16 @@ impl Lock {
         given: impl Fn(&L::Drives) -> Vec<f64>,
     ) -> Self {
         let there = laws.inputs::<L::Drives>(stopped.reached);
+        let cause = stopped.refused.map(|(_, cause)| cause);
+        let locks = !matches!(cause, Some(SolveError::OutOfRange { .. }));
+        let way = [stopped.reached, asked];
         Self {
             drives: given(&there.drives.value),
-            turns: turning_drive(model, &there, q),
-            misfit: Misfit::between(model, names, laws, [stopped.reached, asked], q),
-            cause: stopped.refused.map(|(_, cause)| cause),
+            turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
+            misfit: locks
+                .then(|| Misfit::between(model, names, laws, way, q))
+                .flatten(),
+            cause,
         }
     }
 

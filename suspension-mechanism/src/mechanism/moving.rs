@@ -5,7 +5,7 @@ use suspension_core::report::Report;
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
-use crate::mechanism::drives::{DriveLaws, follow, tracker};
+use crate::mechanism::drives::{DriveLaws, advance, follow};
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::locking::Lock;
@@ -129,7 +129,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         };
         let change = to.iter().fold(L::Drives::default(), of_one);
         let inputs = |t| Inputs::still(Signal::line(from, change, t));
-        let followed = tracker().advance(&self.model, inputs, 0.0, 1.0, motion);
+        let followed = advance(&self.model, inputs, [0.0, 1.0], motion);
         followed.map_err(|stopped| {
             let ends = drives.iter().enumerate();
             let laws = DriveLaws::new(ends.map(|(index, from)| {

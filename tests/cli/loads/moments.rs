@@ -1,6 +1,7 @@
 //! Moments about angles: a torsion bar, a rotary actuator, an angle that is held. What carries a line of the angle passes them on.
 
 use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::Vector3;
 
@@ -91,7 +92,7 @@ free: p at [0.0, 0.0, 0.5];
 hinge arm: a, ahead -> p;
 drive turn: angle(a -> mark, a -> p about a -> ahead);\n";
     let mut count = 0;
-    for design in [1.570_796_326_794_896_6_f64, -4.712_388_980_384_69] {
+    for design in [FRAC_PI_2, FRAC_PI_2 - TAU] {
         for turned in [-3.3, -3.0, -1.0, 0.0, 1.0, 3.0, 3.3] {
             let turn = design + turned;
             if turn.abs() > 6.2 {
