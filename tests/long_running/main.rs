@@ -14,6 +14,7 @@ mod hostile;
 mod own_motion_file;
 mod properties;
 mod series;
+mod stack;
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -79,6 +79,10 @@ impl IncludeSource for Files {
                 "unused",
                 "fixed: a,\n  lonely;\nfree: b;\nlink rod: a -> b;\ndrive x: b.x;\ndrive y: b.y;",
             ),
+            (
+                "typo",
+                "fixed: a at [0.2, 0.35, 0.16]; free: hub at [0.0, 0.7, 0.3];\nlink arm: a -> hub;\nmeasure far: length(hubb -> a);\n",
+            ),
         ];
         let found = files.iter().find(|(name, _)| Path::new(name) == path);
         found.map_or_else(
@@ -187,6 +191,16 @@ fn what_is_wrong_with_the_whole_is_at_the_statement() {
     let message = message.expect_err("a drive too many");
     assert!(
         message.starts_with("vehicle:1:24: 7 equations for 6 unknowns"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_mistake_of_an_included_text_is_told_once_of_both_sides() {
+    let message = read("include left: \"typo\"; mirror: left -> right;").expect_err("a typo");
+    assert_eq!(
+        message.matches("there is no point `hubb`").count(),
+        1,
         "{message}"
     );
 }

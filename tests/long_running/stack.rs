@@ -1,0 +1,60 @@
+//! How much of a stack steps take on a host: see docs/limits.md.
+
+use std::thread;
+
+use suspension_core::path::{Continuation, Curve};
+use suspension_core::{Inputs, Signal, Values};
+use suspension_runtime::Listing;
+
+/// Both corners of an axle.
+const AXLE: &str = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
+const UNKNOWNS: usize = 60;
+
+/// What a thread has of its own.
+const THREAD: usize = 64 * 1024;
+
+/// Does it in a thread whose stack has so many bytes for each entry of the Jacobian; it ends the process where that is too little.
+fn with_stack(bytes: usize, work: impl FnOnce() + Send + 'static) {
+    let size = bytes * UNKNOWNS * UNKNOWNS + THREAD;
+    let thread = thread::Builder::new().stack_size(size).spawn(work);
+    thread.expect("a thread").join().expect("no panic");
+}
+
+fn axle() -> Listing {
+    Listing::parse(AXLE).expect("a listing")
+}
+
+#[test]
+fn a_refused_step_takes_a_hundred_bytes_for_each_entry_of_the_jacobian() {
+    let listing = axle();
+    with_stack(100, move || {
+        let mut corner = listing
+            .corner::<UNKNOWNS>(&listing.design().expect("points"))
+            .expect("a corner");
+        let drives = corner.drives();
+        corner
+            .step(1e-3, Signal::still(drives))
+            .expect("the design");
+        let far = drives.with(0, 10.0);
+        assert!(corner.step(1e-3, Signal::still(far)).is_err());
+    });
+}
+
+#[test]
+fn following_a_curve_takes_two_hundred() {
+    let listing = axle();
+    with_stack(200, move || {
+        let corner = listing
+            .corner::<UNKNOWNS>(&listing.design().expect("points"))
+            .expect("a corner");
+        let inputs = Inputs::still(Signal::still(corner.drives()));
+        let curve = Curve::new(corner.model(), &inputs, 0).expect("a drive");
+        let path = Continuation::default().path(curve, &corner.motion().position, true);
+        let steps = path
+            .expect("a start")
+            .take(20)
+            .filter(|step| step.is_ok())
+            .count();
+        assert!(steps > 2, "{steps}");
+    });
+}
