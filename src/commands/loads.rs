@@ -287,8 +287,8 @@ where a spring pulls.
 Links: tension is positive. Joints: the force that a body, or what else a statement is, exerts at each of its points, on
 the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that
 at its middle, and of one whose angle is driven or held. A moment about an angle acts on what carries the angle's lines, which
-passes it on: a torsion bar's on its arm. What the two bushes of a hinge bear along its axis rigid parts leave open: each is given half of it. Where two
-bodies share two points, likewise only the sum along their line is determined.
+passes it on: a torsion bar's on its arm. What the two bushes of a hinge bear along its axis rigid parts leave open: each is
+given half of it. Where two bodies share two points, likewise only the sum along their line is determined.
 
 Over a grid of drives, or a motion, the least and the greatest are printed, and a row for each place is written: the time of
 a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,

@@ -16,8 +16,8 @@ pub(super) const AROUND: usize = 16;
 /// equations are off by there (root mean square): about as far as the guess is from a root.
 const SPREAD: f64 = 1.5;
 
-/// Starts around the guess, of which the first `unknowns` entries are some: the same at every call and in every room. `off` is
-/// the residual at the guess.
+/// Starts around the guess, the same at every call, whatever room there is behind its `unknowns`. `off` is the residual at the
+/// guess.
 pub(super) fn around<T: Real, const N: usize>(
     guess: &SVector<T, N>,
     unknowns: usize,

@@ -101,6 +101,9 @@ impl<T: Scalar> Cubic<T> {
     }
 }
 
+/// A way between two instants: the place after a time, of all.
+type Way<T> = fn(T, T) -> Cubic<T>;
+
 impl<T: Real> Tracker<T> {
     /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
     /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
@@ -123,20 +126,13 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        let mut next = *motion;
-        let advanced = self.advance_by(Cubic::at, linkage, &mut from.clone(), to, dt, &mut next);
-        let advanced = advanced.or_else(|stopped| {
-            next = Motion::at_rest(motion.position);
-            let advanced = self.advance_by(
-                Cubic::on_line,
-                linkage,
-                &mut from.clone(),
-                to,
-                dt,
-                &mut next,
-            );
-            advanced.map_err(|_| stopped)
-        })?;
+        let on = |way: Way<T>, mut next: Motion<T, N>| {
+            let advanced = self.advance_on(way, linkage, &mut { *from }, to, dt, &mut next)?;
+            Ok((next, advanced))
+        };
+        let at_rest = Motion::at_rest(motion.position);
+        let (next, advanced) = on(Cubic::at, *motion)
+            .or_else(|stopped| on(Cubic::on_line, at_rest).map_err(|_| stopped))?;
         *motion = next;
         Ok(advanced)
     }
@@ -160,13 +156,13 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        self.advance_by(Cubic::at, linkage, inputs, to, dt, motion)
+        self.advance_on(Cubic::at, linkage, inputs, to, dt, motion)
     }
 
-    /// The same on a way that has the place after a time, of all.
-    fn advance_by<L, C, const N: usize>(
+    /// The same on a way.
+    fn advance_on<L, C, const N: usize>(
         &self,
-        place: fn(T, T) -> Cubic<T>,
+        way: Way<T>,
         linkage: &L,
         inputs: &mut Inputs<C, L::Drives>,
         to: &Inputs<C, L::Drives>,
@@ -183,7 +179,7 @@ impl<T: Real> Tracker<T> {
             if t == dt && dt != T::zero() {
                 return *to;
             }
-            let cubic = place(t, dt);
+            let cubic = way(t, dt);
             Inputs {
                 chassis: from.chassis.between(&to.chassis, &cubic),
                 drives: cubic.between(&from.drives, &to.drives),
