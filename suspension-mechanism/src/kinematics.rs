@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Still, Tracker, Values};
-use suspension_runtime::Exerting;
+use suspension_runtime::PartForces;
 
 use crate::assemblies::Watch;
 use crate::bake::{
@@ -53,7 +53,7 @@ pub trait Kinematics: Deref<Target = Description> {
     ) -> VisitEnd;
 
     /// See [`Mechanism::under`].
-    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne>;
+    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne>;
 
     /// See [`Mechanism::gradient`].
     fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>>;
@@ -178,7 +178,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         self.visit_each(grid, order, interrupted, on_place)
     }
 
-    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne> {
+    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
         self.under(state, forces, parts)
     }
 

@@ -7,7 +7,7 @@ mod site;
 use nalgebra::{DMatrix, DVector, Vector3};
 use suspension_core::listing::{self, Parts};
 use suspension_listing::Kind;
-use suspension_runtime::{AngleLine, Exerting, Listing, Statement};
+use suspension_runtime::{AngleLine, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, State};
@@ -64,7 +64,7 @@ impl Outcome {
 pub struct Structure<'l> {
     /// They, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
-    exerting: Vec<Exerting>,
+    part_forces: Vec<PartForces>,
     /// Of each measure the lines of an angle that parts carry.
     measured: Vec<Vec<AngleLine>>,
     /// How many chassis points there are, the first of all points.
@@ -77,12 +77,9 @@ impl<'l> Structure<'l> {
     /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
     /// they bear.
     pub fn of(listing: &'l Listing) -> Self {
-        let measures = 0..listing.count(listing::Kind::Measure);
         Self {
-            exerting: listing.exerting(),
-            measured: measures
-                .map(|measure| listing.lines_of_measure(measure))
-                .collect(),
+            part_forces: listing.part_forces(),
+            measured: listing.lines_of_measures(),
             carriers: listing.carriers(),
             chassis: listing.count(listing::Kind::ChassisPoint),
             statements: listing.parts().collect(),
@@ -101,7 +98,7 @@ impl<'l> Structure<'l> {
         let Borne {
             on_drives,
             by_parts,
-        } = here.under(&summed(&forces, here.points()), &self.exerting)?;
+        } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
             in_measures,
@@ -150,13 +147,13 @@ impl<'l> Structure<'l> {
         (mut by, own): (Vec<Vector3<f64>>, Vec<&Force>),
         at: &[Vector3<f64>],
     ) {
-        let (statement, exerting) = (&self.statements[number], &self.exerting[number]);
-        if exerting.is_of_others() {
+        let (statement, forces) = (&self.statements[number], &self.part_forces[number]);
+        if forces.are_of_others() {
             return;
         }
         let (moments, own): (Vec<&Force>, Vec<_>) =
             own.into_iter().partition(|force| force.is_of_moment());
-        let bears_only_tension = own.is_empty() && moments.is_empty() && !exerting.has_lines();
+        let bears_only_tension = own.is_empty() && moments.is_empty() && !forces.bears_moments();
         for force in moments {
             by[force.point] += force.force;
         }

@@ -8,7 +8,7 @@ use suspension_core::error::{Explain, Facts};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::statics::{Loads, spread};
 use suspension_core::{Corner, Linkage, Values};
-use suspension_runtime::{Exerting, Listing, Model, Room, Size};
+use suspension_runtime::{Listing, Model, PartForces, Room, Size};
 
 use super::row::{Row, write};
 use crate::masses::{add_at, each_force};
@@ -28,18 +28,18 @@ pub(super) struct Structure {
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) name: String,
-    exerting: Exerting,
+    forces: PartForces,
     /// The ends of a link.
     ends: Option<[usize; 2]>,
 }
 
 impl Structure {
     pub(super) fn of(listing: &Listing) -> Self {
-        let parts = listing.parts().zip(listing.exerting());
-        let parts = parts.map(|(part, exerting)| Part {
+        let parts = listing.parts().zip(listing.part_forces());
+        let parts = parts.map(|(part, forces)| Part {
             name: part.name.to_owned(),
             ends: part.ends(),
-            exerting,
+            forces,
         });
         Self {
             parts: parts.collect(),
@@ -78,7 +78,7 @@ where
     let each = wanted.reactions.len() / structure.parts.len().max(1);
     let rows = wanted.reactions.chunks_exact_mut(each.max(1));
     for (row, part) in rows.zip(&structure.parts) {
-        let forces = part.exerting.forces(&loads);
+        let forces = part.forces.under(&loads, &at);
         write(forces.values().flat_map(<[f64; 3]>::from), row);
     }
     Ok(())
@@ -136,7 +136,7 @@ impl Part {
         let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
         self.ends.map_or(0.0, |[from, to]| {
             let along = (of(at, to) - of(at, from)).normalize();
-            of(&self.exerting.forces(loads), from).dot(&along)
+            of(&self.forces.under(loads, at), from).dot(&along)
         })
     }
 }

@@ -101,20 +101,21 @@ impl<T: Scalar> Cubic<T> {
     }
 }
 
-/// A way between two instants: the place after a time, of all.
-type Way<T> = fn(T, T) -> Cubic<T>;
+/// What values and rates at both ends weigh at a time `t` after the first, the step being `dt` long.
+type Interpolation<T> = fn(T, T) -> Cubic<T>;
 
 impl<T: Real> Tracker<T> {
     /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
     /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
     /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
     /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
-    /// was long, they follow straight lines from rest, which takes up to as long again. The result has the rates of `to`.
+    /// was long, they follow straight lines, in [`max_steps`](Self::max_steps) sub-steps more. The result has the rates of `to`.
     ///
     /// # Errors
     ///
     /// As [`advance`](Self::advance), with the times counted from the start of the step, and
-    /// [`SolveError::NotFinite`](crate::SolveError::NotFinite) where `dt` is zero; the motion is then unchanged.
+    /// [`SolveError::NotFinite`](crate::SolveError::NotFinite) where `dt` is zero; the motion is then unchanged. The error is that on
+    /// the cubics.
     pub fn step_between<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -126,18 +127,20 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        let on = |way: Way<T>, mut next: Motion<T, N>| {
-            let advanced = self.advance_on(way, linkage, &mut { *from }, to, dt, &mut next)?;
+        let along = |curve: Interpolation<T>, mut next: Motion<T, N>| {
+            let mut inputs = *from;
+            let advanced = self.advance_along(curve, linkage, &mut inputs, to, dt, &mut next)?;
             Ok((next, advanced))
         };
+        // From rest: the last rates are what led the cubics astray.
         let at_rest = Motion::at_rest(motion.position);
-        let (next, advanced) = on(Cubic::at, *motion)
-            .or_else(|stopped| on(Cubic::on_line, at_rest).map_err(|_| stopped))?;
+        let (next, advanced) = along(Cubic::at, *motion)
+            .or_else(|stopped| along(Cubic::on_line, at_rest).map_err(|_| stopped))?;
         *motion = next;
         Ok(advanced)
     }
 
-    /// [`step_between`](Self::step_between) that keeps what it has got to where it stops early: `inputs`,
+    /// [`step_between`](Self::step_between) along the cubics alone that keeps what it has got to where it stops early: `inputs`,
     /// those of `motion`, move with it.
     ///
     /// # Errors
@@ -156,13 +159,13 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: Between<T, L::Fixed>,
     {
-        self.advance_on(Cubic::at, linkage, inputs, to, dt, motion)
+        self.advance_along(Cubic::at, linkage, inputs, to, dt, motion)
     }
 
-    /// The same on a way.
-    fn advance_on<L, C, const N: usize>(
+    /// The same along other curves.
+    fn advance_along<L, C, const N: usize>(
         &self,
-        way: Way<T>,
+        curve: Interpolation<T>,
         linkage: &L,
         inputs: &mut Inputs<C, L::Drives>,
         to: &Inputs<C, L::Drives>,
@@ -179,7 +182,7 @@ impl<T: Real> Tracker<T> {
             if t == dt && dt != T::zero() {
                 return *to;
             }
-            let cubic = way(t, dt);
+            let cubic = curve(t, dt);
             Inputs {
                 chassis: from.chassis.between(&to.chassis, &cubic),
                 drives: cubic.between(&from.drives, &to.drives),

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
 use suspension_core::wheel::contact;
-use suspension_runtime::{AngleLine, Exerting, Statement};
+use suspension_runtime::{AngleLine, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::loads::site::Site;
@@ -75,7 +75,7 @@ pub(super) struct Here<'a> {
 
 impl Here<'_> {
     /// What forces at the points do, and parts to the points; `None` where the mechanism locks.
-    pub(super) fn under(&self, forces: &[Vector3<f64>], parts: &[Exerting]) -> Option<Borne> {
+    pub(super) fn under(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
         self.mechanism.under(self.state, forces, parts)
     }
 
@@ -127,13 +127,13 @@ impl Here<'_> {
         let mut forces = Vec::new();
         // What acts at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
+        let at = |point: usize| self.points()[point];
         let couples = self.measured[measure].iter();
-        let couples: Vec<_> = couples
-            .map(|line| (line, line.couple(|point| acting[point])))
+        let couples: Vec<(&AngleLine, Vec<_>)> = couples
+            .map(|line| (line, line.couple(|point| acting[point], at).collect()))
             .collect();
         for (line, couple) in couples {
-            let ends = line.ends.into_iter().zip(couple);
-            for (point, force) in ends.filter(|(point, _)| !is_marker(*point)) {
+            for (point, force) in couple.into_iter().filter(|(point, _)| !is_marker(*point)) {
                 acting[point] -= force;
                 forces.push(Force {
                     point,

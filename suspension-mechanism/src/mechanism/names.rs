@@ -117,8 +117,8 @@ impl Names {
         let links = statements.filter(|statement| statement.ends().is_some());
         let number = |link: &str| self.lengths.iter().position(|length| length == link);
         self.links = links.filter_map(|link| number(link.name)).collect();
-        let parts = listing.parts().zip(listing.exerting());
-        let angled = parts.filter(|(part, exerting)| part.ends().is_some() && exerting.has_lines());
+        let parts = listing.parts().zip(listing.part_forces());
+        let angled = parts.filter(|(part, forces)| part.ends().is_some() && forces.bears_moments());
         self.angled_links = angled.filter_map(|(part, _)| number(part.name)).collect();
         self
     }

@@ -7,7 +7,7 @@ use suspension_core::listing::DriveKind;
 use suspension_core::motion::Prescribed;
 use suspension_core::statics::{Loads, Statics};
 use suspension_core::{Inputs, Signal, Values};
-use suspension_runtime::Exerting;
+use suspension_runtime::PartForces;
 
 use crate::mechanism::names::Suspension;
 use crate::mechanism::ready::Mechanism;
@@ -30,17 +30,18 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         &self,
         state: &State,
         forces: &[Vector3<f64>],
-        parts: &[Exerting],
+        parts: &[PartForces],
     ) -> Option<Borne> {
-        let position = self.model.unknowns(&points(state));
+        let at: L::Points = points(state);
+        let position = self.model.unknowns(&at);
         let given = state.drives.iter().zip(&self.drive_offsets);
         let drives = L::Drives::from_values(given.map(|(given, offset)| given - offset));
         let drives = self.on_the_turn_of(&position, drives);
         let statics = Statics::new(&self.model, drives, &position).ok()?;
         let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
-        let by = |part: &Exerting, loads: &Loads<'_, L, N>| {
-            let forces = part.forces(loads);
+        let by = |part: &PartForces, loads: &Loads<'_, L, N>| {
+            let forces = part.under(loads, &at);
             forces.values().take(self.names.points.len()).collect()
         };
         Some(Borne {

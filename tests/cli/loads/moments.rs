@@ -29,33 +29,54 @@ fn assert_near(found: Vector3<f64>, expected: [f64; 3], what: &str) {
     assert!(off < 1e-8, "{what}: {found:?}, not {expected:?}");
 }
 
-/// A trailing arm, 0.4 m long, whose hub is beside the outer bush.
-const ARM: &str =
-    "fixed: outer at [0.4, 0.6, 0.3], inner at [0.4, 0.3, 0.3], mark at [0.0, 0.3, 0.3];
-free: hub at [0.0, 0.6, 0.3];
-hinge arm: outer, inner -> hub;\n";
-const BAR: &str = "bar: angle(inner -> mark, outer -> hub about inner -> outer);";
+/// A trailing arm, 0.4 m long, whose hub is somewhere across the vehicle.
+fn arm(hub: f64) -> String {
+    format!(
+        "fixed: outer at [0.4, 0.6, 0.3], inner at [0.4, 0.3, 0.3], mark at [-0.1, 0.3, 0.3];
+free: hub at [0.0, {hub:?}, 0.3];
+hinge arm: outer, inner -> hub;\n"
+    )
+}
 
-/// A bar gives a moment alone: the outer bush bears the load.
+/// A bar gives a moment about itself alone: the bushes bear the load by the lever rule, whatever line of the arm the angle has.
 #[test]
 fn bushes_bear_what_a_torsion_bar_carries() {
-    let hub = "hub = [0.0, 0.0, 1000.0]";
-    let measured = format!("{ARM}drive bump: hub.z;\nmeasure {BAR}\n");
-    let carried = only(&measured, "bump = 0.3", &format!("{hub}\nbump = \"bar\""));
-    let driven = only(&format!("{ARM}drive {BAR}\n"), "bar = 0.0", hub);
-    assert!((carried["c_bar_Nm"] + 400.0).abs() < 1e-9, "{carried:?}");
-    assert!((driven["c_bar_Nm"] - 400.0).abs() < 1e-9, "{driven:?}");
-    for row in [carried, driven] {
-        assert_near(force(&row, "c_arm_outer"), [0.0, 0.0, 1000.0], "outer");
-        assert_near(force(&row, "c_arm_inner"), [0.0; 3], "inner");
-        assert_near(force(&row, "c_arm_hub"), [0.0, 0.0, -1000.0], "hub");
+    let load = "hub = [0.0, 0.0, 1000.0]";
+    for hub in [0.6, 0.45, 0.3, 0.7] {
+        for from in ["outer", "inner"] {
+            let arm = arm(hub);
+            let bar = format!("bar: angle(inner -> mark, {from} -> hub about inner -> outer);");
+            let measured = format!("{arm}drive bump: hub.z;\nmeasure {bar}\n");
+            let carried = only(&measured, "bump = 0.3", &format!("{load}\nbump = \"bar\""));
+            let driven = only(&format!("{arm}drive {bar}\n"), "bar = 0.0", load);
+            assert!((carried["c_bar_Nm"] + 400.0).abs() < 1e-9, "{carried:?}");
+            assert!((driven["c_bar_Nm"] - 400.0).abs() < 1e-9, "{driven:?}");
+            let share = 1000.0 * (hub - 0.3) / 0.3;
+            for row in [carried, driven] {
+                let of = |name: &str| force(&row, &format!("c_arm_{name}"));
+                assert_near(
+                    of("outer"),
+                    [0.0, 0.0, share],
+                    &format!("{hub} {from} outer"),
+                );
+                assert_near(
+                    of("inner"),
+                    [0.0, 0.0, 1000.0 - share],
+                    &format!("{hub} {from} inner"),
+                );
+                assert_near(of("hub"), [0.0, 0.0, -1000.0], "hub");
+            }
+        }
     }
 }
 
-/// Where the knuckle meets the wishbone one presses the other, and the bushes bear that.
+/// Where the knuckle meets the wishbone one presses the other, the bushes bear that, and the bar a moment about their line.
 #[test]
 fn a_wishbone_on_a_torsion_bar_is_in_equilibrium() {
-    let statements = "fixed: af at [0.3, 0.3, 0.2], ar at [-0.25, 0.28, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.42, 0.44];
+    let [af, ar, lb] = [[0.3, 0.3, 0.2], [-0.25, 0.28, 0.18], [0.0, 0.7, 0.16]].map(Vector3::from);
+    for from in ["af", "ar"] {
+        let statements = format!(
+            "fixed: af at [0.3, 0.3, 0.2], ar at [-0.25, 0.28, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.42, 0.44];
 fixed: rk at [0.12, 0.33, 0.2], mark at [0.0, 0.5, 0.35];
 free: lb at [0.0, 0.7, 0.16], ub at [-0.02, 0.66, 0.44], tb at [0.12, 0.67, 0.21], wc at [0.0, 0.75, 0.3];
 hinge lower: af, ar -> lb;
@@ -63,24 +84,27 @@ hinge upper: uf, ur -> ub;
 body knuckle: lb, ub, tb, wc;
 link tie: rk -> tb;
 drive bump: wc.z;
-measure bar: angle(af -> mark, af -> lb about ar -> af);
+measure bar: angle(af -> mark, {from} -> lb about ar -> af);
 point axle: knuckle at [0.002, 0.62, 0.301];
-wheel: axle -> wc;\n";
-    let row = only(
-        statements,
-        "bump = 0.3",
-        "contact = [0.0, 0.0, 4000.0]\nbump = \"bar\"",
-    );
-    let of = |name: &str| force(&row, &format!("c_{name}"));
-    assert!((of("lower_lb") + of("knuckle_lb")).norm() < 1e-8, "{row:?}");
-    let bushes = of("lower_af") + of("lower_ar");
-    assert!((bushes - of("knuckle_lb")).norm() < 1e-8, "{bushes:?}");
-    // With what the upper wishbone and the tie rod bear, all of the load.
-    let all = bushes + of("upper_uf") + of("upper_ur") + of("knuckle_tb");
-    assert!(
-        (all - Vector3::new(0.0, 0.0, 4000.0)).norm() < 1e-8,
-        "{all:?}"
-    );
+wheel: axle -> wc;\n"
+        );
+        let loads = "contact = [0.0, 0.0, 4000.0]\nbump = \"bar\"";
+        let row = only(&statements, "bump = 0.3", loads);
+        let of = |name: &str| force(&row, &format!("c_{name}"));
+        assert!((of("lower_lb") + of("knuckle_lb")).norm() < 1e-8, "{row:?}");
+        let bushes = of("lower_af") + of("lower_ar");
+        assert!((bushes - of("knuckle_lb")).norm() < 1e-8, "{bushes:?}");
+        let moments = [(af, "lower_af"), (ar, "lower_ar"), (lb, "lower_lb")];
+        let moment: Vector3<f64> = moments.map(|(at, name)| at.cross(&of(name))).iter().sum();
+        let bar = (af - ar).normalize() * row["c_bar_Nm"];
+        assert!((moment - bar).norm() < 1e-8, "{moment:?}, the bar {bar:?}");
+        // With what the upper wishbone and the tie rod bear, all of the load.
+        let all = bushes + of("upper_uf") + of("upper_ur") + of("knuckle_tb");
+        assert!(
+            (all - Vector3::new(0.0, 0.0, 4000.0)).norm() < 1e-8,
+            "{all:?}"
+        );
+    }
 }
 
 /// Wherever the angle counts from, and on which of its turns it is.
