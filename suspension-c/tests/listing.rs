@@ -297,3 +297,54 @@ fn loads_are_borne_and_passed_on() {
     );
     assert_eq!(status, Status::Size);
 }
+
+/// A drive about the axis of an arm's bushes, which the angle of a rod from an axis turns with: what holds an angle acts on what
+/// carries its lines.
+#[test]
+fn moments_about_angles_act_on_the_parts_that_carry_their_lines() {
+    let listing = Read::new(
+        "fixed: outer at [0.4, 0.6, 0.3], inner at [0.4, 0.3, 0.3], mark at [-0.1, 0.3, 0.3], foot at [0.0, 2.0, 0.3];
+free: hub at [0.0, 0.45, 0.3], top at [0.0, 2.3, 0.7];
+hinge arm: outer, inner -> hub;
+drive bar: angle(inner -> mark, inner -> hub about inner -> outer);
+link rod: foot -> top;
+drive lean: angle(foot -> top, z);
+drive ahead: top.x;",
+    );
+    let listing = listing.expect("a listing");
+    let corner = listing.place(&listing.design()).expect("a corner");
+    let (points, parts) = (listing.count(POINT), listing.count(PART));
+    let point = |name: &CStr| listing.find(POINT, name).expect("a point");
+    let mut forces = vec![0.0; 3 * points];
+    forces[3 * point(c"hub") + 2] = 1000.0;
+    forces[3 * point(c"top") + 1] = 500.0;
+    let (mut drives, mut tensions) = ([0.0; 3], vec![0.0; parts]);
+    let mut reactions = vec![0.0; 3 * parts * points];
+    let status = listing::corner_read_loads(
+        corner.get(),
+        from(&forces),
+        forces.len(),
+        to(&mut drives),
+        3,
+        to(&mut tensions),
+        parts,
+        to(&mut reactions),
+        3 * parts * points,
+        None.into(),
+    );
+    assert_eq!(status, Status::Ok);
+    let by = |part: &CStr, at: &CStr| {
+        let part = listing.find(PART, part).expect("a part");
+        Vector3::from_row_slice(&reactions[3 * (points * part + point(at))..][..3])
+    };
+    for (at, expected) in [(c"outer", 500.0), (c"inner", 500.0), (c"hub", -1000.0)] {
+        let off = by(c"arm", at) - Vector3::new(0.0, 0.0, expected);
+        assert!(off.norm() < 1e-8, "{at:?} {off:?}");
+    }
+    // Three fifths of the force are along the rod, four fifths make the moment, on an arm of half a metre.
+    let rod = listing.find(PART, c"rod").expect("a link");
+    assert!((tensions[rod] - 300.0).abs() < 1e-8, "{tensions:?}");
+    let lean = listing.find(DRIVE, c"lean").expect("a drive");
+    assert!((drives[lean] - 200.0).abs() < 1e-8, "{drives:?}");
+    assert!((by(c"rod", c"top") + Vector3::new(0.0, 500.0, 0.0)).norm() < 1e-8);
+}
