@@ -258,13 +258,13 @@ Load cases are tables of the motion file, a line for each load:
   contact = [-3000.0, 0.0, 4000.0]     # N, in the file's axes, where the tyre touches the ground
   wheel_centre = { force = [0.0, 500.0, 0.0], moment = [0.0, -90.0, 0.0] }   # N, and N m, at a point of a body
   bump_stop = 1200.0                   # N in a measured length, pushing its ends apart
-  bump = \"damper\"                    # the spring along the measure damper carries the wheel, not the drive bump; a spring of
-                                     # [springs] may be named too
+  bump = \"damper\"                      # the spring along the measure damper carries the wheel, not the drive bump; a spring
+                                       # of [springs] may be named in place of its measure
 
 A load acts at a point of the listing by its name, at `contact` (left_contact of a wheel named left; the file states
 wheel_radius under [vehicle]), or in a measure: a number, positive where it makes the measure larger, N m of an angle.
 What acts at the contact point goes into the carrier, as with brakes at the wheel or a locked hub. A wheel that rolls
-freely, or that a shaft drives, takes a longitudinal force at its centre: state that there.
+freely, or that a shaft drives or brakes, takes a longitudinal force at its centre: state that there.
 
 Parts that move may have masses, in kg; a body's centre of mass is stated at the design position, its inertia about it in
 kg m^2, in the file's axes: xx, yy, zz, and where they are not zero xy, yz, zx of the tensor:

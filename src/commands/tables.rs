@@ -63,7 +63,9 @@ impl Arguments {
             Program::Carsim => "_carsim.par",
             Program::Carmaker => "_carmaker.txt",
         };
-        let beside = || in_out(&self.file, ending);
+        let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
+        let ending = of_wheel.collect::<String>() + ending;
+        let beside = || in_out(&self.file, &ending);
         let target = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;

@@ -7,6 +7,9 @@ use quote::{IdentFragment, ToTokens};
 use syn::Ident;
 use syn::ext::IdentExt;
 
+/// A word that Rust keeps to itself from its edition of 2024 on; syn takes it for a name.
+pub const KEYWORD_OF_2024: &str = "gen";
+
 /// A name that a listing states, or one made of such names.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Name {

@@ -21,17 +21,15 @@ linkage! {
 }
 
 linkage! {
-    pub mod five_links {
-        mirror: left -> right;
-        include left: "../../suspension-core/src/linkages/five_link.linkage";
-    }
+    pub mod five_links in "run_time/five_links.linkage";
 }
 
-/// The same.
-const BOTH: &str = "mirror: left -> right; include left: five_link;";
-
-/// The listing that both back ends read.
+/// The listings that both back ends read.
+const FIVE_LINKS: &str = include_str!("run_time/five_links.linkage");
 const AXLE: &str = include_str!("run_time/axle.linkage");
+
+/// A file beside what these include.
+const BESIDE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/run_time/axle.linkage");
 
 /// Steps of 1 ms to a period of the motion.
 const STEPS: u32 = 1000;
@@ -125,7 +123,7 @@ fn steps<L: Build<N, Scalar = f64>, const N: usize, const M: usize>(
 ) where
     Room<M>: Size,
 {
-    let listing = Listing::parse(text).expect("a listing");
+    let listing = Listing::parse_file(text, BESIDE).expect("a listing");
     let hardpoints = hardpoints(&listing);
     Case::<L, N>::new(written, &hardpoints).bench(criterion, &format!("written/{name}"));
     let walked = listing.fitted().expect("room");
@@ -142,7 +140,12 @@ fn all_steps(criterion: &mut Criterion) {
         pushrod,
         double_wishbone_pushrod::Listing,
     );
-    steps::<five_links::Model<f64>, 30, 30>(criterion, "five_links", BOTH, five_links::Listing);
+    steps::<five_links::Model<f64>, 30, 30>(
+        criterion,
+        "five_links",
+        FIVE_LINKS,
+        five_links::Listing,
+    );
     steps::<axle::Model<f64>, 60, 60>(criterion, "axle", AXLE, axle::Listing);
 }
 

@@ -143,7 +143,8 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
     );
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(
-        text(&output.stderr).contains("no quantity begins with `chamber`; known are "),
+        text(&output.stderr)
+            .contains("no quantity begins with `chamber`; did you mean `camber`? known are "),
         "{output:?}"
     );
 }
@@ -170,4 +171,19 @@ fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
         report.contains("\npar: 0 deg\n  it has no derivatives here"),
         "{report}"
     );
+}
+
+#[test]
+fn of_an_axle_the_names_of_its_wheels_are_proposed() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    let output = run(
+        folder.path(),
+        &["sensitivities", "axle.toml", "--of", "toe"],
+    );
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected =
+        "no quantity begins with `toe`; did you mean left_toe, right_toe, total_toe? known are ";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
 }

@@ -299,3 +299,17 @@ fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
     );
     assert!(text.contains(".L.lDamp = "), "{text}");
 }
+
+#[test]
+fn tables_of_two_wheels_are_two_files() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    for wheel in ["left", "right"] {
+        let arguments = ["tables", "axle.toml", "--as", "carsim", "--wheel", wheel];
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let path = folder.path().join(format!("out/axle_{wheel}_carsim.par"));
+        assert!(path.exists(), "{output:?}");
+    }
+}

@@ -124,7 +124,8 @@ const FILE: &str = r#"The file:
   [springs.spring]                   # optional: springs and bars, for forces, wheel rate and roll rate, by any name
   along = "damper"                   # a measure
   rate = 28000.0                     # N per unit of length, of an angle N m per unit of angle
-  load = 3800.0                      # what it presses at the design position, positive where it makes the measure larger
+  load = 3800.0                      # N, of an angle N m: what it presses at the design position, positive where it makes
+                                     # the measure larger
   [masses]                           # of parts, and load cases: see suspension loads --help
   [loads.braking]
   [tolerances]                       # of points and links: see suspension sensitivities --help

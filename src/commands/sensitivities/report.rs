@@ -122,10 +122,9 @@ impl Report<'_> {
             {
                 let mut known: Vec<String> = self.numbers().map(|number| number.title).collect();
                 known.retain(|title| !title.contains(' '));
-                let hint = did_you_mean(wanted, known.iter().map(String::as_str));
+                let (meant, known) = (meant(wanted, &known), known.join(", "));
                 return Err(format!(
-                    "no quantity begins with `{wanted}`; known are {}{hint}",
-                    known.join(", ")
+                    "no quantity begins with `{wanted}`{meant} known are {known}"
                 ));
             }
         }
@@ -180,5 +179,21 @@ impl Report<'_> {
         let each = numbers.iter().take(count);
         let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
         each.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// What a name may have been meant to be: that of a wheel, or one that is near. It ends what is said before.
+fn meant(wanted: &str, known: &[String]) -> String {
+    let known = known.iter().map(String::as_str);
+    let ending = format!("_{wanted}");
+    let of_wheels = known.clone().filter(|name| name.ends_with(&ending));
+    let hint = match of_wheels.collect::<Vec<_>>().as_slice() {
+        [] => did_you_mean(wanted, known),
+        several => format!("; did you mean {}?", several.join(", ")),
+    };
+    if hint.is_empty() {
+        ";".to_owned()
+    } else {
+        hint
     }
 }

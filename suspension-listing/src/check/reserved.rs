@@ -1,7 +1,9 @@
 //! Names that the generated code needs.
 
+use crate::name::KEYWORD_OF_2024;
+
 /// Fields of the generated model and its factors, variables of its methods, and names that a pattern
-/// does not bind; and a word that Rust keeps to itself from its edition of 2024 on.
+/// does not bind.
 const RESERVED: [&str; 14] = [
     "fixed",
     "size",
@@ -16,7 +18,7 @@ const RESERVED: [&str; 14] = [
     "Ok",
     "Err",
     "Listing",
-    "gen",
+    KEYWORD_OF_2024,
 ];
 
 pub(super) fn is_reserved(name: &str) -> bool {

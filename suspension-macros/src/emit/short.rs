@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident};
 use syn::Ident;
 
 use super::terms::ident;
-use suspension_listing::name::Name;
+use suspension_listing::name::{KEYWORD_OF_2024, Name};
 use suspension_listing::system::{AXES, System};
 
 /// Variables and functions of the elimination, and names that a pattern does not bind.
@@ -22,8 +22,6 @@ const TAKEN: [&str; 23] = [
     "difference",
     "fixed",
     "free",
-    // A keyword from edition 2024 on, which syn does not know yet.
-    "gen",
     "gradient",
     "growth",
     "opposite",
@@ -35,6 +33,7 @@ const TAKEN: [&str; 23] = [
     "second",
     "third",
     "xyz",
+    KEYWORD_OF_2024,
 ];
 
 /// The short names of a system's equations and unknowns.

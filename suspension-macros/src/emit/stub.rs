@@ -11,7 +11,7 @@ use super::types;
 use super::{build, gather, indices};
 use crate::module::Module;
 use suspension_listing::Kind;
-use suspension_listing::name::Name;
+use suspension_listing::name::{KEYWORD_OF_2024, Name};
 use suspension_listing::system::System;
 
 /// The errors and the stand-in.
@@ -89,7 +89,7 @@ fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream 
 fn distinct(names: impl Iterator<Item = Name>) -> Vec<Field> {
     let mut seen = BTreeSet::new();
     names
-        .filter(|name| name.to_string() != "gen" && seen.insert(name.clone()))
+        .filter(|name| name.as_str() != KEYWORD_OF_2024 && seen.insert(name.clone()))
         .map(|name| Field::undocumented(name, String::new()))
         .collect()
 }

@@ -104,7 +104,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         (
             &FLAT.replace("of = \"toe\"", "of = \"toe_deg\""),
             2,
-            "unknown quantity `toe_deg`; did you mean `toe`, without a unit?",
+            "unknown quantity `toe_deg`; did you mean `toe`? Quantities are named without a unit",
         ),
         (
             &FLAT.replace("of = \"toe\"", "of = \"wheel_rate\""),

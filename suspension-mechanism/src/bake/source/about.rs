@@ -5,20 +5,20 @@ use std::path::Path;
 use crate::bake::driven::Output;
 use crate::number::{counted, exact};
 
-/// Around what a header in C has in it, so that float is rounded without a warning.
-pub(super) const ROUNDED: [&str; 2] = [
-    "\
+/// At the head of what a header in C has in it, so that float is rounded without a warning.
+pub(super) const IGNORE_CONVERSIONS: &str = "\
 /* Where numbers are float, those in this file are rounded. */
 #if defined __GNUC__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored \"-Wconversion\"
 #pragma GCC diagnostic ignored \"-Wfloat-conversion\"
-#endif",
-    "\
+#endif";
+
+/// At the end of it.
+pub(super) const END_IGNORE: &str = "\
 #if defined __GNUC__
 #pragma GCC diagnostic pop
-#endif",
-];
+#endif";
 
 /// What the numbers of a baked file mean.
 #[derive(Clone, Debug)]

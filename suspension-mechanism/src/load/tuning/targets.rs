@@ -67,8 +67,9 @@ impl Targets<'_> {
             .iter()
             .find(|name| wanted.starts_with(&format!("{name}_")))
         {
-            let message =
-                format!("unknown quantity `{wanted}`; did you mean `{name}`, without a unit?");
+            let message = format!(
+                "unknown quantity `{wanted}`; did you mean `{name}`? Quantities are named without a unit"
+            );
             return Err(self.0.source.refuse(&of.span(), message));
         }
         let found = self.0.named("quantity", of, &names)?;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
-use crate::bake::source::about::{ROUNDED, checksum, comment_in_c};
+use crate::bake::source::about::{END_IGNORE, IGNORE_CONVERSIONS, checksum, comment_in_c};
 use crate::bake::source::curve::Sheet;
 
 /// The text of a header. Its guard has a value of the header's own: another header under the same
@@ -30,7 +30,7 @@ pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
 
 #include <stddef.h>
 
-{rounded}
+{IGNORE_CONVERSIONS}
 
 #ifndef {upper}_NUMBER
 #define {upper}_NUMBER double
@@ -82,14 +82,12 @@ static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number
     return 0;
 }}
 
-{so_far}
+{END_IGNORE}
 
 #elif {upper}_H != {checksum:#010x}
 #error \"another baked header has the name {name}: bake to a file of another name\"
 #endif
 ",
-        rounded = ROUNDED[0],
-        so_far = ROUNDED[1],
         checksum = checksum(&segments),
         last = count - 1,
         degree = TERMS - 1,
