@@ -38,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// Write to PATH, or to standard output for `-`; without it to out/NAME_carsim.par or out/NAME_carmaker.txt, NAME being
-    /// that of the motion file.
+    /// that of the motion file, with that of the wheel behind it where --wheel has one.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }

@@ -83,19 +83,19 @@ impl Axle {
         ])
     }
 
-    /// Refuses to lose a listing that is none of this corner: the option names the motion file alone.
+    /// Refuses to lose a listing that was not written here: the option names the motion file alone.
     pub(super) fn check_corner(&self, out: &Path) -> Result<(), Failure> {
-        let Some((path, corner)) = &self.corner else {
+        let Some((path, _)) = &self.corner else {
             return Ok(());
         };
         refuse_input(path, "--out")?;
-        let is_same = fs::read(path).is_ok_and(|there| there == corner.as_bytes());
-        if is_same || !path.exists() {
+        let is_own = fs::read(path).is_ok_and(|there| there.starts_with(ABOVE_CORNER.as_bytes()));
+        if is_own || !path.exists() {
             return Ok(());
         }
         let (path, out) = (path.display(), out.display());
         let message = format!(
-            "{path}: exists already, with other statements than the axle of {out} needs there; move it, or name another \
+            "{path}: exists already, and import did not write it; the axle of {out} needs a listing there: move it, or name another \
              motion file by --out"
         );
         Err(Failure::Input(message))

@@ -235,7 +235,7 @@ fn what_is_no_corner_is_no_axle() {
         std::fs::write(&listing, "mine").expect("written");
         let output = run(path, &[&["import", "a.csv", "--axle"], options].concat());
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let expected = "a_corner.linkage: exists already, with other statements than the axle of a.toml needs there; move it";
+        let expected = "a_corner.linkage: exists already, and import did not write it; the axle of a.toml needs a listing there: move it";
         assert!(text(&output.stderr).contains(expected), "{output:?}");
         let kept = std::fs::read_to_string(&listing).expect("there");
         assert_eq!(kept, "mine");
@@ -302,4 +302,21 @@ fn statements_in_a_motion_file_are_called_as_the_file() {
         report.starts_with("motion.toml: motion, lengths in mm"),
         "{report}"
     );
+}
+
+/// The option replaces what is there: the motion file, and the listing that it came with.
+#[test]
+fn an_axle_is_imported_again_in_another_layout() {
+    let folder = folder();
+    let path = folder.path();
+    import(path, "a.csv", &symmetric(), &["--axle"]);
+    let without_rocker = symmetric().replace("prod_outboard", "unknown");
+    let imported = import(path, "a.csv", &without_rocker, &["--axle"]);
+    assert!(
+        imported.notes.contains("the layout is double_wishbone: "),
+        "{}",
+        imported.notes
+    );
+    let output = run(path, &["check", "motion.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
