@@ -7,7 +7,7 @@ mod site;
 use nalgebra::{DMatrix, DVector, Vector3};
 use suspension_core::listing::{self, Parts};
 use suspension_listing::Kind;
-use suspension_runtime::{AngleLine, Listing, PartForces, Statement};
+use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, State};
@@ -65,8 +65,8 @@ pub struct Structure<'l> {
     /// They, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
     part_forces: Vec<PartForces>,
-    /// Of each measure the lines of an angle that parts carry.
-    measured: Vec<Vec<AngleLine>>,
+    /// Of each measure the shares of parts in what acts along it.
+    measured: Vec<Vec<AngleShare>>,
     /// How many chassis points there are, the first of all points.
     chassis: usize,
     /// Markers with three points of the body that carries each.
@@ -79,7 +79,7 @@ impl<'l> Structure<'l> {
     pub fn of(listing: &'l Listing) -> Self {
         Self {
             part_forces: listing.part_forces(),
-            measured: listing.lines_of_measures(),
+            measured: listing.shares_in_measures(),
             carriers: listing.carriers(),
             chassis: listing.count(listing::Kind::ChassisPoint),
             statements: listing.parts().collect(),

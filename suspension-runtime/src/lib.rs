@@ -70,7 +70,7 @@ pub use fitted::{Fitted, Work};
 pub use hardpoints::ModelError;
 pub use listing::Listing;
 pub use model::Model;
-pub use part_forces::{AngleLine, PartForces};
+pub use part_forces::{AngleShare, PartForces};
 pub use size::{Room, Size};
 pub use statement::Statement;
 pub use suspension_listing::include_source::{IncludeSource, Wanted};

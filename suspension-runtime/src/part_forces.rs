@@ -24,25 +24,24 @@ const PARALLEL: f64 = 1e-6;
 
 /// A line of an angle, and the part that carries it. Points are numbers among all points.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct AngleLine {
+struct Line {
     ends: [usize; 2],
     /// The end that neither the other line has nor the axis: the force there is of this line alone.
     free_end: usize,
     /// Of an angle about an axis the ends of that, and two points of the part along it.
     axis: Option<[[usize; 2]; 2]>,
-    /// The number of the part, of [`Listing::parts`].
-    pub part: usize,
+    part: usize,
 }
 
-impl AngleLine {
-    /// The forces on the part that its share of the angle's moment consists of, of the `force` that the angle exerts at a point, and
-    /// the places `at` which points are: those at the line's ends, and about an axis two more that leave a moment about that
-    /// alone. In the unit of the forces.
-    pub fn couple(
+type OnPoint = (usize, Vector3<f64>);
+
+impl Line {
+    /// The forces at the line's ends, and about an axis at two more points, which leave a moment about that alone.
+    fn couple(
         &self,
         force: impl Fn(usize) -> Vector3<f64>,
         at: impl Fn(usize) -> Vector3<f64>,
-    ) -> impl Iterator<Item = (usize, Vector3<f64>)> {
+    ) -> [Option<OnPoint>; 4] {
         let [from, to] = self.ends;
         let on_free_end = force(self.free_end);
         let on_end = if self.free_end == to {
@@ -58,20 +57,64 @@ impl AngleLine {
             let across = moment - direction * moment.dot(&direction);
             is_along.then(|| (own, apart.cross(&across) / apart.norm_squared()))
         });
-        let pair = |[from, to]: [usize; 2], on_end: Vector3<f64>| [(from, -on_end), (to, on_end)];
-        let others = across.map(|(own, on_end)| pair(own, on_end));
-        pair(self.ends, on_end)
-            .into_iter()
-            .chain(others.into_iter().flatten())
+        let [first, second] = match across {
+            Some(([from, to], on_end)) => [Some((from, -on_end)), Some((to, on_end))],
+            None => [None; 2],
+        };
+        [Some((from, -on_end)), Some((to, on_end)), first, second]
+    }
+}
+
+/// The share of a part in what an angle exerts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AngleShare {
+    /// The number of the part, of [`Listing::parts`].
+    pub part: usize,
+    of: Share,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Share {
+    /// The part carries a line: a moment.
+    Line(Line),
+    /// The part carries the axis, which has at its ends what is left beside the shares of lines.
+    Axis { ends: [usize; 2], lines: Vec<Line> },
+}
+
+impl AngleShare {
+    /// The forces on the part, at points, in the unit of the `force` that the angle exerts at a point, with the points where `at` has
+    /// them.
+    pub fn forces(
+        &self,
+        force: impl Fn(usize) -> Vector3<f64>,
+        at: impl Fn(usize) -> Vector3<f64>,
+    ) -> impl Iterator<Item = OnPoint> {
+        let forces = match &self.of {
+            Share::Line(line) => line.couple(force, at),
+            Share::Axis { ends, lines } => {
+                let [from, to] = ends.map(|end| {
+                    let couples = lines.iter().flat_map(|line| line.couple(&force, &at));
+                    let there = couples.flatten().filter(|(point, _)| *point == end);
+                    let of_lines: Vector3<f64> = there.map(|(_, force)| force).sum();
+                    Some((end, force(end) - of_lines))
+                });
+                [from, to, None, None]
+            }
+        };
+        forces.into_iter().flatten()
+    }
+
+    fn is_of_line(&self) -> bool {
+        matches!(self.of, Share::Line(_))
     }
 }
 
 /// A moment about an angle that equations drive or hold.
 #[derive(Clone, Debug, PartialEq)]
 struct Moment {
-    line: AngleLine,
+    share: AngleShare,
     equations: Vec<Range<usize>>,
-    /// Whether it acts on the part; if not, the part is the angle itself, and another one carries the line.
+    /// Whether it acts on the part; if not, the part is the angle itself, and the share is another's.
     acts: bool,
 }
 
@@ -90,8 +133,8 @@ impl PartForces {
 
     /// Whether the part is an angle that is held, and other parts carry both its lines: all its forces are theirs.
     pub fn are_of_others(&self) -> bool {
-        let others = self.moments.iter().filter(|moment| !moment.acts);
-        others.count() == LINES_OF_AN_ANGLE
+        let shares = self.moments.iter().filter(|moment| !moment.acts);
+        shares.filter(|moment| moment.share.is_of_line()).count() == LINES_OF_AN_ANGLE
     }
 
     /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads, with the
@@ -104,10 +147,9 @@ impl PartForces {
         let mut forces = by(loads, &self.equations);
         for moment in &self.moments {
             let of_angle = by(loads, &moment.equations);
-            let couple = moment
-                .line
-                .couple(|point| nth(&of_angle, point), |point| nth(at, point));
-            for (point, force) in couple {
+            let share = &moment.share;
+            let on_part = share.forces(|point| nth(&of_angle, point), |point| nth(at, point));
+            for (point, force) in on_part {
                 let force = if moment.acts { force } else { -force };
                 forces = forces.with(point, nth(&forces, point) + force);
             }
@@ -150,13 +192,13 @@ impl Listing {
         let mut forces: Vec<PartForces> = of_own.collect();
         for statement in self.statements() {
             let itself = parts.iter().position(|part| part.name == statement.name);
-            for line in self.carried(&self.lines_of_statement(&statement), &parts) {
-                let on_parts = [(Some(line.part), true), (itself, false)];
+            for share in self.shares(&self.lines_of_statement(&statement), &parts) {
+                let on_parts = [(Some(share.part), true), (itself, false)];
                 for (part, acts) in on_parts {
                     let part = part.and_then(|part| forces.get_mut(part));
                     if let Some(part) = part {
                         part.moments.push(Moment {
-                            line: line.clone(),
+                            share: share.clone(),
                             equations: statement.equations.clone(),
                             acts,
                         });
@@ -167,12 +209,12 @@ impl Listing {
         forces
     }
 
-    /// Of each measure the lines of an angle that parts carry.
-    pub fn lines_of_measures(&self) -> Vec<Vec<AngleLine>> {
+    /// Of each measure the shares of parts in what acts along it, where it is an angle.
+    pub fn shares_in_measures(&self) -> Vec<Vec<AngleShare>> {
         let parts: Vec<_> = self.parts().collect();
         let measures = self.system().measures.iter();
         let lines = measures.map(|measure| self.lines_of_quantity(&measure.quantity));
-        lines.map(|lines| self.carried(&lines, &parts)).collect()
+        lines.map(|lines| self.shares(&lines, &parts)).collect()
     }
 
     /// The lines of what a statement drives or holds.
@@ -211,33 +253,55 @@ impl Listing {
         }
     }
 
-    /// The lines that a body or a hinge carries, or else a link.
-    fn carried(&self, Lines { lines, about }: &Lines, parts: &[Statement<'_>]) -> Vec<AngleLine> {
-        let carriers = self.carriers();
-        let places = |end: &usize| {
-            let carrier = carriers.iter().find(|(marker, _)| marker == end);
-            carrier.map_or_else(|| vec![*end], |(_, body)| body.to_vec())
-        };
+    /// The shares of the bodies, hinges and links that carry lines and axis; a line or an axis between chassis points is the
+    /// chassis'.
+    fn shares(&self, Lines { lines, about }: &Lines, parts: &[Statement<'_>]) -> Vec<AngleShare> {
+        let chassis = self.system().fixed.len();
+        let is_fixed = |ends: &[usize; 2]| ends.iter().all(|end| *end < chassis);
+        let moving = || lines.iter().filter(|line| !is_fixed(line));
         let ends: Vec<usize> = lines.iter().chain(about).flatten().copied().collect();
         let is_free = |end: &&usize| ends.iter().filter(|other| other == end).count() == 1;
         let of_line = |ends: &[usize; 2]| {
-            let points: Vec<usize> = ends.iter().flat_map(places).collect();
-            let carries = |kinds: &[Kind]| {
-                parts.iter().position(|part| {
-                    let has = |point: &usize| part.points.contains(point);
-                    kinds.contains(&part.kind) && points.iter().all(has)
-                })
-            };
-            let part = carries(&[Kind::BODY, Kind::HINGE]).or_else(|| carries(&[Kind::LINK]))?;
+            let part = self.carrier_of(ends, parts)?;
             let own = |about: [usize; 2]| Some([about, self.along(parts.get(part)?, about)?]);
-            Some(AngleLine {
+            Some(Line {
                 ends: *ends,
                 free_end: *ends.iter().rev().find(is_free)?,
                 axis: about.and_then(own),
                 part,
             })
         };
-        lines.iter().filter_map(of_line).collect()
+        let of_lines: Vec<Line> = moving().filter_map(of_line).collect();
+        let axis = about.filter(|about| !is_fixed(about) && of_lines.len() == moving().count());
+        let axis = axis.and_then(|ends| {
+            let lines = of_lines.clone();
+            Some(AngleShare {
+                part: self.carrier_of(&ends, parts)?,
+                of: Share::Axis { ends, lines },
+            })
+        });
+        let of_lines = of_lines.into_iter().map(|line| AngleShare {
+            part: line.part,
+            of: Share::Line(line),
+        });
+        of_lines.chain(axis).collect()
+    }
+
+    /// The part that keeps two points apart, or the bodies of markers: a body or a hinge, or else a link.
+    fn carrier_of(&self, ends: &[usize; 2], parts: &[Statement<'_>]) -> Option<usize> {
+        let carriers = self.carriers();
+        let places = |end: &usize| {
+            let carrier = carriers.iter().find(|(marker, _)| marker == end);
+            carrier.map_or_else(|| vec![*end], |(_, body)| body.to_vec())
+        };
+        let points: Vec<usize> = ends.iter().flat_map(places).collect();
+        let carries = |kinds: &[Kind]| {
+            parts.iter().position(|part| {
+                let has = |point: &usize| part.points.contains(point);
+                kinds.contains(&part.kind) && points.iter().all(has)
+            })
+        };
+        carries(&[Kind::BODY, Kind::HINGE]).or_else(|| carries(&[Kind::LINK]))
     }
 
     /// Two points of a part that may be along an axis: the axis' own ends, or those that a hinge has on the chassis.

@@ -132,8 +132,11 @@ impl<T: Real> Tracker<T> {
             let advanced = self.advance_along(curve, linkage, &mut inputs, to, dt, &mut next)?;
             Ok((next, advanced))
         };
-        // From rest: the last rates are what led the cubics astray.
-        let at_rest = Motion::at_rest(motion.position);
+        // From rest, in the same assembly: the last rates are what led the cubics astray.
+        let at_rest = Motion {
+            positive_determinant: motion.positive_determinant,
+            ..Motion::at_rest(motion.position)
+        };
         let (next, advanced) = along(Cubic::at, *motion)
             .or_else(|stopped| along(Cubic::on_line, at_rest).map_err(|_| stopped))?;
         *motion = next;

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
 use suspension_core::wheel::contact;
-use suspension_runtime::{AngleLine, PartForces, Statement};
+use suspension_runtime::{AngleShare, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::loads::site::Site;
@@ -23,8 +23,8 @@ enum On {
     Point,
     /// The part with these points.
     Having(Vec<usize>),
-    /// The part of this number, by a moment about an angle of which it carries a line.
-    Line(usize),
+    /// The part of this number, which has a share in what acts along an angle.
+    Angle(usize),
 }
 
 impl Force {
@@ -33,13 +33,13 @@ impl Force {
         match &self.on {
             On::Point => false,
             On::Having(points) => points.iter().all(|point| statement.points.contains(point)),
-            On::Line(part) => *part == number,
+            On::Angle(part) => *part == number,
         }
     }
 
     /// Whether it is of a moment about an angle.
     pub(super) fn is_of_moment(&self) -> bool {
-        matches!(self.on, On::Line(_))
+        matches!(self.on, On::Angle(_))
     }
 }
 
@@ -68,8 +68,8 @@ pub(super) struct Here<'a> {
     pub(super) mechanism: &'a dyn Kinematics,
     /// Markers with three points of the body that carries each.
     pub(super) carriers: &'a [(usize, [usize; 3])],
-    /// Of each measure the lines of an angle that parts carry.
-    pub(super) measured: &'a [Vec<AngleLine>],
+    /// Of each measure the shares of parts in what acts along it.
+    pub(super) measured: &'a [Vec<AngleShare>],
     pub(super) state: &'a State,
 }
 
@@ -128,17 +128,22 @@ impl Here<'_> {
         // What acts at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
         let at = |point: usize| self.points()[point];
-        let couples = self.measured[measure].iter();
-        let couples: Vec<(&AngleLine, Vec<_>)> = couples
-            .map(|line| (line, line.couple(|point| acting[point], at).collect()))
+        let shares = self.measured[measure].iter();
+        let shares: Vec<(usize, Vec<_>)> = shares
+            .map(|share| {
+                (
+                    share.part,
+                    share.forces(|point| acting[point], at).collect(),
+                )
+            })
             .collect();
-        for (line, couple) in couples {
-            for (point, force) in couple.into_iter().filter(|(point, _)| !is_marker(*point)) {
+        for (part, on_part) in shares {
+            for (point, force) in on_part.into_iter().filter(|(point, _)| !is_marker(*point)) {
                 acting[point] -= force;
                 forces.push(Force {
                     point,
                     force,
-                    on: On::Line(line.part),
+                    on: On::Angle(part),
                 });
             }
         }

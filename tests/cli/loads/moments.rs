@@ -214,3 +214,85 @@ drive up: p.z;\n";
         "{at_p:?} {row:?}"
     );
 }
+
+/// A line between two points of the chassis is the chassis', whichever hinge has these points too.
+#[test]
+fn what_acts_between_the_chassis_and_an_arm_loads_no_other_arm() {
+    let row = |line: &str, marks: &str| {
+        let statements = format!(
+            "fixed: af at [0.2, 0.35, 0.16], ar at [-0.2, 0.30, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.40, 0.44];
+{marks}free: lb at [0.0, 0.7, 0.17], ub at [-0.015, 0.66, 0.44];
+hinge lower: af, ar -> lb;
+hinge upper: uf, ur -> ub;
+link upright: lb -> ub;
+drive bump: lb.z;
+measure held: angle({line}, uf -> ub);\n"
+        );
+        only(&statements, "bump = 0.17", "held = 1000.0")
+    };
+    let marks = "fixed: m at [-0.2, 0.1, 0.5], n at [0.2, 0.15, 0.48];\n";
+    let (own, others) = (row("ar -> af", ""), row("m -> n", marks));
+    assert!(own["c_bump_N"].abs() > 10.0);
+    for (name, found) in &own {
+        assert!(
+            (found - others[name]).abs() < 1e-8,
+            "{name}: {found}, {}",
+            others[name]
+        );
+    }
+}
+
+/// A link that is the axis of a driven angle bears no more than one that is the axis of a measured angle with the same moment.
+#[test]
+fn an_axis_bears_what_is_left_beside_the_moments_on_lines() {
+    let statements = |angle: &str| {
+        format!(
+            "fixed: e at [0.0, 0.0, 0.3], n at [0.2, 0.0, 0.35], g at [0.3, 0.45, 0.1];
+free: f at [0.0, 0.4, 0.32], a at [0.15, 0.15, 0.55];
+link ef: e -> f;
+link gf: g -> f;
+link ea: e -> a;
+link fa: f -> a;
+drive up: f.z;
+{angle}"
+        )
+    };
+    let turn = "turn = -0.7716000579382774";
+    let load = "a = [10.0, 100.0, 50.0]";
+    let driven = |line: &str| {
+        let drive = format!("drive turn: angle(e -> n, {line} about e -> f);\n");
+        only(&statements(&drive), &format!("up = 0.32\n{turn}"), load)
+    };
+    let (from_e, from_f) = (driven("e -> a"), driven("f -> a"));
+    for link in ["ef", "gf", "ea", "fa"] {
+        let [e, f] = [&from_e, &from_f].map(|row| row[&format!("c_{link}_N")]);
+        assert!((e - f).abs() < 1e-7, "{link}: {e}, {f}");
+    }
+    // By virtual work.
+    assert!((from_e["c_ef_N"] - 54.064).abs() < 1e-3, "{from_e:?}");
+}
+
+/// An arm on a moving body, pressed midway between both points that they share: each bears half.
+#[test]
+fn an_axis_between_two_bodies_has_action_and_reaction() {
+    let statements = "fixed: f1 at [0.3, 0.3, 0.2], f2 at [-0.3, 0.3, 0.2];
+free: e at [0.0, 0.6, 0.2], f at [0.0, 0.6, 0.5], n at [0.2, 0.5, 0.2], a at [0.15, 0.65, 0.35];
+hinge car: f1, f2 -> e, f, n;
+body arm: e, f, a;
+drive up: n.z;
+drive turn: angle(e -> n, e -> a about e -> f);\n";
+    let row = only(
+        statements,
+        "up = 0.2\nturn = 0.7853981633974483",
+        "a = [0.0, 100.0, 0.0]",
+    );
+    let of = |name: &str| force(&row, &format!("c_{name}"));
+    for end in ["e", "f"] {
+        let [car, arm] = ["car", "arm"].map(|body| of(&format!("{body}_{end}")));
+        assert!((car + arm).norm() < 1e-8, "{end}: {car:?} {arm:?}");
+        assert!(
+            (arm.y - 50.0).abs() < 1e-8 && arm.x.abs() < 1e-8,
+            "{end}: {arm:?}"
+        );
+    }
+}

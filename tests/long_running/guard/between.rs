@@ -1,11 +1,15 @@
 //! Ways from one input to another.
 
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::double_wishbone::{Corner, Drives};
 use suspension_core::linkages::five_link;
-use suspension_core::{Inputs, Signal, Tracker};
+use suspension_core::{Inputs, Motion, Signal, Tracker, Values, linkage};
 
 use crate::support;
+
+linkage! {
+    mod five_link_rack in "../../../suspension-core/src/linkages/five_link_rack.linkage";
+}
 
 /// However far apart two inputs, sub-steps lead from one to the other, at rest or not.
 #[test]
@@ -103,4 +107,57 @@ fn a_tick_after_a_long_stall_is_followed() {
             );
         }
     }
+}
+
+/// A step beside a lock, the chassis moving, whose cubic locks: the straight way from rest must not lead past the lock into another
+/// assembly. Found by a search over 100,000 random starts; the numbers are bits of the step's length, the sign of the
+/// determinant, the motion, and drives and chassis points at both ends with their rates.
+#[test]
+fn a_straight_way_from_rest_stays_in_the_assembly() {
+    let bits = include_str!("../../data/beside_a_lock.txt").lines();
+    let bits = bits.map(|line| u64::from_str_radix(line, 16).expect("hexadecimal digits"));
+    let mut numbers = bits.map(f64::from_bits);
+    let mut next = || numbers.next().expect("a number");
+    let (dt, sign) = (next(), next());
+    let corner: five_link_rack::Corner = five_link_rack::Corner::design().expect("a design");
+    let mut vector = || SVector::from_fn(|_, _| next());
+    let start = Motion {
+        position: vector(),
+        velocity: vector(),
+        acceleration: vector(),
+        positive_determinant: Some(sign > 0.0),
+    };
+    let mut drives = || five_link_rack::Drives {
+        bump: next(),
+        steer: next(),
+    };
+    let drives: [Signal<_>; 2] = std::array::from_fn(|_| Signal {
+        value: drives(),
+        rate: drives(),
+        second_rate: drives(),
+    });
+    let mut points = || {
+        let count = five_link_rack::Listing::PARTS.chassis.len();
+        let points: Vec<_> = (0..count)
+            .map(|_| Vector3::from_fn(|_, _| next()))
+            .collect();
+        five_link_rack::Fixed::from_values(points)
+    };
+    let chassis: [Signal<_>; 2] = std::array::from_fn(|_| Signal {
+        value: points(),
+        rate: points(),
+        second_rate: points(),
+    });
+    let [from, to] = [0, 1].map(|end| Inputs {
+        chassis: chassis[end],
+        drives: drives[end],
+    });
+    let tracker = Tracker::default();
+    let mut motion = start;
+    let stepped = tracker.step_between(corner.model(), [&from, &to], dt, &mut motion);
+    stepped.expect("a configuration within reach");
+    assert_eq!(motion.positive_determinant, start.positive_determinant);
+    let mut cubic = start;
+    let alone = tracker.advance_between(corner.model(), &mut from.clone(), &to, dt, &mut cubic);
+    assert!(alone.is_err(), "the straight way is what is tested");
 }
