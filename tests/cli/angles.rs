@@ -230,8 +230,9 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
             Some(if passes { 3 } else { 0 }),
             "{start}: {output:?}"
         );
-        let said =
-            text(&output.stderr).contains("an angle is driven beyond its range: drive `turn`");
+        let said = text(&output.stderr).contains(
+            "the angle `turn` ends at 6.28319 rad, beyond it the drive would act as before it",
+        );
         assert_eq!(said, passes, "{start}: {output:?}");
     }
     let output = run(

@@ -1,6 +1,7 @@
 //! Where a motion that its drives lead ends: the drive that turns there, and the link that is in the way.
 
 use nalgebra::SVector;
+use suspension_core::listing::Part;
 use suspension_core::path::{Continuation, Curve};
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
@@ -55,6 +56,17 @@ impl Lock {
 
     /// In words, `design` being the drives at the design position.
     pub fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
+        if let Some(SolveError::OutOfRange { part, end, .. }) = self.cause
+            && let Part::Drive(drive) = part
+            && let Some(drive) = names.drives.get(drive)
+        {
+            const DIGITS: usize = 6;
+            let end = rounded(end * unit.per_drive(drive.kind), DIGITS);
+            let (name, symbol) = (&drive.name, unit.of_drive(drive.kind));
+            return format!(
+                "the angle `{name}` ends at {end} {symbol}, beyond it the drive would act as before it"
+            );
+        }
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {
             Some(turns) => {
