@@ -16,7 +16,8 @@ pub(super) const ROUNDING: f64 = 1e-9;
 /// Decimals of coordinates.
 const DECIMALS: usize = 9;
 
-/// The text with the points and drives found.
+/// The text with the points and drives found; `before` are the points that the file's own assembled at. A point that the file
+/// states otherwise than it assembled is written too: from another start the others might assemble elsewhere.
 pub(super) fn rewritten(
     source: &Source,
     file: &MotionFile,
@@ -28,15 +29,16 @@ pub(super) fn rewritten(
     let mut added = Vec::new();
     let each = mechanism.names.points.iter().zip(&tuned.points).zip(before);
     for ((name, point), before) in each {
-        if (point - before).amax() < ROUNDING {
-            continue;
-        }
+        let moved = |from: &Vector3<f64>| (point - from).amax() >= ROUNDING;
         let stated = file.points.get_ref().get(name.as_str());
         match stated.map(|stated| (stated.span(), stated.get_ref())) {
-            Some((place, Position::At(_))) => edits.push((place, coordinates(point))),
-            // A marker goes with its point.
-            Some((_, Position::Off(_))) => {}
-            None => added.push(format!("{name} = {}", coordinates(point))),
+            Some((place, Position::At(at))) if moved(&Vector3::from(*at)) => {
+                edits.push((place, coordinates(point)));
+            }
+            // A marker with an offset goes with its point.
+            Some(_) => {}
+            None if moved(before) => added.push(format!("{name} = {}", coordinates(point))),
+            None => {}
         }
     }
     edits.extend(drives(source, file, mechanism, &tuned.drives));

@@ -176,3 +176,48 @@ fn what_is_there_is_not_replaced_unasked() {
         "mine"
     );
 }
+
+/// Hardpoints that are rounded assemble a little beside where the file has them.
+#[test]
+fn hardpoints_that_are_rounded_are_written_as_they_assemble() {
+    let folder = folder();
+    let file =
+        "linkage = \"macpherson\"\nunit = \"mm\"\nangle = \"deg\"\ntime = { instants = [0.0] }
+[points]
+lower_front = [10.0, 360.0, 190.0]
+lower_rear = [-300.0, 370.0, 200.0]
+rack = [-140.0, 330.0, 250.0]
+top = [-30.0, 575.0, 830.0]
+lower_ball = [5.0, 720.0, 170.0]
+tie_ball = [-135.0, 690.0, 240.0]
+wheel_centre = [0.0, 760.0, 310.0]
+strut_low = [0.0, 631.0, 410.0]
+strut_high = [-15.0, 603.1, 620.0]
+axle = [0.0, 660.0, 310.0]
+[vehicle]
+wheel_radius = 300.0
+[drives]
+bump = 310.0
+steer = 330.0
+[tune.moves.height]
+points = [\"tie_ball\"]
+along = \"z\"
+by = [-20.0, 20.0]
+[tune.targets.toe]
+of = \"toe\"
+over = { bump = [-30.0, 30.0] }
+change = 0.0
+within = 0.02
+";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["tune", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let output = run(folder.path(), &["check", "a_tuned.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let tuned = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("written");
+    assert!(
+        tuned.contains("lower_front = [10.0, 360.0, 190.0]\n"),
+        "{tuned}"
+    );
+    assert!(!tuned.contains("603.1,"), "{tuned}");
+}
