@@ -152,7 +152,7 @@ impl<'l> Structure<'l> {
             return;
         }
         let (moments, own): (Vec<&Force>, Vec<_>) =
-            own.into_iter().partition(|force| force.is_of_moment());
+            own.into_iter().partition(|force| force.is_of_angle());
         let bears_only_tension = own.is_empty() && moments.is_empty() && !forces.bears_moments();
         for force in moments {
             by[force.point] += force.force;

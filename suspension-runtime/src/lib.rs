@@ -38,6 +38,7 @@
     )
 )]
 
+mod angle_share;
 mod bound_to_axes;
 mod build;
 pub mod catalogue;
@@ -63,6 +64,7 @@ mod size;
 mod statement;
 mod table;
 
+pub use angle_share::AngleShare;
 pub use catalogue_and_files::CatalogueAndFiles;
 pub use design_change::{AlongDrive, DesignChange, Start, Unknowns};
 pub use factors::Factors;
@@ -70,7 +72,7 @@ pub use fitted::{Fitted, Work};
 pub use hardpoints::ModelError;
 pub use listing::Listing;
 pub use model::Model;
-pub use part_forces::{AngleShare, PartForces};
+pub use part_forces::PartForces;
 pub use size::{Room, Size};
 pub use statement::Statement;
 pub use suspension_listing::include_source::{IncludeSource, Wanted};

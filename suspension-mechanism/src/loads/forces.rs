@@ -37,8 +37,8 @@ impl Force {
         }
     }
 
-    /// Whether it is of a moment about an angle.
-    pub(super) fn is_of_moment(&self) -> bool {
+    /// Whether it is a share in what acts along an angle.
+    pub(super) fn is_of_angle(&self) -> bool {
         matches!(self.on, On::Angle(_))
     }
 }
