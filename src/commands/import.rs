@@ -62,8 +62,8 @@ pub struct Arguments {
     /// has the other not.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Write the motion file to PATH in place of what is there, an axle's NAME_corner.linkage beside it unless there is one of
-    /// that name that import has not written. Without it beside FILE, with the ending .toml, where there is none yet.
+    /// Write the motion file to PATH in place of what is there, an axle's NAME_corner.linkage beside it unless there is one that
+    /// import would not write so. Without it beside FILE, with the ending .toml, where there is none yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }

@@ -110,8 +110,8 @@ susp_status susp_corner_drives(
 
 /** A step of `dt` seconds, not zero, to the values and rates of the drives at its end,
  * `drives[3][DRIVES]`, however far: in as many sub-steps as it takes, 200 at most. In between the
- * drives follow the cubics that have their values and rates at both ends or, where these lead past a lock, straight lines from
- * rest, in 200 more. `report` may be NULL. */
+ * drives follow the cubics that have their values and rates at both ends or, where these lead past a
+ * lock, straight lines from rest, in 200 more. `report` may be NULL. */
 susp_status susp_corner_step(
         susp_corner *corner,
         const double *drives,
@@ -173,9 +173,9 @@ susp_status susp_corner_add_masses(
  * is: at a marker on its body, at a chassis point on the drive that moves it. `drives[DRIVES]` is their work per unit of each
  * drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
  * `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
- * the forces that each part exerts on the points; what drives or holds an angle acts on the parts that carry the angle's lines,
- * and an angle that is held exerts none then. Each of these may be NULL. SUSP_ERROR_SINGULAR where the
- * drives lock. */
+ * the forces that each part exerts on the points; what drives or holds an angle acts on the parts that carry the
+ * angle's lines, so that an angle between lines of parts exerts none itself. Each of these may be NULL.
+ * SUSP_ERROR_SINGULAR where the drives lock. */
 susp_status susp_corner_read_loads(
         const susp_corner *corner,
         const double *forces,

@@ -103,10 +103,10 @@ macro_rules! functions_of_a_linkage {
             })
         }
 
-        /// `step_between` along the cubics alone that keeps what it has got to where it stops early, as at a lock: `inputs`, those of
-        /// `motion`, become `to`. If not, both are those of the last good sub-step, `failure->reached`
-        /// seconds from the start; from a lock no step may lead on or back, as rates have no bound there.
-        /// `report` may be NULL.
+        /// `step_between` along the cubics alone that keeps what it has got to where it stops early, as at a lock:
+        /// `inputs`, those of `motion`, become `to`. If not, both are those of the last good sub-step,
+        /// `failure->reached` seconds from the start; from a lock no step may lead on or back, as rates have no bound
+        /// there. `report` may be NULL.
         fn advance(model: In<Model>, inputs: InOut<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, to) = (model.object()?, inputs.get()?, to.get()?);
@@ -188,8 +188,9 @@ macro_rules! functions_of_a_linkage {
         /// What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
         /// motion; what acts at markers loads nothing, at chassis points the drive that moves them. `drives` gets their work per unit of each
         /// drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
-        /// link the force in it, positive in tension, without the part along it of a drive of the link's own angle. The rates of `inputs` do not matter. Takes about half a
-        /// step. SUSP_ERROR_SINGULAR where the drives lock.
+        /// link the force in it, positive in tension; where a drive prescribes the link's own angle from an axis, without
+        /// that drive's part along the link. The rates of `inputs` do not matter. Takes about half a step.
+        /// SUSP_ERROR_SINGULAR where the drives lock.
         fn read_loads(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, forces: In<Points>, drives: Out<Drives>, equations: Out<Equations>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, motion) = (model.object()?, inputs.get()?, motion.object()?);

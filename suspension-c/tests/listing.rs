@@ -5,9 +5,9 @@ mod text;
 
 use std::ffi::{CStr, c_char};
 
-use suspension_c::Status;
-use suspension_c::listing::{self, Listing};
+use suspension_c::listing::{self, Corner, Listing};
 use suspension_c::of::f64::{CarrierRotation, Kingpin, Wheel};
+use suspension_c::{In, Status};
 use suspension_core::Signal;
 use suspension_core::linkages::double_wishbone_pushrod::{self as compiled, Drives};
 use suspension_core::nalgebra::Vector3;
@@ -223,23 +223,23 @@ fn kingpin_rotation_and_measures_are_those_of_the_corner() {
     assert_eq!(measures[4], expected.second_rate.damper);
 }
 
-/// What a weight on the wheel's marker does: the drive bears it by virtual work, and each part's forces are those of a body in
-/// equilibrium, whose sum and moment vanish.
-#[test]
-fn loads_are_borne_and_passed_on() {
-    let (listing, corner) = (pushrod(), placed());
-    let (points, parts) = (listing.count(POINT), listing.count(PART));
-    let marker = listing.find(POINT, c"axle").expect("a marker");
-    let mut forces = vec![0.0; 3 * points];
-    forces[3 * marker..][..3].copy_from_slice(&[-300.0, 200.0, 4000.0]);
-    let (mut drives, mut tensions) = ([0.0; 2], vec![0.0; parts]);
-    let mut reactions = vec![0.0; 3 * parts * points];
+/// What forces do.
+struct Loads {
+    drives: Vec<f64>,
+    tensions: Vec<f64>,
+    reactions: Vec<f64>,
+}
+
+fn loads(listing: &Read, corner: In<'_, Corner>, forces: &[f64]) -> Loads {
+    let [points, parts, count] = [POINT, PART, DRIVE].map(|kind| listing.count(kind));
+    let [mut drives, mut tensions, mut reactions] =
+        [count, parts, 3 * parts * points].map(|count| vec![0.0; count]);
     let status = listing::corner_read_loads(
-        corner.get(),
-        from(&forces),
+        corner,
+        from(forces),
         forces.len(),
         to(&mut drives),
-        2,
+        count,
         to(&mut tensions),
         parts,
         to(&mut reactions),
@@ -247,6 +247,27 @@ fn loads_are_borne_and_passed_on() {
         None.into(),
     );
     assert_eq!(status, Status::Ok);
+    Loads {
+        drives,
+        tensions,
+        reactions,
+    }
+}
+
+/// What a weight on the wheel's marker does: the drive bears it by virtual work, and each part's forces are those of a body in
+/// equilibrium, whose sum and moment vanish.
+#[test]
+fn loads_are_borne_and_passed_on() {
+    let (listing, corner) = (pushrod(), placed());
+    let points = listing.count(POINT);
+    let marker = listing.find(POINT, c"axle").expect("a marker");
+    let mut forces = vec![0.0; 3 * points];
+    forces[3 * marker..][..3].copy_from_slice(&[-300.0, 200.0, 4000.0]);
+    let Loads {
+        drives,
+        tensions,
+        reactions,
+    } = loads(&listing, corner.get(), &forces);
 
     let compiled = compiled::Corner::<f64>::design().expect("a geometry");
     let change = Drives {
@@ -313,26 +334,16 @@ drive ahead: top.x;",
     );
     let listing = listing.expect("a listing");
     let corner = listing.place(&listing.design()).expect("a corner");
-    let (points, parts) = (listing.count(POINT), listing.count(PART));
+    let points = listing.count(POINT);
     let point = |name: &CStr| listing.find(POINT, name).expect("a point");
     let mut forces = vec![0.0; 3 * points];
     forces[3 * point(c"hub") + 2] = 1000.0;
     forces[3 * point(c"top") + 1] = 500.0;
-    let (mut drives, mut tensions) = ([0.0; 3], vec![0.0; parts]);
-    let mut reactions = vec![0.0; 3 * parts * points];
-    let status = listing::corner_read_loads(
-        corner.get(),
-        from(&forces),
-        forces.len(),
-        to(&mut drives),
-        3,
-        to(&mut tensions),
-        parts,
-        to(&mut reactions),
-        3 * parts * points,
-        None.into(),
-    );
-    assert_eq!(status, Status::Ok);
+    let Loads {
+        drives,
+        tensions,
+        reactions,
+    } = loads(&listing, corner.get(), &forces);
     let by = |part: &CStr, at: &CStr| {
         let part = listing.find(PART, part).expect("a part");
         Vector3::from_row_slice(&reactions[3 * (points * part + point(at))..][..3])

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use suspension_core::linkages::LISTINGS;
 use suspension_runtime::Listing;
 
 use super::choice::Choice;
@@ -64,11 +65,9 @@ impl Axle {
         }
         let name = name_of(out);
         let name = format!("{name}_corner.linkage");
-        let corner = choice.text.replace(RACK, FREE_RACK).replace(STEER, "");
-        let corner = format!("{ABOVE_CORNER}{}", without_places(&corner));
         Self {
             statements: mirrored(&format!("{name:?}")) + SHARED_RACK,
-            corner: Some((out.with_file_name(name), corner)),
+            corner: Some((out.with_file_name(name), corner_of(choice.text))),
         }
     }
 
@@ -83,19 +82,22 @@ impl Axle {
         ])
     }
 
-    /// Refuses to lose a listing that was not written here: the option names the motion file alone.
+    /// Refuses to lose a listing that is not as import writes it for one of the layouts: the option names the motion file alone.
     pub(super) fn check_corner(&self, out: &Path) -> Result<(), Failure> {
         let Some((path, _)) = &self.corner else {
             return Ok(());
         };
         refuse_input(path, "--out")?;
-        let is_own = fs::read(path).is_ok_and(|there| there.starts_with(ABOVE_CORNER.as_bytes()));
-        if is_own || !path.exists() {
+        let is_as_written = fs::read_to_string(path).is_ok_and(|there| {
+            let mut layouts = LISTINGS.iter();
+            layouts.any(|(_, text)| corner_of(text) == there)
+        });
+        if is_as_written || !path.exists() {
             return Ok(());
         }
         let (path, out) = (path.display(), out.display());
         let message = format!(
-            "{path}: exists already, and import did not write it; the axle of {out} needs a listing there: move it, or name another \
+            "{path}: exists already, and is not as import writes it; the axle of {out} needs a listing there: move it, or name another \
              motion file by --out"
         );
         Err(Failure::Input(message))
@@ -136,6 +138,12 @@ impl Axle {
             ))
         })
     }
+}
+
+/// The listing of a corner on a rack that both share, of a layout of the catalogue.
+fn corner_of(layout: &str) -> String {
+    let corner = layout.replace(RACK, FREE_RACK).replace(STEER, "");
+    format!("{ABOVE_CORNER}{}", without_places(&corner))
 }
 
 /// The statements of a layout of the catalogue without their coordinates, which are in metres, and without what is said above them.

@@ -118,8 +118,8 @@ crate::functions! { "susp":
 
     /// A step of `dt` seconds, not zero, to the values and rates of the drives at its end,
     /// `drives[3][DRIVES]`, however far: in as many sub-steps as it takes, 200 at most. In between the
-    /// drives follow the cubics that have their values and rates at both ends or, where these lead past a lock, straight lines from
-    /// rest, in 200 more. `report` may be NULL.
+    /// drives follow the cubics that have their values and rates at both ends or, where these lead past a
+    /// lock, straight lines from rest, in 200 more. `report` may be NULL.
     fn corner_step(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
@@ -207,9 +207,9 @@ crate::functions! { "susp":
     /// is: at a marker on its body, at a chassis point on the drive that moves it. `drives[DRIVES]` is their work per unit of each
     /// drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
     /// `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
-    /// the forces that each part exerts on the points; what drives or holds an angle acts on the parts that carry the angle's lines,
-    /// and an angle that is held exerts none then. Each of these may be NULL. SUSP_ERROR_SINGULAR where the
-    /// drives lock.
+    /// the forces that each part exerts on the points; what drives or holds an angle acts on the parts that carry the
+    /// angle's lines, so that an angle between lines of parts exerts none itself. Each of these may be NULL.
+    /// SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_loads(corner: In<Corner>, forces: In<Number>, force_count: usize, drives: Out<Number>, drive_count: usize, tensions: Out<Number>, tension_count: usize, reactions: Out<Number>, reaction_count: usize, failure: Out<Failure>) -> Status {
         let corner = match corner.object() {
             Ok(corner) => corner,

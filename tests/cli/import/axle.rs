@@ -235,7 +235,7 @@ fn what_is_no_corner_is_no_axle() {
         std::fs::write(&listing, "mine").expect("written");
         let output = run(path, &[&["import", "a.csv", "--axle"], options].concat());
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let expected = "a_corner.linkage: exists already, and import did not write it; the axle of a.toml needs a listing there: move it";
+        let expected = "a_corner.linkage: exists already, and is not as import writes it; the axle of a.toml needs a listing there: move it";
         assert!(text(&output.stderr).contains(expected), "{output:?}");
         let kept = std::fs::read_to_string(&listing).expect("there");
         assert_eq!(kept, "mine");
@@ -311,6 +311,14 @@ fn an_axle_is_imported_again_in_another_layout() {
     let path = folder.path();
     import(path, "a.csv", &symmetric(), &["--axle"]);
     let without_rocker = symmetric().replace("prod_outboard", "unknown");
+    let listing = path.join("motion_corner.linkage");
+    let written = std::fs::read_to_string(&listing).expect("a listing");
+    let edited = format!("{written}// Mine.\n");
+    std::fs::write(&listing, &edited).expect("written");
+    let output = run(path, &["import", "a.csv", "--axle", "--out", "motion.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert_eq!(std::fs::read_to_string(&listing).expect("kept"), edited);
+    std::fs::write(&listing, written).expect("written");
     let imported = import(path, "a.csv", &without_rocker, &["--axle"]);
     assert!(
         imported.notes.contains("the layout is double_wishbone: "),
