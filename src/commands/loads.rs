@@ -4,31 +4,22 @@ mod drawing;
 mod found;
 mod report;
 mod table;
+mod work;
 
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{Source, tell};
-use crate::grid::{Swept, grid};
-use crate::kinematics::Kinematics;
+use crate::file::Source;
+use crate::grid::Swept;
 use crate::load::load;
-use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{Order, State};
+use crate::loads::Structure;
 use crate::output::beside::{in_out, name_of};
-use crate::output::drawing::{SIZE, Seen};
-use crate::output::files::{announce, print, write_file};
-use crate::output::progress::Progress;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
-use crate::quantities::{DRIVES, Quantity, TIME};
-use drawing::drawing;
-use found::{Found, without_answer};
-use report::Report;
+use work::Work;
 
 /// What `suspension loads` is given.
 #[derive(Args, Clone, Debug)]
@@ -99,7 +90,7 @@ impl Arguments {
         if self.motion {
             work.in_motion(&forms, interrupted)
         } else {
-            work.on_grid(&self, &forms, interrupted)
+            work.on_grid((&self.drives, self.absolute), &forms, interrupted)
         }
     }
 
@@ -112,142 +103,6 @@ impl Arguments {
             json: self.json.clone().map(Target::from),
             parquet: None,
         }
-    }
-}
-
-struct Work<'a> {
-    source: &'a str,
-    mechanism: &'a dyn Kinematics,
-    listing: &'a Listing,
-    structure: &'a Structure<'a>,
-    cases: &'a [Case],
-    /// The folder of drawings, and what their names begin with.
-    drawings: Option<(&'a Path, String)>,
-}
-
-impl Work<'_> {
-    fn on_grid(
-        &self,
-        arguments: &Arguments,
-        forms: &Forms,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let Arguments {
-            drives, absolute, ..
-        } = arguments;
-        let grid = grid(self.mechanism, self.source, drives, *absolute)?;
-        let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let visited = self
-            .mechanism
-            .visit(&grid, Order::First, interrupted, &mut |place| {
-                progress.step();
-                let state = place.state();
-                (self.outcomes(&state), state)
-            });
-        let failure = visited.failure(self.source);
-        let places = visited.places.into_iter().flatten();
-        let without = self.write(&[&DRIVES], places.unzip(), forms)?;
-        ended(failure, without)
-    }
-
-    fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let instants = &self.mechanism.instants;
-        let mut progress = Progress::new(instants.count(), "instants");
-        let mut states = (Vec::new(), Vec::new());
-        let end = self.mechanism.move_through(instants, &mut |state| {
-            progress.step();
-            states.0.push(self.outcomes(&state));
-            states.1.push(state);
-            Ok(if interrupted.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            })
-        })?;
-        let without = self.write(&[&TIME, &DRIVES], states, forms)?;
-        let failure = end.failure(self.source, "the rows up to there were written");
-        ended(failure, without)
-    }
-
-    /// What each case does at a state.
-    fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
-        let cases = self.cases.iter();
-        let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, state));
-        outcomes.collect()
-    }
-
-    /// `outcomes` are those of each case, at each of the states, whose `leading` quantities come first in tables. Returns what is to be
-    /// said of cases without an answer.
-    fn write(
-        &self,
-        leading: &[&Quantity],
-        (outcomes, states): (Vec<Vec<Option<Outcome>>>, Vec<State>),
-        forms: &Forms,
-    ) -> Result<Option<String>, Failure> {
-        if states.is_empty() {
-            return Ok(None);
-        }
-        let cases = self.cases.iter().enumerate();
-        let (found, without): (Vec<_>, Vec<_>) = cases
-            .map(|(number, case)| {
-                let of_case = outcomes.iter().map(|outcomes| outcomes[number].clone());
-                Found::new(case, of_case.collect())
-            })
-            .partition(Result::is_ok);
-        let found: Vec<Found<'_>> = found.into_iter().flatten().collect();
-        let without = without.into_iter().filter_map(Result::err);
-        let without = without_answer(self.source, &without.collect::<Vec<_>>());
-        if found.is_empty() {
-            return Ok(without);
-        }
-        if !forms.is_empty() {
-            table::write(
-                self.mechanism,
-                self.structure,
-                (leading, &states),
-                &found,
-                forms,
-            )?;
-            let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-            announce(&written);
-        }
-        if let (Some((folder, stem)), [first, ..]) = (&self.drawings, &*states) {
-            let drawn = found.iter().map(|found| {
-                let whole = (self.mechanism, self.listing);
-                let drawing = drawing(whole, self.structure, found, first);
-                let path = folder.join(format!("{stem}_{}.svg", found.case.name));
-                let nothing = || Failure::Solver(format!("{}: nothing to draw", self.source));
-                write_file(
-                    &path,
-                    &drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?,
-                )?;
-                Ok(path)
-            });
-            announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
-        }
-        if ![&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
-            let report = Report {
-                file: self.source,
-                mechanism: self.mechanism,
-                structure: self.structure,
-            };
-            found
-                .iter()
-                .try_for_each(|found| print(&report.text(found)))?;
-        }
-        Ok(without)
-    }
-}
-
-/// Why not all was computed, what ended the grid or the motion before what is said of cases `without` an answer.
-fn ended(failure: Option<Failure>, without: Option<String>) -> Result<(), Failure> {
-    match (failure, without) {
-        (Some(failure), Some(without)) => {
-            tell(without);
-            Err(failure)
-        }
-        (Some(failure), None) => Err(failure),
-        (None, without) => without.map_or(Ok(()), |without| Err(Failure::Solver(without))),
     }
 }
 
@@ -294,7 +149,8 @@ Over a grid of drives, or a motion, the least and the greatest are printed, and 
 a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,
 braking_tie_rod_N, braking_upright_lower_ball_x_N.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or\nsome cases no answer, 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or
+some cases no answer, 130 interrupted.
 
 Example:
   suspension loads examples/double_wishbone_rocker.toml --drive bump=-0.05:0.05:21";

@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::characteristics::{Span, ways};
+use crate::characteristics::{Does, Span, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -88,9 +88,11 @@ impl Arguments {
         let spans = [self.travel, None];
         let ways = ways(mechanism, file, spans, mechanism.unit, interrupted)?;
         let drive = mechanism.names.wheels[number].travel;
-        let mut of_wheel = ways.into_iter().filter(|way| way.way.starts_with("travel"));
+        let mut of_wheel = ways
+            .into_iter()
+            .filter(|along| along.way.does == Does::Travel);
         let moves = |drives: &[(usize, f64)]| drives.iter().any(|(other, _)| Some(*other) == drive);
-        let Some(travel) = of_wheel.find(|way| moves(&way.drives)) else {
+        let Some(travel) = of_wheel.find(|along| moves(&along.drives)) else {
             return Err(Failure::Input(format!(
                 "{file}: no drive moves this wheel up and down; name it in [vehicle]: travel = {{ ... }}"
             )));

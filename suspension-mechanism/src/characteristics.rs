@@ -7,6 +7,7 @@ mod curves;
 mod grid_table;
 mod parameters;
 mod span;
+mod title;
 mod way;
 
 pub use along::{Along, ways};
@@ -14,4 +15,5 @@ pub use curves::{Curves, Line, curves};
 pub use grid_table::GridTable;
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};
 pub use span::Span;
-pub use way::Way;
+pub use title::Title;
+pub use way::{Does, Way};

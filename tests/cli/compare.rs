@@ -307,3 +307,32 @@ fn a_page_and_a_table_at_one_place_are_refused() {
     );
     assert!(!folder.path().join("y").exists());
 }
+
+/// The catalogue's axle is its corner, left and right.
+#[test]
+fn a_wheel_without_a_name_is_compared_with_each_wheel_of_an_axle() {
+    let corner = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+    let axle = CORNER
+        .replace("double_wishbone_pushrod", "steered_axle")
+        .replace("bump = 0.3", "bump_left = 0.3\nbump_right = 0.3");
+    let columns = |a: &str, b: &str| {
+        let (_folder, output) = compare(a, b, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        rows(&output)
+    };
+    let [by_corner, by_axle] = [columns(&corner, &axle), columns(&axle, &corner)];
+    assert_eq!(by_corner.len(), by_axle.len());
+    for rows in [by_corner, by_axle] {
+        for of in ["design", "per travel", "over travel"] {
+            for quantity in ["left camber angle", "right camber angle", "right toe angle"] {
+                let row = rows
+                    .iter()
+                    .find(|(names, _)| names[0] == of && names[1] == quantity);
+                let (_, [_, a, _, difference]) =
+                    row.unwrap_or_else(|| panic!("no {of} {quantity}"));
+                assert!(difference.abs() < 1e-9, "{of} {quantity}: {difference}");
+                assert!(of != "per travel" || a.abs() > 0.1, "{of} {quantity}: {a}");
+            }
+        }
+    }
+}

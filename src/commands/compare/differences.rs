@@ -1,6 +1,6 @@
 //! What both suspensions have, beside each other.
 
-use crate::characteristics::{Curves, Line, Parameter};
+use crate::characteristics::{Curves, Does, Line, Parameter, Title};
 use crate::commands::compare::side::Side;
 
 /// A number of both.
@@ -37,25 +37,24 @@ pub(super) struct Comparison {
 impl Comparison {
     /// Of both sides.
     pub(super) fn of(sides: [&Side; 2]) -> Self {
-        let design = |parameter: &Parameter| Some((parameter.value, parameter.symbol.clone()));
-        let per = |way: usize| {
-            move |parameter: &Parameter| {
-                let derivative = parameter.per[way].as_ref()?;
-                Some((derivative.value, derivative.symbol.clone()))
-            }
-        };
+        let design =
+            |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
         let mut parts = vec![Part {
             of: "design".to_owned(),
             across: None,
             differences: of_parameters(sides, [&design; 2]),
         }];
-        let [a, b] = sides;
-        for (of_a, way) in a.ways.iter().enumerate() {
-            if let Some(of_b) = b.ways.iter().position(|other| other == way) {
+        for (of_a, way) in sides[0].ways.iter().enumerate() {
+            if let Some(of_b) = sides[1].ways.iter().position(|other| other == way) {
+                let [a, b] = [(sides[0], of_a), (sides[1], of_b)].map(|(side, way)| {
+                    move |parameter: &Parameter, is_alone| {
+                        derivative(side, way, parameter, is_alone)
+                    }
+                });
                 parts.push(Part {
                     of: format!("per {way}"),
                     across: None,
-                    differences: of_parameters(sides, [&per(of_a), &per(of_b)]),
+                    differences: of_parameters(sides, [&a, &b]),
                 });
             }
         }
@@ -76,39 +75,56 @@ impl Comparison {
     }
 }
 
-/// Whether two quantities, each with its wheel, are the same. What is of a wheel without a name is compared with that of
-/// every wheel.
-fn is_same((a, of_a): (&str, Option<&str>), (b, of_b): (&str, Option<&str>)) -> bool {
-    a == b && (of_a == of_b || of_a.is_none() || of_b.is_none())
+/// What both sides have, each with its wheel: of a wheel without a name, that of every wheel of the other side.
+fn both<'a, T>([a, b]: [&'a [T]; 2], title: fn(&T) -> &Title) -> Vec<[&'a T; 2]> {
+    let is_same = |[a, b]: [&Title; 2]| {
+        let is_of_all = a.wheel.is_none() || b.wheel.is_none();
+        a.of_wheel == b.of_wheel && (is_of_all || a.wheel == b.wheel)
+    };
+    let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
+    pairs.filter(|pair| is_same(pair.map(title))).collect()
 }
 
-fn of_parameter(parameter: &Parameter) -> (&str, Option<&str>) {
-    (&parameter.of_wheel, parameter.wheel.as_deref())
+/// What is the same of both; with the wheel's name, where one has it.
+pub(super) fn title_of_both([a, b]: [&Title; 2]) -> String {
+    if a.wheel.is_none() { b } else { a }.to_string()
 }
 
-fn of_line(line: &Line) -> (&str, Option<&str>) {
-    (&line.of_wheel, line.wheel.as_deref())
+/// The derivative of a parameter along a drive with its unit; of a wheel that is compared with one without a name, along
+/// the wheel's own drive of travel in place of the first.
+fn derivative(
+    side: &Side,
+    way: usize,
+    parameter: &Parameter,
+    is_alone: bool,
+) -> Option<(f64, String)> {
+    let mut travel_of = side.travel_of.iter();
+    let own = travel_of.find(|(wheel, _)| parameter.title.wheel.as_ref() == Some(wheel));
+    let way = match (side.ways[way].does, own) {
+        (Does::Travel, Some((_, own))) if is_alone => *own,
+        _ => way,
+    };
+    let derivative = parameter.per[way].as_ref()?;
+    Some((derivative.value, derivative.symbol.clone()))
 }
 
-/// Reads a number of a parameter, with its unit.
-type Read<'a> = dyn Fn(&Parameter) -> Option<(f64, String)> + 'a;
+/// Reads a number of a parameter, with its unit; with whether only one of the two that are compared names its wheel.
+type Read<'a> = dyn Fn(&Parameter, bool) -> Option<(f64, String)> + 'a;
 
 /// The numbers that parameters of the same name and unit have.
 fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
-    let of_one = |parameter: &Parameter| {
-        let other = b
-            .parameters
-            .iter()
-            .find(|other| is_same(of_parameter(parameter), of_parameter(other)))?;
-        let ((a, symbol), (b, of_other)) = (of_a(parameter)?, of_b(other)?);
-        (symbol == of_other && a.is_finite() && b.is_finite()).then(|| Difference {
-            quantity: parameter.name.clone(),
+    let difference = |[a, b]: [&Parameter; 2]| {
+        let is_alone = a.title.wheel != b.title.wheel;
+        let ((value, symbol), (other, of_other)) = (of_a(a, is_alone)?, of_b(b, is_alone)?);
+        (symbol == of_other && value.is_finite() && other.is_finite()).then(|| Difference {
+            quantity: title_of_both([&a.title, &b.title]),
             symbol,
             at: None,
-            values: [a, b],
+            values: [value, other],
         })
     };
-    a.parameters.iter().filter_map(of_one).collect()
+    let both = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    both.into_iter().filter_map(difference).collect()
 }
 
 /// The curves of both along drives that do the same.
@@ -128,12 +144,9 @@ pub(super) fn unmatched<'a>(side: &'a Side, other: &Side) -> Vec<&'a Curves> {
 
 /// The lines of the same name and unit.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
-    let pair = |line: &'a Line| {
-        let same =
-            |other: &&Line| is_same(of_line(line), of_line(other)) && other.symbol == line.symbol;
-        Some([line, b.lines.iter().find(same)?])
-    };
-    a.lines.iter().filter_map(pair).collect()
+    let mut pairs = both([&a.lines, &b.lines], |line| &line.title);
+    pairs.retain(|[a, b]| a.symbol == b.symbol);
+    pairs
 }
 
 /// Where two lines differ most, of the places where both are.
@@ -149,7 +162,7 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
         }
     })?;
     Some(Difference {
-        quantity: a.title.clone(),
+        quantity: title_of_both([&a.title, &b.title]),
         symbol: a.symbol.clone(),
         at: Some(at),
         values,

@@ -3,7 +3,9 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Line};
-use crate::commands::compare::differences::{Comparison, Difference, Part, pairs, same_ways};
+use crate::commands::compare::differences::{
+    Comparison, Difference, Part, pairs, same_ways, title_of_both,
+};
 use crate::commands::compare::report::{heading, legend, notes};
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
@@ -39,7 +41,7 @@ fn both(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
         marks: Vec::new(),
     };
     let chart = |[of_a, of_b]: [&Line; 2]| Chart {
-        title: of_a.title.clone(),
+        title: title_of_both([&of_a.title, &of_b.title]),
         across: a.across(sides[0].unit),
         quantity: of_a.symbol.clone(),
         curves: vec![curve("A", a, of_a), curve("B", b, of_b)],

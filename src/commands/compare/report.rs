@@ -97,7 +97,7 @@ const ALIKE: f64 = 0.1;
 /// Says so where equal changes of two drives are not equal travels of the wheels.
 fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
-    let [of_a, of_b] = lines.find(|[line, _]| line.of_wheel == WHEEL_TRAVEL.title)?;
+    let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
     let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
     let is_unlike = a.kind == b.kind && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
     is_unlike.then(|| {

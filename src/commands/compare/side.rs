@@ -16,8 +16,10 @@ pub(super) struct Side {
     pub(super) converted: Option<String>,
     /// The unit of lengths here.
     pub(super) unit: Unit,
-    /// The names of the drives by which the parameters have derivatives.
-    pub(super) ways: Vec<String>,
+    /// What the drives do with respect to which the parameters have derivatives.
+    pub(super) ways: Vec<Way>,
+    /// The drive of travel of each wheel that has a name, by its place in these.
+    pub(super) travel_of: Vec<(String, usize)>,
     pub(super) parameters: Vec<Parameter>,
     /// Over travel, and over steering where a drive steers.
     pub(super) curves: Vec<Curves>,
@@ -38,16 +40,22 @@ impl Side {
         let along = ways(mechanism, file, spans, unit, interrupted)?;
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
         let curves = along.iter().map(|along| curves(mechanism, along, unit));
+        let (does, drives): (Vec<Way>, Vec<usize>) =
+            Way::of_drives(&mechanism.names).into_iter().unzip();
+        let travel_of = mechanism.names.wheels.iter().filter_map(|wheel| {
+            let place = drives
+                .iter()
+                .position(|drive| Some(*drive) == wheel.travel)?;
+            Some((wheel.name.clone(), place))
+        });
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
             converted,
             unit,
             missing: missing.collect(),
-            ways: Way::all(&mechanism.names)
-                .into_iter()
-                .map(|way| way.name)
-                .collect(),
+            travel_of: travel_of.collect(),
+            ways: does,
             parameters: parameters(mechanism, unit, interrupted),
             curves: curves.collect(),
         })

@@ -2,9 +2,8 @@
 
 use suspension_runtime::Listing;
 
-use crate::commands::loads::found::Found;
 use crate::kinematics::Kinematics;
-use crate::loads::Structure;
+use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::drawing::{Acting, Drawing, Forces, InLink, drawing_of};
 
@@ -12,14 +11,13 @@ use crate::output::drawing::{Acting, Drawing, Forces, InLink, drawing_of};
 pub(super) fn drawing(
     (mechanism, listing): (&dyn Kinematics, &Listing),
     structure: &Structure<'_>,
-    found: &Found<'_>,
-    first: &State,
+    case: &Case,
+    (first, outcome): (&State, Option<&Outcome>),
 ) -> Drawing {
     let mut drawing = drawing_of(mechanism, listing, None);
     for (number, (_, at)) in drawing.points.iter_mut().enumerate() {
         *at = first.position(number).into();
     }
-    let outcome = found.outcomes.first().and_then(Option::as_ref);
     let links = outcome.into_iter().flat_map(|outcome| &outcome.links);
     let links = links.filter_map(|(statement, tension)| {
         let link = &structure.statements[*statement];
@@ -28,14 +26,16 @@ pub(super) fn drawing(
             tension: *tension,
         })
     });
-    let acting = structure.acting(mechanism, found.case, first).into_iter();
+    let acting = structure.acting(mechanism, case, first).into_iter();
     let acting = acting.map(|[at, force]| Acting {
         at: at.into(),
         force: force.into(),
     });
-    let case = &found.case.name;
     drawing.forces = Some(Forces {
-        title: format!("load case {case}: links in tension blue, in compression red"),
+        title: format!(
+            "load case {}: links in tension blue, in compression red",
+            case.name
+        ),
         links: links.collect(),
         acting: acting.collect(),
     });

@@ -1,33 +1,58 @@
-//! What a load case does at each place.
+//! What a load case does over all places.
+
+use nalgebra::Vector3;
 
 use crate::loads::{Case, Outcome};
 
-/// A case with what it does at each place, in their order; `None` where the mechanism locks.
+/// A case with what it does over the places that have an answer.
 pub(super) struct Found<'a> {
     pub(super) case: &'a Case,
-    pub(super) outcomes: Vec<Option<Outcome>>,
-    /// That of the first place that has one: all have the same parts.
+    /// That of the first place: all have the same parts.
     pub(super) first: Outcome,
+    /// How many places there are.
+    pub(super) places: usize,
+    /// The least and the greatest of what each drive, each measure and each link bears, and of the size of each joint's force.
+    pub(super) ranges: Vec<[f64; 2]>,
+    /// The largest [`Outcome::amplification`].
+    pub(super) amplification: f64,
 }
 
 impl<'a> Found<'a> {
-    /// # Errors
-    ///
-    /// The case's name, where it does nothing at any place.
-    pub(super) fn new(case: &'a Case, outcomes: Vec<Option<Outcome>>) -> Result<Self, &'a str> {
-        let first = outcomes.iter().flatten().next().cloned();
-        let first = first.ok_or(case.name.as_str())?;
-        Ok(Self {
+    /// A case of which no place is counted yet.
+    pub(super) fn new(case: &'a Case, first: Outcome) -> Self {
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        Self {
             case,
-            outcomes,
+            places: 0,
+            ranges: sizes(&first).map(|_| nothing).collect(),
+            amplification: 0.0,
             first,
-        })
+        }
     }
 
-    /// Those of all places that have one.
-    pub(super) fn all(&self) -> Vec<&Outcome> {
-        self.outcomes.iter().flatten().collect()
+    /// Counts a place.
+    pub(super) fn add(&mut self, outcome: &Outcome) {
+        self.places += 1;
+        self.amplification = self.amplification.max(outcome.amplification());
+        for ([least, greatest], size) in self.ranges.iter_mut().zip(sizes(outcome)) {
+            *least = least.min(size);
+            *greatest = greatest.max(size);
+        }
     }
+}
+
+/// A number of each part.
+fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
+    let joints = outcome.joints.iter();
+    along(outcome).chain(joints.map(|(.., force): &(usize, usize, Vector3<f64>)| force.norm()))
+}
+
+/// What drives, measures and links bear.
+pub(super) fn along(outcome: &Outcome) -> impl Iterator<Item = f64> {
+    let drives = outcome.on_drives.iter().copied();
+    let bearing = outcome.in_measures.iter().map(|(_, along)| *along);
+    let links = outcome.links.iter().map(|(_, force)| *force);
+    drives.chain(bearing).chain(links)
 }
 
 /// What is said of cases without an answer; `None` where all have one.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::Found;
-use crate::loads::{Outcome, Structure};
+use crate::loads::Structure;
 use crate::mechanism::{Description, Drive, Measure};
 use crate::number::{aligned, fixed};
 
@@ -22,11 +22,13 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     /// A case at all places that have an answer.
     pub(super) fn text(&self, found: &Found<'_>) -> String {
-        let Report {
-            file, mechanism, ..
+        let Self {
+            file,
+            mechanism,
+            structure,
         } = self;
-        let (case, outcomes) = (found.case, found.all());
-        let places = match outcomes.len() {
+        let (case, first, names) = (found.case, &found.first, &mechanism.names);
+        let places = match found.places {
             1 => "one place".to_owned(),
             several => format!("least and greatest of {several} places"),
         };
@@ -35,67 +37,54 @@ impl Report<'_> {
             "{file}: load case {}, {places}; axes of {axes}\n\n",
             case.name
         );
-        let drives = mechanism.names.drives.iter().enumerate();
-        let drives = drives.map(|(number, drive)| {
-            let loads = outcomes.iter().map(|outcome| outcome.on_drives[number]);
-            line(drive.name.clone(), loads, unit_of(drive))
-        });
+        let mut ranges = found.ranges.iter();
+        let mut line = |name: &str, unit| {
+            let range = ranges.next();
+            let numbers = range.map_or(&[][..], |range| &range[..found.places.min(2)]);
+            Line {
+                name: name.to_owned(),
+                numbers: numbers.to_vec(),
+                between: " to ",
+                unit,
+            }
+        };
+        let drives = names.drives.iter();
+        let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
         table(&mut out, "drive", "bears", drives.collect());
-        let bearing = found.first.in_measures.iter().enumerate();
-        let bearing = bearing.map(|(number, (measure, _))| {
-            let loads = outcomes.iter().map(|outcome| outcome.in_measures[number].1);
-            let measure = &mechanism.names.measures[*measure];
-            line(measure.name.clone(), loads, unit_in(measure))
+        let bearing = first.in_measures.iter().map(|(measure, _)| {
+            let measure = &names.measures[*measure];
+            line(&measure.name, unit_in(measure))
         });
         table(&mut out, "measure", "bears", bearing.collect());
-        let statements = &self.structure.statements;
-        let links = found.first.links.iter().enumerate();
-        let links = links.map(|(number, (statement, _))| {
-            let forces = outcomes.iter().map(|outcome| outcome.links[number].1);
-            line(statements[*statement].name.to_owned(), forces, "N")
-        });
+        let links = first.links.iter();
+        let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
         table(&mut out, "link", "tension", links.collect());
-        table(
-            &mut out,
-            "joint",
-            joints_in_words(&outcomes),
-            self.joints(&outcomes),
-        );
-        out.push_str(&near_a_lock(&outcomes));
-        out
-    }
-
-    /// Of one place the components, of several the sizes.
-    fn joints(&self, outcomes: &[&Outcome]) -> Vec<Line> {
-        let joints = outcomes[0].joints.iter().enumerate();
-        let joints = joints.map(|(number, (statement, point, force))| {
-            let point = &self.mechanism.names.points[*point];
-            let name = format!("{} at {point}", self.structure.statements[*statement].name);
-            match outcomes {
-                [_] => Line {
-                    name,
+        let joints = first.joints.iter().map(|(statement, point, force)| {
+            let statement = structure.statements[*statement].name;
+            let of_several = line(&format!("{statement} at {}", names.points[*point]), "N");
+            match found.places {
+                1 => Line {
                     numbers: force.iter().copied().collect(),
                     between: "  ",
-                    unit: "N",
+                    ..of_several
                 },
-                several => {
-                    let sizes = several
-                        .iter()
-                        .map(|outcome| outcome.joints[number].2.norm());
-                    line(name, sizes, "N")
-                }
+                _ => of_several,
             }
         });
-        joints.collect()
+        let heading = match found.places {
+            1 => "force along x, y and z",
+            _ => "size of the force",
+        };
+        table(&mut out, "joint", heading, joints.collect());
+        out.push_str(&near_a_lock(found.amplification));
+        out
     }
 }
 
 /// A note where forces inside are so large that a lock must be near.
-fn near_a_lock(outcomes: &[&Outcome]) -> String {
+fn near_a_lock(most: f64) -> String {
     /// Arms and rockers make forces several times as large as the load.
     const MANY: f64 = 100.0;
-    let each = outcomes.iter().map(|outcome| outcome.amplification());
-    let most = each.fold(0.0, f64::max);
     if most < MANY {
         return String::new();
     }
@@ -104,35 +93,12 @@ fn near_a_lock(outcomes: &[&Outcome]) -> String {
     )
 }
 
-fn joints_in_words(outcomes: &[&Outcome]) -> &'static str {
-    match outcomes {
-        [_] => "force along x, y and z",
-        _ => "size of the force",
-    }
-}
-
-/// A name with numbers in a unit.
+/// A name with numbers in a unit: the value at one place, or the least and the greatest of several.
 struct Line {
     name: String,
     numbers: Vec<f64>,
     between: &'static str,
     unit: &'static str,
-}
-
-/// The value at one place, or the least and the greatest of several.
-fn line(name: String, values: impl Iterator<Item = f64> + Clone, unit: &'static str) -> Line {
-    let least = values.clone().fold(f64::INFINITY, f64::min);
-    let greatest = values.clone().fold(f64::NEG_INFINITY, f64::max);
-    let numbers = match values.count() {
-        1 => vec![least],
-        _ => vec![least, greatest],
-    };
-    Line {
-        name,
-        numbers,
-        between: " to ",
-        unit,
-    }
 }
 
 /// The unit of what a measure bears.

@@ -1,53 +1,70 @@
 //! The table of loads: a row a place.
 
-use nalgebra::Vector3;
-
-use crate::commands::loads::found::Found;
+use crate::commands::loads::found::{Found, along};
 use crate::commands::loads::report::{unit_in, unit_of};
-use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::loads::{Outcome, Structure};
-use crate::mechanism::State;
-use crate::output::heading::{Header, Heading};
-use crate::output::rows::{Forms, Rows};
+use crate::mechanism::{State, Unit};
+use crate::output::heading::Heading;
 use crate::quantities::{self, Column, Quantity, Reader, catalogue};
 
-/// Writes the leading quantities and what each case does, a row a state.
-pub(super) fn write(
+/// The quantities that stand first in each row.
+pub(super) struct Leading {
+    columns: Vec<Column>,
+    unit: Unit,
+}
+
+impl Leading {
+    /// The columns of some quantities of the catalogue.
+    pub(super) fn of(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
+        let mut columns = quantities::columns(catalogue(), &mechanism.names);
+        columns.retain(|column| quantities.iter().any(|quantity| column.is(quantity)));
+        Self {
+            columns,
+            unit: mechanism.unit,
+        }
+    }
+
+    /// The numbers of a state, in the file's units.
+    pub(super) fn read(&self, state: &State) -> Vec<f64> {
+        let reader = Reader::of(state);
+        let read = |column: &Column| column.read(&reader).value * column.kind.in_file(self.unit);
+        self.columns.iter().map(read).collect()
+    }
+}
+
+/// The headings of the leading quantities and of each case.
+pub(super) fn headings(
     mechanism: &dyn Kinematics,
     structure: &Structure<'_>,
-    (leading, states): (&[&Quantity], &[State]),
-    found: &[Found<'_>],
-    forms: &Forms,
-) -> Result<(), Failure> {
-    let columns = quantities::columns(catalogue(), &mechanism.names).into_iter();
-    let is_leading = |column: &Column| leading.iter().any(|quantity| column.is(quantity));
-    let columns: Vec<_> = columns.filter(is_leading).collect();
-    let names = found
-        .iter()
-        .flat_map(|found| names(mechanism, structure, found));
-    let leading = columns.iter().map(|column| column.csv_name(mechanism.unit));
+    leading: &Leading,
+    found: &[Option<Found<'_>>],
+) -> Vec<Heading> {
+    let found = found.iter().flatten();
+    let names = found.flat_map(|found| names(mechanism, structure, found));
+    let columns = leading.columns.iter();
+    let leading = columns.map(|column| column.csv_name(mechanism.unit));
     let heading = |name| Heading {
         name,
         counts: false,
     };
-    let headings: Vec<Heading> = leading.chain(names).map(heading).collect();
-    let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
-    for (place, state) in states.iter().enumerate() {
-        let reader = Reader::of(state);
-        let columns = columns.iter();
-        let mut row: Vec<f64> = columns
-            .map(|column| column.read(&reader).value * column.kind.in_file(mechanism.unit))
-            .collect();
-        for found in found {
-            match &found.outcomes[place] {
-                Some(outcome) => row.extend(numbers(outcome)),
-                None => row.extend(numbers(&found.first).map(|_| f64::NAN)),
-            }
+    leading.chain(names).map(heading).collect()
+}
+
+/// A row: the leading numbers, then those of each case that has an answer anywhere, NaN where it has none here.
+pub(super) fn row(
+    mut leading: Vec<f64>,
+    found: &[Option<Found<'_>>],
+    outcomes: &[Option<Outcome>],
+) -> Vec<f64> {
+    for (found, outcome) in found.iter().zip(outcomes) {
+        match (found, outcome) {
+            (Some(_), Some(outcome)) => leading.extend(numbers(outcome)),
+            (Some(found), None) => leading.extend(numbers(&found.first).map(|_| f64::NAN)),
+            (None, _) => {}
         }
-        file.add(&row)?;
     }
-    file.finish()
+    leading
 }
 
 /// The names of the columns of a case.
@@ -78,11 +95,6 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
 }
 
 fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    let drives = outcome.on_drives.iter().copied();
-    let bearing = outcome.in_measures.iter().map(|(_, along)| *along);
-    let links = outcome.links.iter().map(|(_, force)| *force);
     let joints = outcome.joints.iter();
-    let joints =
-        joints.flat_map(|(_, _, force): &(usize, usize, Vector3<f64>)| [force.x, force.y, force.z]);
-    drives.chain(bearing).chain(links).chain(joints)
+    along(outcome).chain(joints.flat_map(|(_, _, force)| [force.x, force.y, force.z]))
 }

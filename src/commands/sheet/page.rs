@@ -69,14 +69,14 @@ impl Page<'_> {
 
     /// A chart of each quantity, with the curves of all wheels.
     fn charts(&self, curves: &Curves) -> Vec<Chart> {
-        let groups = grouped(&curves.lines, |line| &line.of_wheel);
+        let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
         let curve = |line: &&Line| Curve {
-            name: line.wheel.clone().unwrap_or_default(),
+            name: line.title.wheel.clone().unwrap_or_default(),
             line: curves.points(line),
             marks: Vec::new(),
         };
         let chart = |lines: Vec<&Line>| Chart {
-            title: lines[0].of_wheel.clone(),
+            title: lines[0].title.of_wheel.clone(),
             across: curves.across(self.mechanism.unit),
             quantity: lines[0].symbol.clone(),
             curves: lines.iter().map(curve).collect(),
@@ -89,13 +89,13 @@ impl Page<'_> {
         /// With derivatives by more drives the columns are closer to each other.
         const MOST_ROOMY: usize = 3;
         let names = &self.mechanism.names;
-        let ways = Way::all(names);
-        let groups = grouped(&self.parameters, |parameter| &parameter.of_wheel);
+        let ways = Way::of_drives(names);
+        let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
         let cells = self.cells(&groups, ways.len());
         let has_names = self
             .parameters
             .iter()
-            .any(|parameter| parameter.wheel.is_some());
+            .any(|parameter| parameter.title.wheel.is_some());
         let columns = 2 * (1 + ways.len()) + 1 + usize::from(has_names);
         let mut cells = cells.into_iter();
         html! {
@@ -105,14 +105,14 @@ impl Page<'_> {
                         th { "quantity" }
                         @if has_names { th { "wheel" } }
                         th.number { "value" } th { "unit" }
-                        @for way in &ways { th.number { "per " (names.drives[way.drive].name) } th { "unit" } }
+                        @for (_, drive) in &ways { th.number { "per " (names.drives[*drive].name) } th { "unit" } }
                     }
                 }
                 @for (number, group) in groups.iter().enumerate() {
                     @for (row, parameter) in group.iter().enumerate() {
                         tr.first[row == 0] {
-                            td { @if row == 0 { (parameter.of_wheel) } }
-                            @if has_names { td { (parameter.wheel.as_deref().unwrap_or_default()) } }
+                            td { @if row == 0 { (parameter.title.of_wheel) } }
+                            @if has_names { td { (parameter.title.wheel.as_deref().unwrap_or_default()) } }
                             @for cell in cells.next().into_iter().flatten() { (cell) }
                         }
                     }

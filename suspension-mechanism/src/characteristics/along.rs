@@ -6,7 +6,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::characteristics::course::Course;
 use crate::characteristics::span::Span;
-use crate::characteristics::way::{STEER, numbered};
+use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
@@ -17,8 +17,8 @@ use crate::number::number;
 pub struct Along {
     /// What it is called: the name of the drive, `heave`, `roll`.
     pub title: String,
-    /// What it does, in any listing: `travel`, `steer`, `roll`; of a second axle or wheel `travel 2`.
-    pub way: String,
+    /// What the drives do.
+    pub way: Way,
     /// What moves, in words.
     pub moved: String,
     /// The drives, by number, each with the part of the change that it moves by.
@@ -63,7 +63,7 @@ pub fn ways(
     }
     let mut ways: Vec<Along> = Vec::new();
     for course in Course::all(mechanism, interrupted) {
-        let of = usize::from(course.kind == STEER);
+        let of = usize::from(course.does == Does::Steer);
         let kind = names.drives[course.drives[0].0].kind;
         let (span, metres) = (spans[of], USUAL[of]);
         let metre = mechanism.unit.metre();
@@ -78,7 +78,7 @@ pub fn ways(
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle | DriveKind::Turn) => [-USUAL_ANGLE, USUAL_ANGLE],
         };
-        let is_same = |way: &&Along| way.way.split(' ').next() == Some(course.kind);
+        let is_same = |along: &&Along| along.way.does == course.does;
         let number = 1 + ways.iter().filter(is_same).count();
         ways.push(along(mechanism, course, number, (kind, span), interrupted));
     }
@@ -105,7 +105,7 @@ fn along(
 ) -> Along {
     let Course {
         title,
-        kind: way,
+        does,
         moved,
         drives,
     } = course;
@@ -123,7 +123,7 @@ fn along(
     let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
     Along {
         title,
-        way: numbered(way, number),
+        way: Way { does, number },
         moved,
         drives,
         kind,

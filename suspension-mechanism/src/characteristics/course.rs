@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::{Matrix2, Vector2};
 
-use crate::characteristics::way::{ROLL, STEER, TRAVEL};
+use crate::characteristics::way::Does;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Names, Pair, Place, Wheel};
 
@@ -12,8 +12,7 @@ use crate::mechanism::{Names, Pair, Place, Wheel};
 pub(super) struct Course {
     /// What it is called.
     pub(super) title: String,
-    /// What it does, in any listing.
-    pub(super) kind: &'static str,
+    pub(super) does: Does,
     /// What moves, in words.
     pub(super) moved: String,
     /// The drives, by number, each with its part.
@@ -22,7 +21,7 @@ pub(super) struct Course {
 
 impl Course {
     /// `way` is the sign of the drive's part.
-    fn of_drive(names: &Names, drive: usize, kind: &'static str, way: f64) -> Self {
+    fn of_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
         let name = &names.drives[drive].name;
         let (title, moved) = if way < 0.0 {
             (
@@ -34,7 +33,7 @@ impl Course {
         };
         Self {
             title,
-            kind,
+            does,
             moved,
             drives: vec![(drive, way)],
         }
@@ -59,13 +58,13 @@ impl Course {
             let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
             courses.push(Self {
                 title: of_axle("heave"),
-                kind: TRAVEL,
+                does: Does::Travel,
                 moved: format!("{first} and {second}, both upwards"),
                 drives: drives(rises.parts(pair.wheels, [1.0, 1.0])),
             });
             courses.push(Self {
                 title: of_axle("roll"),
-                kind: ROLL,
+                does: Does::Roll,
                 moved: format!("{first} up, {second} down"),
                 drives: drives(rises.parts(pair.wheels, [1.0, -1.0])),
             });
@@ -79,10 +78,10 @@ impl Course {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
-            Self::of_drive(names, *drive, TRAVEL, way)
+            Self::of_drive(names, *drive, Does::Travel, way)
         }));
         let steer = vehicle.steer.iter();
-        courses.extend(steer.map(|drive| Self::of_drive(names, *drive, STEER, 1.0)));
+        courses.extend(steer.map(|drive| Self::of_drive(names, *drive, Does::Steer, 1.0)));
         courses
     }
 }

@@ -1,7 +1,9 @@
 //! Curves over travel or steering.
 
 use crate::characteristics::along::Along;
-use crate::characteristics::parameters::{columns_of_curves, name, symbol_per, title_of};
+use crate::characteristics::parameters::{columns_of_curves, symbol_per};
+use crate::characteristics::title::Title;
+use crate::characteristics::way::Way;
 use crate::mechanism::{Description, Pair, State, Unit};
 use crate::quantities::{
     AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM,
@@ -12,8 +14,8 @@ use crate::quantities::{
 pub struct Curves {
     /// What moves: see [`Along`].
     pub title: String,
-    /// What it does, in any listing.
-    pub way: String,
+    /// What the drives do.
+    pub way: Way,
     /// What moves, in words.
     pub moved: String,
     /// What it is.
@@ -26,12 +28,8 @@ pub struct Curves {
 
 /// A quantity along a drive, for people.
 pub struct Line {
-    /// What it is, and of which wheel.
-    pub title: String,
-    /// What it is of that wheel, the same of each.
-    pub of_wheel: String,
-    /// The wheel's name, where it has one.
-    pub wheel: Option<String>,
+    /// What it is called, and of which wheel.
+    pub title: Title,
     /// Its unit.
     pub symbol: String,
     /// At each of the drive's changes; `None` where the mechanism is out of reach, or there is no such number.
@@ -77,14 +75,14 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let mut lines = Vec::new();
     for column in columns_of_curves(mechanism) {
         let (scale, symbol) = converted(column.kind);
-        let title = name(&column);
+        let title = Title::of(&column);
         if column.is(&MEASURES) {
             let scale = scale / (kind.conversion(mechanism.unit, unit) * kind.in_file(unit));
-            let title = format!("motion ratio: {title} per {}", along.title);
             lines.push(Line {
-                of_wheel: title.clone(),
-                wheel: None,
-                title,
+                title: Title {
+                    wheel: None,
+                    of_wheel: format!("motion ratio: {title} per {}", along.title),
+                },
                 symbol: symbol_per(&symbol, kind, unit),
                 values: values(&|_, per| Some(rate(&column, along, per)? * scale)),
             });
@@ -95,8 +93,6 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         }
         lines.push(Line {
             title,
-            of_wheel: title_of(&column),
-            wheel: column.wheel.clone(),
             symbol,
             values,
         });
@@ -108,7 +104,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     }
     Curves {
         title: along.title.clone(),
-        way: along.way.clone(),
+        way: along.way,
         moved: along.moved.clone(),
         kind,
         changes: along

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Place, State, Unit};
@@ -13,16 +14,12 @@ use crate::quantities::{
 /// A quantity at the design position, for people.
 pub struct Parameter {
     /// What it is called, and of which wheel.
-    pub name: String,
-    /// What it is called of that wheel, the same of each.
-    pub of_wheel: String,
-    /// The wheel's name, where it has one.
-    pub wheel: Option<String>,
+    pub title: Title,
     /// Its unit.
     pub symbol: String,
     /// Its value.
     pub value: f64,
-    /// Its derivatives with respect to the drives of travel and steering, a [`Way`] each; `None` where there is none.
+    /// Its derivatives with respect to the drives of [`Way::of_drives`]; `None` where there is none.
     pub per: Vec<Option<Derivative>>,
     /// The row of the catalogue.
     pub quantity: &'static Quantity,
@@ -70,13 +67,13 @@ pub fn parameters(
     unit: Unit,
     interrupted: &AtomicBool,
 ) -> Vec<Parameter> {
-    let ways = Way::all(&mechanism.names);
+    let ways = Way::of_drives(&mechanism.names);
     let columns = columns(mechanism);
     let mut read = |place: &dyn Place| -> Vec<Parameter> {
         let state = place.state();
         let per: Vec<PerDrive> = ways
             .iter()
-            .map(|Way { drive, .. }| {
+            .map(|(_, drive)| {
                 let kind = Kind::from(mechanism.names.drives[*drive].kind);
                 Some((kind, place.per(*drive)?))
             })
@@ -109,36 +106,12 @@ fn parameter(
         })
     };
     Parameter {
-        name: name(column),
+        title: Title::of(column),
         value: column.value(state) * scale,
-        of_wheel: title_of(column),
-        wheel: column.wheel.clone(),
         per: per.iter().map(along).collect(),
         symbol,
         quantity: column.quantity,
     }
-}
-
-/// What a column is called, with its wheel and its axis.
-pub(super) fn name(column: &Column) -> String {
-    let title = title_of(column);
-    match &column.wheel {
-        Some(wheel) => format!("{wheel} {title}"),
-        None => title,
-    }
-}
-
-/// The same without the wheel.
-pub(super) fn title_of(column: &Column) -> String {
-    let axis = column
-        .axis
-        .map_or_else(String::new, |axis| format!(" {axis}"));
-    let title = if column.quantity.name.is_empty() {
-        &column.name
-    } else {
-        column.quantity.title
-    };
-    format!("{title}{axis}")
 }
 
 /// The unit of a derivative with respect to a drive.

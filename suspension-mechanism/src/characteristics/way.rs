@@ -1,41 +1,56 @@
-//! The drives of travel and of steering.
+//! What drives do to a wheel or an axle.
+
+use std::fmt;
 
 use crate::mechanism::Names;
 
-/// What drives do, in any listing.
-pub(super) const TRAVEL: &str = "travel";
-pub(super) const STEER: &str = "steer";
-pub(super) const ROLL: &str = "roll";
+/// What a drive does, in any listing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Does {
+    /// It moves wheels up and down.
+    Travel,
+    /// It moves one wheel of an axle up and the other down.
+    Roll,
+    /// It steers.
+    Steer,
+}
 
-/// A drive of travel or of steering.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// What a drive does, or several that move together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    /// The drive's number.
-    pub drive: usize,
-    /// `travel` or `steer`; with several such drives the second is `travel 2`.
-    pub name: String,
+    /// What they do.
+    pub does: Does,
+    /// Which of those that do it, from 1.
+    pub number: usize,
 }
 
 impl Way {
-    /// Those of a mechanism, travel first.
-    pub fn all(names: &Names) -> Vec<Self> {
+    /// The drives of a mechanism that do something, by number, those of travel first.
+    pub fn of_drives(names: &Names) -> Vec<(Self, usize)> {
         let vehicle = &names.vehicle;
-        let kinds = [(TRAVEL, &vehicle.travel), (STEER, &vehicle.steer)];
-        let each = kinds.into_iter().flat_map(|(kind, drives)| {
-            let of_one = move |(number, drive): (usize, &usize)| Self {
-                drive: *drive,
-                name: numbered(kind, number),
-            };
-            (1..).zip(drives).map(of_one)
+        let each = [
+            (Does::Travel, &vehicle.travel),
+            (Does::Steer, &vehicle.steer),
+        ];
+        let numbered = each.into_iter().flat_map(|(does, drives)| {
+            let numbered = (1..).zip(drives);
+            numbered.map(move |(number, drive)| (Self { does, number }, *drive))
         });
-        each.collect()
+        numbered.collect()
     }
 }
 
-/// `travel`, `travel 2`.
-pub(super) fn numbered(kind: &str, number: usize) -> String {
-    match number {
-        1 => kind.to_owned(),
-        number => format!("{kind} {number}"),
+impl fmt::Display for Way {
+    /// `travel`; of a second axle or wheel `travel 2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.does {
+            Does::Travel => "travel",
+            Does::Roll => "roll",
+            Does::Steer => "steer",
+        })?;
+        match self.number {
+            1 => Ok(()),
+            number => write!(f, " {number}"),
+        }
     }
 }

@@ -118,3 +118,32 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     assert!(row.contains_key("b_bump_N") && !row.contains_key("a_bump_N"));
     assert!(text(&output.stdout).contains("tie_rod"), "{output:?}");
 }
+
+/// Rows are written as they come. All states of this motion take 80 MB; limits of the shell are those of its children, in kB.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_memory_of_a_long_motion_is_bounded() {
+    let folder = folder();
+    let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n";
+    let motion = "time = { start = 0.0, stop = 1.0, step = 1e-4 }";
+    let file = loaded(case).replace("time = { instants = [0.0] }", motion);
+    assert!(file.contains(motion));
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let program = format!(
+        "ulimit -v 60000 && exec '{}' loads a.toml --motion --csv a.csv",
+        super::super::PROGRAM
+    );
+    let output = std::process::Command::new("sh")
+        .current_dir(folder.path())
+        .args(["-c", &program])
+        .output()
+        .expect("a shell");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"));
+    assert_eq!(rows.len(), 10_001);
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("least and greatest of 10001 places"),
+        "{report}"
+    );
+}

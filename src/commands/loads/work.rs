@@ -1,0 +1,217 @@
+//! The cases at all places: rows are written, and what the report says is counted.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use suspension_runtime::Listing;
+
+use crate::commands::loads::drawing::drawing;
+use crate::commands::loads::found::{Found, without_answer};
+use crate::commands::loads::report::Report;
+use crate::commands::loads::table::{Leading, headings, row};
+use crate::failure::Failure;
+use crate::file::tell;
+use crate::grid::{Swept, grid};
+use crate::kinematics::Kinematics;
+use crate::loads::{Case, Outcome, Structure};
+use crate::mechanism::{Order, Place, State};
+use crate::output::drawing::{SIZE, Seen};
+use crate::output::files::{announce, print, write_file};
+use crate::output::heading::Header;
+use crate::output::progress::Progress;
+use crate::output::rows::{Forms, Rows};
+use crate::output::target::Target;
+use crate::quantities::{DRIVES, TIME};
+
+/// The cases of a file and what they load.
+pub(super) struct Work<'a> {
+    pub(super) source: &'a str,
+    pub(super) mechanism: &'a dyn Kinematics,
+    pub(super) listing: &'a Listing,
+    pub(super) structure: &'a Structure<'a>,
+    pub(super) cases: &'a [Case],
+    /// The folder of drawings, and what their names begin with.
+    pub(super) drawings: Option<(&'a Path, String)>,
+}
+
+impl<'a> Work<'a> {
+    /// Loads the mechanism at each place of a grid.
+    pub(super) fn on_grid(
+        &self,
+        (drives, absolute): (&[Swept], bool),
+        forms: &Forms,
+        interrupted: &AtomicBool,
+    ) -> Result<(), Failure> {
+        let grid = grid(self.mechanism, self.source, drives, absolute)?;
+        let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
+        let leading = Leading::of(self.mechanism, &[&DRIVES]);
+        let mut found = self.none_found();
+        let mut read = |place: &dyn Place| {
+            progress.step();
+            let state = place.state();
+            let outcomes = self.outcomes(&state);
+            start(&mut found, self.cases, &outcomes);
+            count(&mut found, &outcomes);
+            let drawn = self.drawings.is_some().then(|| state.clone());
+            (leading.read(&state), outcomes, drawn)
+        };
+        let visited = self
+            .mechanism
+            .visit(&grid, Order::First, interrupted, &mut read);
+        let failure = visited.failure(self.source);
+        let is_any = visited.places.iter().any(Option::is_some);
+        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut first = None;
+        for (leading, outcomes, drawn) in visited.places.into_iter().flatten() {
+            if let Some(rows) = &mut rows {
+                rows.add(&row(leading, &found, &outcomes))?;
+            }
+            first = first.or_else(|| Some((drawn?, outcomes)));
+        }
+        self.finish(forms, rows, first, &found)?;
+        self.ended(failure, &found, is_any)
+    }
+
+    /// Loads the mechanism at each instant of its motion.
+    pub(super) fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
+        let instants = &self.mechanism.instants;
+        let leading = Leading::of(self.mechanism, &[&TIME, &DRIVES]);
+        let mut found = self.none_found();
+        let is_over = || interrupted.load(Ordering::Relaxed);
+        let go_on = |is_over| match is_over {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        // The table has columns of the cases that have an answer somewhere: mostly all have one at the first instant.
+        self.mechanism.move_through(instants, &mut |state| {
+            start(&mut found, self.cases, &self.outcomes(&state));
+            Ok(go_on(found.iter().all(Option::is_some) || is_over()))
+        })?;
+        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut first = None;
+        let mut progress = Progress::new(instants.count(), "instants");
+        let end = self.mechanism.move_through(instants, &mut |state| {
+            progress.step();
+            let outcomes = self.outcomes(&state);
+            count(&mut found, &outcomes);
+            if let Some(rows) = &mut rows {
+                rows.add(&row(leading.read(&state), &found, &outcomes))?;
+            }
+            first.get_or_insert((state, outcomes));
+            Ok(go_on(is_over()))
+        })?;
+        let is_any = first.is_some();
+        self.finish(forms, rows, first, &found)?;
+        let failure = end.failure(self.source, "the rows up to there were written");
+        self.ended(failure, &found, is_any)
+    }
+
+    fn none_found(&self) -> Vec<Option<Found<'a>>> {
+        self.cases.iter().map(|_| None).collect()
+    }
+
+    /// What each case does at a state.
+    fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
+        let cases = self.cases.iter();
+        let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, state));
+        outcomes.collect()
+    }
+
+    /// The table, where one is to be written and a case has an answer.
+    fn rows(
+        &self,
+        forms: &Forms,
+        leading: &Leading,
+        found: &[Option<Found<'_>>],
+    ) -> Result<Option<Rows>, Failure> {
+        if forms.is_empty() || found.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        let headings = headings(self.mechanism, self.structure, leading, found);
+        Rows::create(forms, &Header::of(self.mechanism), &headings).map(Some)
+    }
+
+    /// Ends the table, draws the cases at the `first` place, and prints what each does.
+    fn finish(
+        &self,
+        forms: &Forms,
+        rows: Option<Rows>,
+        first: Option<(State, Vec<Option<Outcome>>)>,
+        found: &[Option<Found<'_>>],
+    ) -> Result<(), Failure> {
+        if let Some(rows) = rows {
+            rows.finish()?;
+            let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
+            announce(&written);
+        }
+        if let (Some((folder, stem)), Some((state, outcomes))) = (&self.drawings, &first) {
+            let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
+                let case = found.as_ref()?.case;
+                let path = folder.join(format!("{stem}_{}.svg", case.name));
+                Some(self.draw(path, case, (state, outcome.as_ref())))
+            });
+            announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
+        }
+        if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
+            return Ok(());
+        }
+        let report = Report {
+            file: self.source,
+            mechanism: self.mechanism,
+            structure: self.structure,
+        };
+        let mut found = found.iter().flatten();
+        found.try_for_each(|found| print(&report.text(found)))
+    }
+
+    fn draw(
+        &self,
+        path: PathBuf,
+        case: &Case,
+        at: (&State, Option<&Outcome>),
+    ) -> Result<PathBuf, Failure> {
+        let whole = (self.mechanism, self.listing);
+        let drawing = drawing(whole, self.structure, case, at).svg(Seen::Oblique, SIZE);
+        let nothing = || Failure::Solver(format!("{}: nothing to draw", self.source));
+        write_file(&path, &drawing.ok_or_else(nothing)?)?;
+        Ok(path)
+    }
+
+    /// Why not all was computed: what ended the grid or the motion, before what is said of cases without an answer at any place.
+    fn ended(
+        &self,
+        failure: Option<Failure>,
+        found: &[Option<Found<'_>>],
+        is_any: bool,
+    ) -> Result<(), Failure> {
+        let each = self.cases.iter().zip(found);
+        let without = each.filter(|(_, found)| is_any && found.is_none());
+        let names: Vec<&str> = without.map(|(case, _)| case.name.as_str()).collect();
+        match (failure, without_answer(self.source, &names)) {
+            (Some(failure), without) => {
+                without.into_iter().for_each(tell);
+                Err(failure)
+            }
+            (None, without) => without.map_or(Ok(()), |without| Err(Failure::Solver(without))),
+        }
+    }
+}
+
+/// Begins cases that have their first answer.
+fn start<'a>(found: &mut [Option<Found<'a>>], cases: &'a [Case], outcomes: &[Option<Outcome>]) {
+    for ((found, case), outcome) in found.iter_mut().zip(cases).zip(outcomes) {
+        if let (None, Some(outcome)) = (&found, outcome) {
+            *found = Some(Found::new(case, outcome.clone()));
+        }
+    }
+}
+
+/// Counts a place in each case.
+fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>]) {
+    for (found, outcome) in found.iter_mut().zip(outcomes) {
+        if let (Some(found), Some(outcome)) = (found, outcome) {
+            found.add(outcome);
+        }
+    }
+}
