@@ -5,7 +5,7 @@ use std::str::FromStr;
 use suspension_core::listing::DriveKind;
 
 use crate::failure::Failure;
-use crate::file::tell;
+use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, Coordinate, Description, From, Grid, MOST_PLACES, evenly_spaced};
 
@@ -43,6 +43,11 @@ impl FromStr for Swept {
                 if count > MOST_PLACES {
                     return Err(format!(
                         "COUNT is {count}; at most {MOST_PLACES} are allowed"
+                    ));
+                }
+                if first == last {
+                    return Err(format!(
+                        "FROM and TO are the same; one value is {name}={from}"
                     ));
                 }
                 (first, last, count)
@@ -111,7 +116,7 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
         let first = drives
             .first()
             .map(|(drive, _)| mechanism.names.drives[*drive].kind);
-        let scale = first.map_or(1.0, |kind| mechanism.unit.per_drive(kind));
+        let scale = first.map_or(1.0, |kind| Dimension::from(kind).in_file(mechanism.unit));
         axes.push(Axis {
             drives,
             values: of_one.values().iter().map(|value| value / scale).collect(),

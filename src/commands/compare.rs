@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
-use crate::characteristics::Span;
+use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
@@ -74,6 +74,9 @@ impl Arguments {
             )
         };
         let (a, b) = (side(&a, &first)?, side(&b, &second)?);
+        if self.steer.is_some() && ![&a, &b].iter().any(|side| side.steers()) {
+            return Err(no_steering(&a.file));
+        }
         let comparison = Comparison::of([&a, &b]);
         if csv != Some(Target::Stdout) {
             print(&report::text([&a, &b], &comparison))?;

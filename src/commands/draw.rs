@@ -22,7 +22,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// The wheel's radius, in the unit of the file; without it that of the file, or
     /// else 0.3 m.
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     wheel_radius: Option<f64>,
 }
 

@@ -36,7 +36,7 @@ pub struct Arguments {
     )]
     drives: Vec<Swept>,
     /// The values are the drives' own, as the file has them.
-    #[arg(long)]
+    #[arg(long, requires = "drives")]
     absolute: bool,
     /// Load the mechanism at each instant of the file's motion, its masses moving as they do there.
     #[arg(long, conflicts_with_all = ["drives", "absolute"])]

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::output::csv_file::CsvFile;
+use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
 use crate::output::progress::Progress;
@@ -38,17 +38,12 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     largest: NonZeroUsize,
-    /// How many suspensions are built with random changes, where the file has tolerances.
-    #[arg(long, value_name = "COUNT", default_value_t = 1000, value_parser = samples)]
-    samples: usize,
-    /// What the random changes begin with: the same number gives the same ones.
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        default_value_t = 1,
-        allow_negative_numbers = true
-    )]
-    seed: u64,
+    /// How many suspensions are built with random changes, of a file with [tolerances]; without it 1000.
+    #[arg(long, value_name = "COUNT", value_parser = samples)]
+    samples: Option<usize>,
+    /// What the random changes begin with, of a file with [tolerances]: the same number gives the same ones; without it 1.
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    seed: Option<u64>,
     /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
@@ -70,6 +65,12 @@ impl Arguments {
         let mechanism = &*loaded.at_design()?;
         let changes = loaded.changes(mechanism)?;
         let tolerances = loaded.tolerances(mechanism)?;
+        if tolerances.is_empty() && (self.samples.is_some() || self.seed.is_some()) {
+            return Err(Failure::Input(format!(
+                "{}: --samples and --seed are of random changes, for which the file states no [tolerances]",
+                source.name()
+            )));
+        }
         let stopped = || {
             let message = format!("{}: interrupted; nothing was written", source.name());
             Failure::Interrupted(message)
@@ -78,22 +79,23 @@ impl Arguments {
         let found = sensitivities(mechanism, &changes, interrupted, || progress.step());
         let found = found.ok_or_else(stopped)?;
         drop(progress);
+        let report = Report {
+            file: source.name(),
+            mechanism,
+            found: &found,
+            scatter: None,
+        };
+        report.check(&self.of).map_err(Failure::Input)?;
         let scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());
         }
         let report = Report {
-            file: source.name(),
-            mechanism,
-            found: &found,
             scatter: scatter.as_ref(),
+            ..report
         };
         if csv != Some(Target::Stdout) {
-            print(
-                &report
-                    .text(&self.of, self.largest.get())
-                    .map_err(Failure::Input)?,
-            )?;
+            print(&report.text(&self.of, self.largest.get()))?;
         }
         if let Some(target) = &csv {
             write(&report, &found, target)?;
@@ -112,8 +114,8 @@ impl Arguments {
         if tolerances.is_empty() {
             return None;
         }
-        let mut progress = Progress::new(self.samples, "samples");
-        let drawn = (self.samples, self.seed);
+        let drawn = (self.samples.unwrap_or(SAMPLES), self.seed.unwrap_or(SEED));
+        let mut progress = Progress::new(drawn.0, "samples");
         Some(Scatter {
             first_order: first_order(found, tolerances),
             sampled: sampled(mechanism, tolerances, drawn, interrupted, || {
@@ -135,30 +137,29 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
         .chain(columns)
         .map(heading);
     let mut table = CsvFile::create(target, &headings.collect::<Vec<_>>())?;
+    let mut row = |name: &str, numbers: Vec<f64>| {
+        let numbers: Vec<String> = numbers.into_iter().map(in_full).collect();
+        table.record([name].into_iter().chain(numbers.iter().map(String::as_str)))
+    };
     for each in &found.each {
-        let numbers = report
-            .numbers()
-            .map(|at| each.of[(at.column, at.number)] * at.in_file);
-        let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
-        table.record(
-            [each.change.name.as_str()]
-                .into_iter()
-                .chain(texts.iter().map(String::as_str)),
-        )?;
+        let numbers = report.numbers();
+        let numbers = numbers.map(|at| each.of[(at.column, at.number)] * at.in_file);
+        row(&each.change.name, numbers.collect())?;
     }
-    if let Some(scatter) = report.scatter {
-        for (name, deviations) in scatter.rows() {
-            let numbers = report
-                .numbers()
-                .map(|at| deviations[at.column][at.number] * at.in_file.abs());
-            let texts: Vec<String> = numbers.map(|number| format!("{number}")).collect();
-            table.record([name].into_iter().chain(texts.iter().map(String::as_str)))?;
-        }
+    let scatter = report.scatter.into_iter();
+    for (name, deviations) in scatter.flat_map(Scatter::rows) {
+        let numbers = report.numbers();
+        let numbers = numbers.map(|at| deviations[at.column][at.number] * at.in_file.abs());
+        row(name, numbers.collect())?;
     }
     table.finish()?;
     announce(target.path());
     Ok(())
 }
+
+/// Where options do not say others.
+const SAMPLES: usize = 1000;
+const SEED: u64 = 1;
 
 fn samples(text: &str) -> Result<usize, String> {
     let count = text.parse().ok().filter(|count| *count > 1);

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 use suspension_runtime::Listing;
 
-use crate::characteristics::{Along, Span, curves, parameters, ways};
+use crate::characteristics::{Along, Span, curves, no_steering, parameters, ways};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
@@ -75,6 +75,9 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(String, Option<Failure>), Failure> {
         let unit = mechanism.unit;
+        if self.steer.is_some() && mechanism.names.vehicle.steer.is_empty() {
+            return Err(no_steering(name));
+        }
         let spans = [self.travel, self.steer];
         let ways = ways(mechanism, name, spans, unit, interrupted)?;
         let failures = ways.iter().filter_map(|along| along.visited.failure(name));

@@ -33,7 +33,7 @@ pub struct Arguments {
     /// The wheel, where the listing names several; without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// How far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
+    /// Of CarSim's tables: how far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
     /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
@@ -66,6 +66,10 @@ impl Arguments {
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let ending = of_wheel.collect::<String>() + ending;
         let beside = || in_out(&self.file, &ending);
+        if self.travel.is_some() && self.program == Program::Carmaker {
+            let message = "--travel is of CarSim's tables; those of CarMaker are derivatives at the design position";
+            return Err(Failure::Input(message.to_owned()));
+        }
         let target = Target::from(self.out.clone().unwrap_or_else(beside));
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
@@ -113,7 +117,12 @@ impl Arguments {
                 carmaker::text(file, mechanism, &wheel, opposite.as_ref())
             }
         };
-        Ok((text, travel.visited.failure(file)))
+        // Derivatives at the design position are whole wherever travel ends.
+        let missing = match self.program {
+            Program::Carsim => travel.visited.failure(file),
+            Program::Carmaker => None,
+        };
+        Ok((text, missing))
     }
 
     /// The number of the wheel.

@@ -123,7 +123,7 @@ fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
 
 /// A quantity over time, as people read it: a dense line, and marks.
 fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Curve {
-    let (scale, _) = column.kind.for_people(unit);
+    let (scale, _) = column.dimension.for_people(unit);
     let [line, marks] = states.map(|states| {
         let points = states.iter();
         let points = points.map(|state| (state.t, column.value(state) * scale));

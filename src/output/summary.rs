@@ -31,8 +31,8 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     out.push('\n');
     for state in kept {
         for (column, heading) in columns.iter().zip(&headings) {
-            let (scale, _) = column.kind.for_people(unit);
-            let decimals = column.kind.decimals(unit);
+            let (scale, _) = column.dimension.for_people(unit);
+            let decimals = column.dimension.decimals(unit);
             let value = column.value(state) * scale;
             let _ = write!(out, "  {:>1$}", fixed(value, decimals), width(heading));
         }

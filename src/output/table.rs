@@ -1,11 +1,12 @@
 //! A table in files: a row a thing, each column read off the thing.
 
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::mechanism::{State, Unit};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
-use crate::quantities::{self, Kind};
+use crate::quantities;
 
 /// A column of numbers that are read off things.
 pub struct Column<T> {
@@ -34,11 +35,11 @@ impl<T: 'static> Column<T> {
 
     /// One of the catalogue's, of the state of the thing.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
-        let scale = column.kind.in_file(unit);
+        let scale = column.dimension.in_file(unit);
         Self {
             heading: Heading {
                 name: column.csv_name(unit),
-                counts: column.kind == Kind::Count,
+                counts: column.dimension == Dimension::Count,
             },
             value: Box::new(move |thing| column.value(state(thing)) * scale),
         }

@@ -10,7 +10,7 @@ mod span;
 mod title;
 mod way;
 
-pub use along::{Along, ways};
+pub use along::{Along, no_steering, ways};
 pub use curves::{Curves, Line, curves};
 pub use grid_table::GridTable;
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};

@@ -7,7 +7,6 @@ mod formulas;
 mod from_design;
 mod in_roll;
 mod inert;
-mod kind;
 mod number;
 mod of_axle;
 mod on_ground;
@@ -33,7 +32,6 @@ pub use catalogue::{
     WHEELBASE_CHANGE, catalogue, from_design, of_axles,
 };
 pub use formulas::Compiled;
-pub use kind::Kind;
 pub use number::Number;
 pub use quantity::{Column, Quantity, Shown, columns, columns_in};
 pub use reader::Reader;

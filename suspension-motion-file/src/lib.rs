@@ -4,6 +4,8 @@
 mod axes;
 mod axle;
 pub mod check;
+mod dimension;
+mod exactly;
 mod explain;
 pub mod failure;
 pub mod inputs;
@@ -26,6 +28,8 @@ mod unit;
 
 pub use axes::Axes;
 pub use axle::{Axle, is_within};
+pub use dimension::Dimension;
+pub use exactly::Exactly;
 pub use explain::{is_listing, is_motion};
 pub use instants::Instants;
 pub use leading::{StandIn, stand_in};

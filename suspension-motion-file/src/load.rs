@@ -8,6 +8,8 @@ use serde::de::{
     value::{MapAccessDeserializer, SeqAccessDeserializer},
 };
 
+use crate::exactly::exactly;
+
 /// What acts at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Load {
@@ -24,10 +26,10 @@ pub enum Load {
 #[serde(deny_unknown_fields)]
 pub struct Wrench {
     /// N.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "exactly")]
     pub force: [f64; 3],
     /// N m.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "exactly")]
     pub moment: [f64; 3],
 }
 
@@ -77,14 +79,10 @@ impl<'de> Visitor<'de> for LoadVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
-        let force: Result<Vec<f64>, A::Error> =
-            Vec::deserialize(SeqAccessDeserializer::new(entries));
-        let force = force.map_err(|error| {
+        let force = exactly(SeqAccessDeserializer::new(entries)).map_err(|error: A::Error| {
             let mistake = error.to_string();
             de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
         })?;
-        let wanted = || de::Error::invalid_length(force.len(), &"a force [x, y, z]");
-        let force = <[f64; 3]>::try_from(force.as_slice()).map_err(|_| wanted())?;
         Ok(Load::At(Wrench {
             force,
             ..Wrench::default()

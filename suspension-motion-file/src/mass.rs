@@ -7,6 +7,8 @@ use serde::Deserialize;
 use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
 use toml::Spanned;
 
+use crate::exactly::exactly;
+
 /// What is said of a part that moves.
 #[derive(Clone, Debug)]
 pub enum MassTable {
@@ -54,7 +56,7 @@ pub enum Centre {
     /// At a point of the listing.
     Point(String),
     /// At coordinates.
-    At([f64; 3]),
+    At(#[serde(deserialize_with = "exactly")] [f64; 3]),
 }
 
 impl<'de> Deserialize<'de> for MassTable {

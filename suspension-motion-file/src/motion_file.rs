@@ -11,6 +11,7 @@ use serde::de::{
 };
 use toml::Spanned;
 
+use crate::exactly::exactly;
 use crate::explain::explained;
 use crate::failure::Failure;
 use crate::load::Load;
@@ -191,7 +192,7 @@ pub struct Offset {
     /// The other point.
     pub from: Spanned<String>,
     /// From there to the marker, along x, y, z.
-    #[serde(deserialize_with = "coordinates")]
+    #[serde(deserialize_with = "exactly")]
     pub offset: [f64; 3],
 }
 
@@ -241,25 +242,6 @@ impl<'de> Deserialize<'de> for Position {
     }
 }
 
-fn coordinates<'de, D: de::Deserializer<'de>>(deserializer: D) -> Result<[f64; 3], D::Error> {
-    let list = Vec::deserialize(deserializer)?;
-    three(&list)
-}
-
-/// An array type would read three numbers and drop the rest.
-fn three<E: de::Error>(list: &[f64]) -> Result<[f64; 3], E> {
-    <[f64; 3]>::try_from(list).map_err(|_| {
-        let comma = match list.len() {
-            ..=3 => "",
-            _ => "; a decimal separator is a point, as in 0.5",
-        };
-        E::custom(format!(
-            "a position or an offset has three coordinates [x, y, z], not {}{comma}",
-            list.len()
-        ))
-    })
-}
-
 struct PositionVisitor;
 
 impl<'de> Visitor<'de> for PositionVisitor {
@@ -269,12 +251,8 @@ impl<'de> Visitor<'de> for PositionVisitor {
         f.write_str("[x, y, z] or { from = \"point\", offset = [x, y, z] }")
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Position, A::Error> {
-        let mut list = Vec::new();
-        while let Some(coordinate) = entries.next_element()? {
-            list.push(coordinate);
-        }
-        three(&list).map(Position::At)
+    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Position, A::Error> {
+        exactly(SeqAccessDeserializer::new(entries)).map(Position::At)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {

@@ -1,7 +1,7 @@
 //! The units of a file.
 
 use serde::Deserialize;
-use suspension_core::listing::{DriveKind, MeasureKind};
+use suspension_core::listing::DriveKind;
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -134,37 +134,5 @@ impl Unit {
     /// A metre in the unit of lengths.
     pub fn metre(self) -> f64 {
         self.length.metre()
-    }
-
-    /// The symbol of a drive's unit.
-    pub fn of_drive(self, kind: DriveKind) -> &'static str {
-        match kind {
-            DriveKind::Angle | DriveKind::Turn => self.angle.symbol(),
-            DriveKind::Coordinate => self.symbol(),
-        }
-    }
-
-    /// The symbol of a measure's unit.
-    pub fn of_measure(self, kind: MeasureKind) -> &'static str {
-        match kind {
-            MeasureKind::Angle => self.angle.symbol(),
-            MeasureKind::Length => self.symbol(),
-        }
-    }
-
-    /// What a drive's value inside is multiplied with for that in the file.
-    pub fn per_drive(self, kind: DriveKind) -> f64 {
-        match kind {
-            DriveKind::Angle | DriveKind::Turn => self.angle.radian(),
-            DriveKind::Coordinate => 1.0,
-        }
-    }
-
-    /// The same of a measure.
-    pub fn per_measure(self, kind: MeasureKind) -> f64 {
-        match kind {
-            MeasureKind::Angle => self.angle.radian(),
-            MeasureKind::Length => 1.0,
-        }
     }
 }

@@ -9,6 +9,11 @@ use suspension_mechanism::failure::Failure;
 /// How many bytes are gathered before they are written.
 const GATHERED: usize = 1 << 16;
 
+/// A number with as many digits as it takes to read the same number, as tables have it.
+pub fn in_full(value: f64) -> String {
+    zmij::Buffer::new().format(value).to_owned()
+}
+
 /// A table of comma-separated values being written.
 pub struct CsvFile {
     sink: Sink,

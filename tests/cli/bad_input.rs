@@ -1,6 +1,6 @@
 //! Input that is refused.
 
-use super::program::{edited, example, folder, run, text};
+use super::program::{CORNER, edited, example, folder, run, text};
 
 /// How a line of the published motion begins, what takes its place, where the message must point
 /// and a part of it.
@@ -17,8 +17,8 @@ const BAD: [Case; 64] = [
     ("p2", "p2 = [-1.301, 0.1168, 0.106]\np2 = [-1.301, 0.1168, 0.106]", ":14:1", "duplicate key"),
     ("p2", "p2 = [nan, 0.1, 0.1]", ":13:6", "`p2`"),
     ("p2", "p2 = [0.1, inf, 0.1]", ":13:6", "`p2`"),
-    ("p2", "p2 = [0.1, 0.1]", ":13:6", "three coordinates [x, y, z], not 2\n"),
-    ("p2", "p2 = [0,1, 0,2, 0,3]", ":13:6", "three coordinates [x, y, z], not 6; a decimal separator is a point, as in 0.5\n"),
+    ("p2", "p2 = [0.1, 0.1]", ":13:6", "3 numbers are wanted here, [x, y, z], not 2\n"),
+    ("p2", "p2 = [0,1, 0,2, 0,3]", ":13:6", "3 numbers are wanted here, [x, y, z], not 6; a decimal separator is a point, as in 0.5\n"),
     ("p2", "p2 = [-1.396, -0.025, -0.082]", ":13:6", "same place as point `p1`"),
     ("p2", "p2 = { from = \"p1\", offset = [0, 0, 1] }", ":13:6", "`p2` is no marker"),
     ("p11", "p11 = { from = \"p99\", offset = [0, 0.1, 0] }", ":26:16", "no point `p99`"),
@@ -73,6 +73,61 @@ const BAD: [Case; 64] = [
     ("theta = [", "theta = [1e308, 1e308]", ":55:9", "between 0 and pi"),
     ("theta = [", "theta = [0.7, inf]", ":55:9", "finite"),
 ];
+
+/// An option without effect is a mistake too.
+#[test]
+fn options_that_do_nothing_are_refused() {
+    let folder = folder();
+    let corner = CORNER.replace("double_wishbone_pushrod", "macpherson");
+    let arm = "statements = \"\"\"\nfixed: front at [0.2, 0, 0], rear at [-0.2, 0, 0];\nfree: tip at [0, 0.5, 0];\n\
+               hinge arm: front, rear -> tip;\ndrive bump: tip.z;\n\"\"\"\nunit = \"m\"\ntime = { instants = [0.0] }\n\
+               drives = { bump = 0.0 }\n";
+    let loaded = format!("{corner}[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n");
+    for (name, file) in [("a", &corner), ("arm", &arm.to_owned()), ("l", &loaded)] {
+        std::fs::write(folder.path().join(format!("{name}.toml")), file).expect("written");
+    }
+    for (arguments, expected) in [
+        (
+            "sheet arm.toml --steer -0.02:0.02",
+            "arm.toml: no drive steers",
+        ),
+        (
+            "compare arm.toml arm.toml --steer -0.02:0.02",
+            "arm.toml: no drive steers",
+        ),
+        ("loads l.toml --absolute", "--drive <NAME=FROM:TO:COUNT>"),
+        (
+            "sensitivities a.toml --samples 10",
+            "for which the file states no [tolerances]",
+        ),
+        (
+            "sensitivities a.toml --seed 2",
+            "for which the file states no [tolerances]",
+        ),
+        (
+            "sensitivities a.toml --of foo --csv -",
+            "no quantity begins with `foo`",
+        ),
+        (
+            "sweep a.toml --drive bump=0:0:5",
+            "FROM and TO are the same; one value is bump=0",
+        ),
+        (
+            "draw a.toml --wheel-radius -1",
+            "--wheel-radius is not a positive finite number",
+        ),
+        (
+            "tables a.toml --as carmaker --travel -0.1:0.1",
+            "--travel is of CarSim's tables",
+        ),
+    ] {
+        let output = run(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
+        assert_eq!(output.status.code(), Some(2), "{arguments}: {output:?}");
+        let said = text(&output.stderr);
+        assert!(said.contains(expected), "{arguments}: {said}");
+        assert!(output.stdout.is_empty(), "{arguments}");
+    }
+}
 
 #[test]
 fn bad_input_is_refused_in_one_line_that_names_the_place() {

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::assemblies::Tally;
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
 use crate::output::progress::{Found, GENERAL};
 
@@ -53,7 +54,7 @@ pub fn list(
             let offset = mechanism.drive_offsets[drive];
             let with = |value: &f64| {
                 let kind = mechanism.names.drives[drive].kind;
-                let inside = value / mechanism.unit.per_drive(kind);
+                let inside = value / Dimension::from(kind).in_file(mechanism.unit);
                 let angle = mechanism.unit.angle;
                 let bounds = angle.bounds_exceeded(kind, inside);
                 let finite =

@@ -4,17 +4,18 @@ use std::fmt::Write;
 
 use crate::assemblies::PartTally;
 use crate::commands::assemblies::listed::Listed;
+use crate::file::Dimension;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
 use crate::number::{fixed, number};
 use crate::output::table::Column;
-use crate::quantities::{self, CAMBER, CENTRE, DRIVES, Kind, MARKERS, POSITIONS, Quantity, TOE};
+use crate::quantities::{self, CAMBER, CENTRE, DRIVES, MARKERS, POSITIONS, Quantity, TOE};
 
 /// The columns of a table, one row an assembly.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     let of_state = |quantities: &[&'static Quantity]| {
         let columns = quantities::columns(quantities.iter().copied(), names).into_iter();
-        let columns = columns.filter(|column| column.kind.is_of_positions());
+        let columns = columns.filter(|column| column.dimension.is_of_positions());
         columns.map(|column| Column::of_state(column, unit, |assembly: &Assembly| &assembly.state))
     };
     let symbol = unit.symbol();
@@ -87,19 +88,19 @@ impl Report {
     }
 
     fn cells(&self, assembly: &Assembly) -> Vec<String> {
-        let written = |kind: Kind, value: f64| {
-            let (scale, _) = kind.for_people(self.unit);
-            let decimals = kind.decimals(self.unit);
+        let written = |dimension: Dimension, value: f64| {
+            let (scale, _) = dimension.for_people(self.unit);
+            let decimals = dimension.decimals(self.unit);
             fixed(value * scale, decimals)
         };
         let mut cells = vec![
             assembly.number.to_string(),
-            written(Kind::Length, assembly.distance),
-            written(Kind::Length, assembly.farthest),
+            written(Dimension::Length, assembly.distance),
+            written(Dimension::Length, assembly.farthest),
             format!("{:.1e}", assembly.smallest_pivot),
         ];
         let wheel = self.wheel.iter();
-        cells.extend(wheel.map(|column| written(column.kind, column.value(&assembly.state))));
+        cells.extend(wheel.map(|column| written(column.dimension, column.value(&assembly.state))));
         cells.push(match assembly.mirrored.as_slice() {
             [] => "-".to_owned(),
             points => points.join(" "),

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
-use crate::file::tell;
+use crate::file::{Dimension, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Angle, Description, From, Unit};
@@ -112,7 +112,11 @@ impl Ordered<'_> {
             .map(|other| {
                 let drive = &names.drives[other];
                 let value = exact(self.given(other, self.first(other)));
-                format!("{} = {value} {}", drive.name, inside.of_drive(drive.kind))
+                format!(
+                    "{} = {value} {}",
+                    drive.name,
+                    Dimension::from(drive.kind).symbol(inside)
+                )
             })
             .collect::<Vec<_>>();
         let sheet = Sheet {
@@ -143,7 +147,7 @@ impl Ordered<'_> {
         let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
         let ranged = drives.iter().map(|along| Ranged {
             name: names.drives[along.drive].name.clone(),
-            unit: unit.of_drive(names.drives[along.drive].kind),
+            unit: Dimension::from(names.drives[along.drive].kind).symbol(unit),
             range: along.range,
             in_place_of: None,
         });
@@ -179,7 +183,7 @@ impl Ordered<'_> {
         });
         let Description { names, unit, .. } = &**self.mechanism;
         let (kind, angle) = (names.drives[drive].kind, unit.angle);
-        let inside = |end: f64| end / unit.per_drive(kind);
+        let inside = |end: f64| end / Dimension::from(kind).in_file(*unit);
         let [from, to] = wished.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
         let in_words = range.map(|end| self.in_words(drive, end)).join(" to ");

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
+use crate::file::Dimension;
 use crate::mechanism::{Axes, Names, Unit, from_design};
 use crate::number::rounded;
 use crate::reach::{DriveRange, RangeEnd};
@@ -176,12 +177,10 @@ impl Report<'_> {
 
     /// A drive and where it ends to either side.
     fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
-        let (symbol, scale) = (
-            self.unit.of_drive(range.kind),
-            self.unit.per_drive(range.kind),
-        );
+        let dimension = Dimension::from(range.kind);
+        let (symbol, scale) = (dimension.symbol(self.unit), dimension.in_file(self.unit));
         let end = |what: &str, end: &RangeEnd| {
-            let change = from_design((end.value - range.start) * scale, symbol);
+            let change = from_design((end.value - range.start) * scale, &symbol);
             let limit = end.limit.in_words(self.unit);
             (what.to_owned(), format!("ends {change}: {limit}"))
         };

@@ -59,7 +59,7 @@ impl Comparison {
             }
         }
         for [a, b] in same_ways(sides) {
-            if a.kind != b.kind {
+            if a.dimension != b.dimension {
                 continue;
             }
             let lines = pairs(a, b).into_iter();
@@ -76,7 +76,7 @@ impl Comparison {
 }
 
 /// What both sides have, each with its wheel: of a wheel without a name, that of every wheel of the other side.
-fn both<'a, T>([a, b]: [&'a [T]; 2], title: fn(&T) -> &Title) -> Vec<[&'a T; 2]> {
+fn both<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
     let is_same = |[a, b]: [&Title; 2]| {
         let is_of_all = a.wheel.is_none() || b.wheel.is_none();
         a.of_wheel == b.of_wheel && (is_of_all || a.wheel == b.wheel)

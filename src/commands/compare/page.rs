@@ -15,7 +15,7 @@ use crate::output::plot::{Chart, Curve};
 pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
     let [a, b] = legend(sides);
     let ways = same_ways(sides).into_iter();
-    let ways = ways.filter(|[a, b]| a.kind == b.kind);
+    let ways = ways.filter(|[a, b]| a.dimension == b.dimension);
     let body = html! {
         p { "A: " code { (a) } }
         p { "B: " code { (b) } }

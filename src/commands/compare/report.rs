@@ -8,12 +8,13 @@ use crate::commands::compare::differences::{
 };
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
-use crate::number::{aligned, exact};
-use crate::output::csv_file::CsvFile;
+use crate::file::Dimension;
+use crate::number::aligned;
+use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
-use crate::quantities::{Kind, WHEEL_TRAVEL};
+use crate::quantities::WHEEL_TRAVEL;
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -65,9 +66,9 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
 pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let unlike = same_ways(sides)
         .into_iter()
-        .filter(|[a, b]| a.kind != b.kind);
+        .filter(|[a, b]| a.dimension != b.dimension);
     let unlike = unlike.map(|[a, b]| {
-        let what = |curves: &Curves| match curves.kind == Kind::Angle {
+        let what = |curves: &Curves| match curves.dimension == Dimension::Angle {
             true => "an angle",
             false => "a length",
         };
@@ -99,7 +100,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
     let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
     let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
-    let is_unlike = a.kind == b.kind && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
+    let is_unlike = a.dimension == b.dimension && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
     is_unlike.then(|| {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
@@ -174,10 +175,10 @@ pub(super) fn table(comparison: &Comparison, target: &Target) -> Result<(), Fail
     let mut file = CsvFile::create(target, &headings)?;
     for part in &comparison.parts {
         for difference in &part.differences {
-            let [a, b] = difference.values.map(exact);
-            let at = difference.at.map_or_else(String::new, exact);
+            let [a, b] = difference.values.map(in_full);
+            let at = difference.at.map_or_else(String::new, in_full);
             let (quantity, symbol) = (&difference.quantity, &difference.symbol);
-            let value = exact(difference.value());
+            let value = in_full(difference.value());
             file.record([part.of.as_str(), quantity, symbol, &at, &a, &b, &value].into_iter())?;
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Parameter, Span, Way, curves, parameters, ways};
+use crate::characteristics::{Curves, Does, Parameter, Span, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -59,5 +59,10 @@ impl Side {
             parameters: parameters(mechanism, unit, interrupted),
             curves: curves.collect(),
         })
+    }
+
+    /// Whether a drive steers.
+    pub(super) fn steers(&self) -> bool {
+        self.ways.iter().any(|way| way.does == Does::Steer)
     }
 }

@@ -28,7 +28,8 @@ impl Leading {
     /// The numbers of a state, in the file's units.
     pub(super) fn read(&self, state: &State) -> Vec<f64> {
         let reader = Reader::of(state);
-        let read = |column: &Column| column.read(&reader).value * column.kind.in_file(self.unit);
+        let read =
+            |column: &Column| column.read(&reader).value * column.dimension.in_file(self.unit);
         self.columns.iter().map(read).collect()
     }
 }

@@ -65,12 +65,12 @@ impl Shown {
 
     /// As people read it, with the paper's sign.
     fn value(&self, state: &State) -> f64 {
-        let (scale, _) = self.column.kind.for_people(Unit::METRE);
+        let (scale, _) = self.column.dimension.for_people(Unit::METRE);
         self.column.value(state) * scale * self.sign
     }
 
     fn heading(&self) -> String {
-        let (_, symbol) = self.column.kind.for_people(Unit::METRE);
+        let (_, symbol) = self.column.dimension.for_people(Unit::METRE);
         format!("{} ({symbol})", self.name)
     }
 
@@ -99,7 +99,7 @@ pub(super) fn text(names: &Names, states: &[State]) -> String {
     for state in states {
         let _ = write!(out, "  {:5.2}", state.t);
         for shown in &all {
-            let decimals = shown.column.kind.decimals(Unit::METRE);
+            let decimals = shown.column.dimension.decimals(Unit::METRE);
             let _ = write!(out, " | {:>11.decimals$}", shown.value(state));
         }
         out.push('\n');

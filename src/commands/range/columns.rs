@@ -11,7 +11,7 @@ pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {
     let of_positions = quantities::columns(catalogue(), names)
         .into_iter()
         .filter(|column| {
-            column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
+            column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries
         });
     let (drives, others): (Vec<_>, Vec<_>) = of_positions.partition(|column| column.is(&DRIVES));
     let mut columns = vec![

@@ -1,16 +1,17 @@
 //! The whole curve of a drive as a plot.
 
+use crate::file::Dimension;
 use crate::mechanism::Description;
 use crate::output::figures::upwards;
 use crate::output::plot::{Chart, Curve};
-use crate::quantities::{Axis, CENTRE, Kind, columns};
+use crate::quantities::{Axis, CENTRE, columns};
 use crate::reach::{DriveRange, Station};
 
 /// The height of the centre of the wheel that the drive moves, else of the first, against the drive: the whole curve, and over it the part to
 /// which the drive leads, its ends marked. `None` where there is no wheel.
 pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart> {
     let names = &mechanism.names;
-    let (scale, symbol) = Kind::from(range.kind).for_people(mechanism.unit);
+    let (scale, symbol) = Dimension::from(range.kind).for_people(mechanism.unit);
     let (up, quantity) = upwards(mechanism);
     let moved = names.wheels.iter().position(|wheel| {
         let drive = wheel.travel.and_then(|drive| names.drives.get(drive));

@@ -103,31 +103,33 @@ impl Report<'_> {
         }
     }
 
-    /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
+    /// Refuses a name with which no number's begins.
     ///
     /// # Errors
     ///
-    /// In words, where a name is that of none.
-    pub(super) fn text(&self, of: &[String], largest: usize) -> Result<String, String> {
+    /// In words, with the names that there are.
+    pub(super) fn check(&self, of: &[String]) -> Result<(), String> {
+        let titles: Vec<String> = self.numbers().map(|number| number.title).collect();
+        let is_known = |wanted: &&String| titles.iter().any(|title| title.starts_with(*wanted));
+        let Some(wanted) = of.iter().find(|wanted| !is_known(wanted)) else {
+            return Ok(());
+        };
+        let known = titles.iter().filter(|title| !title.contains(' '));
+        let known: Vec<String> = known.cloned().collect();
+        let (meant, known) = (meant(wanted, &known), known.join(", "));
+        Err(format!(
+            "no quantity begins with `{wanted}`{meant} known are {known}"
+        ))
+    }
+
+    /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
+    pub(super) fn text(&self, of: &[String], largest: usize) -> String {
         let (per, _) = self.per();
         let axes = self.mechanism.axes.in_words();
         let mut out = format!(
             "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n",
             self.file
         );
-        for wanted in of {
-            if !self
-                .numbers()
-                .any(|number| number.title.starts_with(wanted.as_str()))
-            {
-                let mut known: Vec<String> = self.numbers().map(|number| number.title).collect();
-                known.retain(|title| !title.contains(' '));
-                let (meant, known) = (meant(wanted, &known), known.join(", "));
-                return Err(format!(
-                    "no quantity begins with `{wanted}`{meant} known are {known}"
-                ));
-            }
-        }
         let is_wanted = |number: &Number| {
             of.is_empty()
                 || of
@@ -145,7 +147,7 @@ impl Report<'_> {
                 let _ = writeln!(out, "  {}", scatter.in_words(&number));
             }
         }
-        Ok(out)
+        out
     }
 
     /// What people move a hardpoint by, and its length in the file's unit.

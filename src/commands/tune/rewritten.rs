@@ -4,10 +4,9 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use crate::file::{Coefficients, MotionFile, Position, Source};
+use crate::file::{Coefficients, Dimension, MotionFile, Position, Source};
 use crate::mechanism::Description;
 use crate::number::exact;
-use crate::quantities::Kind;
 use crate::tune::Tuned;
 
 /// What is rounded off coordinates, in the unit of the file.
@@ -75,7 +74,7 @@ fn drives(
     let each = each.zip(mechanism.design.iter().zip(tuned));
     let edits = each.filter_map(|(drive, (before, after))| {
         let law = file.drives.get_ref().get(drive.name.as_str())?;
-        let by = (after - before) * Kind::from(drive.kind).in_file(mechanism.unit);
+        let by = (after - before) * Dimension::from(drive.kind).in_file(mechanism.unit);
         let Coefficients(coefficients) = law.get_ref();
         let (first, others) = coefficients.split_first()?;
         if by.abs() < ROUNDING {

@@ -85,6 +85,13 @@ pub fn ways(
     Ok(ways)
 }
 
+/// That an option moves a drive that steers where no drive does.
+pub fn no_steering(file: &str) -> Failure {
+    Failure::Input(format!(
+        "{file}: no drive steers, so that there is nothing for --steer; where one does, write [vehicle] with steer = \"NAME\""
+    ))
+}
+
 /// Says so where a span is in another unit, as it seems.
 fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
     if to - from > LONGEST * unit.metre() {

@@ -4,10 +4,10 @@ use crate::characteristics::along::Along;
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
 use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
+use crate::file::Dimension;
 use crate::mechanism::{Description, Pair, State, Unit};
 use crate::quantities::{
-    AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Kind, MEASURES, Quantity, SIDE_ARM,
-    SIDE_CENTRE,
+    AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
 };
 
 /// The curves along a drive.
@@ -19,7 +19,7 @@ pub struct Curves {
     /// What moves, in words.
     pub moved: String,
     /// What it is.
-    pub kind: Kind,
+    pub dimension: Dimension,
     /// Its changes from the design position, for people.
     pub changes: Vec<f64>,
     /// A quantity each.
@@ -39,7 +39,7 @@ pub struct Line {
 impl Curves {
     /// What stands below an axis of the drive.
     pub fn across(&self, unit: Unit) -> String {
-        let (_, symbol) = self.kind.for_people(unit);
+        let (_, symbol) = self.dimension.for_people(unit);
         format!("{} ({symbol})", self.moved)
     }
 
@@ -58,7 +58,7 @@ type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
 /// All quantities along a drive, or along several, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
 /// several axles, what stays as it is where another moves is left out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
-    let kind = Kind::from(along.kind);
+    let of_drive = Dimension::from(along.kind);
     let values = |value: &OfPlace<'_>| -> Vec<Option<f64>> {
         let places = along.visited.places.iter();
         let value = |place: &Option<(State, Vec<Option<State>>)>| {
@@ -67,23 +67,24 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         };
         places.map(value).collect()
     };
-    let converted = |kind: Kind| {
-        let (scale, symbol) = kind.for_people(unit);
-        (scale * kind.conversion(mechanism.unit, unit), symbol)
+    let converted = |dimension: Dimension| {
+        let (scale, symbol) = dimension.for_people(unit);
+        (scale * dimension.conversion(mechanism.unit, unit), symbol)
     };
-    let (of_drive, _) = converted(kind);
+    let (per_change, _) = converted(of_drive);
     let mut lines = Vec::new();
     for column in columns_of_curves(mechanism) {
-        let (scale, symbol) = converted(column.kind);
+        let (scale, symbol) = converted(column.dimension);
         let title = Title::of(&column);
         if column.is(&MEASURES) {
-            let scale = scale / (kind.conversion(mechanism.unit, unit) * kind.in_file(unit));
+            let scale =
+                scale / (of_drive.conversion(mechanism.unit, unit) * of_drive.in_file(unit));
             lines.push(Line {
                 title: Title {
                     wheel: None,
                     of_wheel: format!("motion ratio: {title} per {}", along.title),
                 },
-                symbol: symbol_per(&symbol, kind, unit),
+                symbol: symbol_per(&symbol, of_drive, unit),
                 values: values(&|_, per| Some(rate(&column, along, per)? * scale)),
             });
         }
@@ -106,11 +107,11 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         title: along.title.clone(),
         way: along.way,
         moved: along.moved.clone(),
-        kind,
+        dimension: of_drive,
         changes: along
             .changes
             .iter()
-            .map(|change| change * of_drive)
+            .map(|change| change * per_change)
             .collect(),
         lines,
     }

@@ -2,6 +2,7 @@
 
 use suspension_core::Signal;
 
+use crate::file::Dimension;
 use crate::mechanism::{DRIVES_AT_ONCE, Description, Gradient, Place, State};
 use crate::quantities::{Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in};
 
@@ -25,9 +26,11 @@ impl GridTable {
     pub fn of(mechanism: &Description, derivatives: usize) -> Self {
         let Description { names, unit, .. } = mechanism;
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
-        let drives: Vec<f64> = of_drives.map(|drive| unit.per_drive(drive.kind)).collect();
+        let drives: Vec<f64> = of_drives
+            .map(|drive| Dimension::from(drive.kind).in_file(*unit))
+            .collect();
         let scaled = |column: Column| {
-            let scale = column.kind.in_file(*unit);
+            let scale = column.dimension.in_file(*unit);
             (column, scale)
         };
         let quantities: Vec<_> = of_positions(mechanism).map(scaled).collect();
@@ -139,6 +142,6 @@ fn has_derivatives<N: Compiled>(column: &Column<N>) -> bool {
 fn of_positions<N: Compiled>(mechanism: &Description) -> impl Iterator<Item = Column<N>> {
     let all = columns_in(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {
-        column.kind.is_of_positions() && column.quantity.shown != Shown::InSummaries
+        column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries
     })
 }

@@ -4,10 +4,11 @@ use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
+use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Place, State, Unit};
 use crate::quantities::{
-    self, ACCELERATIONS, Column, Compiled, DRIVES, Kind, MARKERS, POSITIONS, Quantity, RESIDUAL,
+    self, ACCELERATIONS, Column, Compiled, DRIVES, MARKERS, POSITIONS, Quantity, RESIDUAL,
     VELOCITIES, catalogue,
 };
 
@@ -57,7 +58,7 @@ pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Col
     ];
     let is_shown = |quantity: &&Quantity| !LEFT_OUT.iter().any(|of| std::ptr::eq(*of, *quantity));
     let mut columns = quantities::columns_in(catalogue().filter(is_shown), &mechanism.names);
-    columns.retain(|column: &Column<N>| column.kind.is_of_positions());
+    columns.retain(|column: &Column<N>| column.dimension.is_of_positions());
     columns
 }
 
@@ -74,7 +75,7 @@ pub fn parameters(
         let per: Vec<PerDrive> = ways
             .iter()
             .map(|(_, drive)| {
-                let kind = Kind::from(mechanism.names.drives[*drive].kind);
+                let kind = Dimension::from(mechanism.names.drives[*drive].kind);
                 Some((kind, place.per(*drive)?))
             })
             .collect();
@@ -86,7 +87,7 @@ pub fn parameters(
 }
 
 /// What a drive measures, and the state with derivatives with respect to it; `None` where the mechanism locks.
-type PerDrive = Option<(Kind, State)>;
+type PerDrive = Option<(Dimension, State)>;
 
 fn parameter(
     column: &Column,
@@ -94,8 +95,8 @@ fn parameter(
     state: &State,
     per: &[PerDrive],
 ) -> Parameter {
-    let (scale, symbol) = column.kind.for_people(unit);
-    let scale = scale * column.kind.conversion(from, unit);
+    let (scale, symbol) = column.dimension.for_people(unit);
+    let scale = scale * column.dimension.conversion(from, unit);
     let along = |per: &PerDrive| {
         let (drive, state) = per.as_ref().filter(|_| column.has_derivatives)?;
         let value =
@@ -115,6 +116,6 @@ fn parameter(
 }
 
 /// The unit of a derivative with respect to a drive.
-pub(super) fn symbol_per(symbol: &str, of_drive: Kind, unit: Unit) -> String {
+pub(super) fn symbol_per(symbol: &str, of_drive: Dimension, unit: Unit) -> String {
     format!("{symbol}/{}", of_drive.symbol(unit))
 }

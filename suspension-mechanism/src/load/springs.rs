@@ -3,9 +3,9 @@
 use suspension_listing::did_you_mean::unknown;
 
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::load::task::Task;
 use crate::mechanism::Spring;
-use crate::quantities::Kind;
 
 /// The springs that a file states, at the measures of its design, in the file's coordinates.
 ///
@@ -42,7 +42,7 @@ pub(super) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Fa
             name: name.clone(),
             measure,
             kind,
-            rate: rate * Kind::from(kind).in_file(unit),
+            rate: rate * Dimension::from(kind).in_file(unit),
             load,
             design: design[measure],
         })

@@ -7,6 +7,7 @@ use suspension_core::report::Report;
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
+use crate::file::Dimension;
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::measure::signal_nearest;
 use crate::mechanism::names::Names;
@@ -117,7 +118,7 @@ impl<const N: usize> Lead<N> {
 
     fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
         let kind = names.measures[self.measure].kind;
-        let value = (value + self.offset) * unit.per_measure(kind);
-        format!("{} {}", number(value), unit.of_measure(kind))
+        let value = (value + self.offset) * Dimension::from(kind).in_file(unit);
+        format!("{} {}", number(value), Dimension::from(kind).symbol(unit))
     }
 }

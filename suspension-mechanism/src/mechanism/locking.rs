@@ -6,6 +6,7 @@ use suspension_core::path::{Continuation, Curve};
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
+use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::misfit::Misfit;
 use crate::mechanism::names::{Names, Suspension};
@@ -61,8 +62,8 @@ impl Lock {
             && let Some(drive) = names.drives.get(drive)
         {
             const DIGITS: usize = 6;
-            let end = rounded(end * unit.per_drive(drive.kind), DIGITS);
-            let (name, symbol) = (&drive.name, unit.of_drive(drive.kind));
+            let end = rounded(end * Dimension::from(drive.kind).in_file(unit), DIGITS);
+            let (name, symbol) = (&drive.name, Dimension::from(drive.kind).symbol(unit));
             return format!(
                 "the angle `{name}` ends at {end} {symbol}, beyond it the drive would act as before it"
             );
@@ -72,8 +73,9 @@ impl Lock {
             Some(turns) => {
                 let drive = &names.drives[turns];
                 let change = from_design(
-                    (self.drives[turns] - design[turns]) * unit.per_drive(drive.kind),
-                    unit.of_drive(drive.kind),
+                    (self.drives[turns] - design[turns])
+                        * Dimension::from(drive.kind).in_file(unit),
+                    &Dimension::from(drive.kind).symbol(unit),
                 );
                 format!("the drive `{}` locks {change} ({drives})", drive.name)
             }

@@ -2,6 +2,7 @@
 
 use suspension_core::SolveError;
 
+use crate::file::Dimension;
 use crate::mechanism::names::Names;
 use crate::number::number;
 use suspension_motion_file::Unit;
@@ -16,8 +17,8 @@ impl Names {
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
         let drive = &self.drives[drive];
         let (value, symbol) = (
-            value * unit.per_drive(drive.kind),
-            unit.of_drive(drive.kind),
+            value * Dimension::from(drive.kind).in_file(unit),
+            Dimension::from(drive.kind).symbol(unit),
         );
         format!("{} = {} {symbol}", drive.name, number(value))
     }

@@ -1,8 +1,8 @@
 //! Readings of how a suspension bears the forces of brakes and drive.
 
+use crate::file::Dimension;
 use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::side_view;
 use crate::quantities::on_ground::{moving, of_moving_in_side_view};
@@ -26,10 +26,15 @@ fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
 /// The angle of the path in bump from the vertical in the side view.
 pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
     let on_ground = torque == Torque::Carrier;
-    of_moving_in_side_view(names, Kind::Angle, on_ground, move |moving: &Moving<N>| {
-        let [forward, upward] = forward_and_upward(moving, torque);
-        N::arc_tangent(forward, upward)
-    })
+    of_moving_in_side_view(
+        names,
+        Dimension::Angle,
+        on_ground,
+        move |moving: &Moving<N>| {
+            let [forward, upward] = forward_and_upward(moving, torque);
+            N::arc_tangent(forward, upward)
+        },
+    )
 }
 
 /// The forces of a car of which each axle has a share.
@@ -77,7 +82,7 @@ pub(super) fn of_support<N: Number>(
         moving(
             rolling,
             along,
-            Kind::Percent,
+            Dimension::Percent,
             on_ground,
             move |moving: &Moving<N>| {
                 let [forward, upward] = forward_and_upward(moving, torque);

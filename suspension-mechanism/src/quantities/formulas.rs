@@ -2,9 +2,9 @@
 
 use suspension_core::Signal;
 
+use crate::file::Dimension;
 use crate::mechanism::{Gradient, Names, Sensitive};
 use crate::quantities::axis::Axis;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 
@@ -47,7 +47,7 @@ pub struct Reading<N> {
     pub(super) name: Option<String>,
     /// The name of the wheel that it is of.
     pub(super) wheel: Option<String>,
-    pub(super) kind: Kind,
+    pub(super) dimension: Dimension,
     pub(super) axis: Option<Axis>,
     pub(super) has_derivatives: bool,
     pub(super) value: Box<Read<N>>,

@@ -1,8 +1,8 @@
 //! Readings of each wheel against where it is at the design position.
 
+use crate::file::Dimension;
 use crate::mechanism::{Axle, Names};
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, reading};
@@ -42,7 +42,7 @@ fn length<N: Number>(
     rolling: Rolling,
     moved: impl Fn(&Wheel<N>, &Wheel<N>) -> N + 'static,
 ) -> Reading<N> {
-    reading(Kind::Length, move |reader: &Reader<'_, N>| {
+    reading(Dimension::Length, move |reader: &Reader<'_, N>| {
         let design = reader.at_design(rolling);
         design.map_or_else(N::unknown, |design| moved(reader.wheel(rolling), design))
     })

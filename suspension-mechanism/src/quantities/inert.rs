@@ -1,8 +1,8 @@
 //! What masses are at the wheels: readings by kinetic energy.
 
+use crate::file::Dimension;
 use crate::mechanism::{Movement, Names, State};
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::Rolling;
@@ -15,7 +15,7 @@ pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
             return Vec::new();
         };
         let together = rolling.moved_together(names);
-        vec![without_derivatives(Kind::Mass, move |state| {
+        vec![without_derivatives(Dimension::Mass, move |state| {
             effective(state.moved_along(Movement::Travel(drive))?, &together)
         })]
     })

@@ -3,11 +3,11 @@
 use nalgebra::Vector3;
 use suspension_core::wheel::Turn;
 
+use crate::file::Dimension;
 use crate::mechanism::{self, Names, Pair};
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::in_roll::PerRoll;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading};
@@ -99,13 +99,13 @@ fn sided<N: Number>(reader: &Reader<'_, N>, [a, b]: [Rolling; 2]) -> Option<[Rol
 /// A number of both wheels of each axle, the left one first; `on_ground` where the wheel radius is needed.
 pub(super) fn of_both<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     on_ground: bool,
     value: impl Fn([&Wheel<N>; 2]) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     let is_wanted = |axle: &Axle| axle.is_on_ground() || !on_ground;
     of_each_axle(names, &is_wanted, &|wheels| {
-        vec![both(wheels, kind, value.clone())]
+        vec![both(wheels, dimension, value.clone())]
     })
 }
 
@@ -115,11 +115,11 @@ type FromDesign<N> = fn([&Wheel<N>; 2], [&Wheel<N>; 2]) -> N;
 /// The same of wheels on the ground, now and at the design position.
 pub(super) fn of_both_from_design<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     value: FromDesign<N>,
 ) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::is_on_ground, &|wheels| {
-        vec![reading(kind, move |reader: &Reader<'_, N>| {
+        vec![reading(dimension, move |reader: &Reader<'_, N>| {
             let number = || {
                 let [left, right] = sided(reader, wheels)?;
                 let [of_left, of_right] = [left, right].map(|rolling| reader.at_design(rolling));
@@ -134,10 +134,10 @@ pub(super) fn of_both_from_design<N: Number>(
 /// The same of one axle.
 fn both<N: Number>(
     wheels: [Rolling; 2],
-    kind: Kind,
+    dimension: Dimension,
     value: impl Fn([&Wheel<N>; 2]) -> N + 'static,
 ) -> Reading<N> {
-    reading(kind, move |reader: &Reader<'_, N>| {
+    reading(dimension, move |reader: &Reader<'_, N>| {
         let wheels = sided(reader, wheels);
         wheels.map_or_else(N::unknown, |wheels| {
             value(wheels.map(|rolling| reader.wheel(rolling)))
@@ -162,7 +162,7 @@ pub(super) fn of_steered_wheels<N: Number>(
     of_each_wheel(names, &|rolling| {
         let steered = is_steered(&rolling).then_some(rolling).into_iter();
         let readings = steered.map(|rolling| {
-            reading(Kind::Angle, move |reader: &Reader<'_, N>| {
+            reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
                 angle(&reader.wheel(rolling).axis)
             })
         });
@@ -174,7 +174,7 @@ pub(super) fn of_steered_wheels<N: Number>(
 /// ahead there is none.
 pub(super) fn of_turn<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     value: fn(&Turn<N>, N, N) -> N,
 ) -> Vec<Reading<N>> {
     let Some(wheelbase) = names.vehicle.wheelbase else {
@@ -184,7 +184,7 @@ pub(super) fn of_turn<N: Number>(
     let steers =
         |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
     of_each_axle(names, &steers, &|wheels| {
-        vec![both(wheels, kind, move |wheels: [&Wheel<N>; 2]| {
+        vec![both(wheels, dimension, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
             let [inner, outer] = [turn.inner, turn.outer].map(N::value);
             let is_straight = inner + outer < 2.0 * STRAIGHT;
@@ -206,12 +206,18 @@ pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
 pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::rolls, &|wheels| {
         let axes = &[Axis::Y, Axis::Z];
-        components(None, Kind::Length, axes, move |reader: &Reader<'_, N>| {
-            let wheels = sided(reader, wheels);
-            let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-            let centre = in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
-            reader.axes.turned(centre)
-        })
+        components(
+            None,
+            Dimension::Length,
+            axes,
+            move |reader: &Reader<'_, N>| {
+                let wheels = sided(reader, wheels);
+                let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
+                let centre =
+                    in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
+                reader.axes.turned(centre)
+            },
+        )
     })
 }
 
@@ -226,7 +232,7 @@ pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> V
         };
         let wheels = axles.iter().find(is_of).map(|axle| axle.wheels).into_iter();
         let readings = wheels.map(|wheels| {
-            reading(Kind::AnglePerAngle, move |reader: &Reader<'_, N>| {
+            reading(Dimension::AnglePerAngle, move |reader: &Reader<'_, N>| {
                 let wheels = sided(reader, wheels);
                 let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
                 let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use suspension_core::wheel::{Heading, SteeringAxis};
 
+use crate::file::Dimension;
 use crate::mechanism::Names;
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::side_view;
 use crate::quantities::reader::Reader;
@@ -49,7 +49,7 @@ fn of_kingpin_at<N: Number>(
         let ends = rolling.points.kingpin;
         let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
         let of = |_| {
-            reading(Kind::Length, move |reader| {
+            reading(Dimension::Length, move |reader| {
                 let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
                 kingpin.map_or_else(N::unknown, |kingpin| {
                     offset(kingpin, &point(wheel), &wheel.heading)
@@ -64,38 +64,38 @@ fn of_kingpin_at<N: Number>(
 pub(super) fn of_moving<N: Number>(
     names: &Names,
     along: Along,
-    kind: Kind,
+    dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        moving(rolling, along, kind, on_ground, value.clone())
+        moving(rolling, along, dimension, on_ground, value.clone())
     })
 }
 
 /// The same in the side view: in travel, or in heave where the wheels of an axle move each other.
 pub(super) fn of_moving_in_side_view<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let along = side_view(names, rolling);
-        moving(rolling, along, kind, on_ground, value.clone())
+        moving(rolling, along, dimension, on_ground, value.clone())
     })
 }
 
 /// A number of each carrier of one wheel alone in travel, on the ground: a force on that wheel is borne by its links.
 pub(super) fn of_independent<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let rolling = Some(rolling).filter(|rolling| rolling.is_alone(names));
         let readings =
-            rolling.map(|rolling| moving(rolling, Along::Travel, kind, true, value.clone()));
+            rolling.map(|rolling| moving(rolling, Along::Travel, dimension, true, value.clone()));
         readings.unwrap_or_default()
     })
 }
@@ -104,14 +104,14 @@ pub(super) fn of_independent<N: Number>(
 pub(super) fn moving<N: Number>(
     rolling: Rolling,
     along: Along,
-    kind: Kind,
+    dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + 'static,
 ) -> Vec<Reading<N>> {
     if !is_moved(&rolling, along, on_ground) {
         return Vec::new();
     }
-    vec![reading(kind, move |reader| {
+    vec![reading(dimension, move |reader| {
         let moving = reader.moving(along, rolling);
         moving.map_or_else(N::unknown, &value)
     })]
@@ -129,11 +129,16 @@ pub(super) fn of_moving_place<N: Number>(
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }
-        components(None, Kind::Length, axes, move |reader: &Reader<'_, N>| {
-            let moving = reader.moving(along, rolling);
-            let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
-            reader.axes.turned(place)
-        })
+        components(
+            None,
+            Dimension::Length,
+            axes,
+            move |reader: &Reader<'_, N>| {
+                let moving = reader.moving(along, rolling);
+                let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
+                reader.axes.turned(place)
+            },
+        )
     })
 }
 

@@ -2,10 +2,10 @@
 
 use suspension_core::Signal;
 
+use crate::file::Dimension;
 use crate::mechanism::{Drive, Names, State, Unit};
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::{Compiled, Formulas, Read, Reading};
-use crate::quantities::kind::Kind;
 use crate::quantities::reader::Reader;
 
 /// What is read off a mechanism: a row of the catalogue.
@@ -46,7 +46,7 @@ pub struct Column<N = Signal<f64>> {
     /// The name of the wheel that it is of, where that has one.
     pub wheel: Option<String>,
     /// What it measures.
-    pub kind: Kind,
+    pub dimension: Dimension,
     /// The component, of a vector.
     pub axis: Option<Axis>,
     /// Whether [`read`](Self::read) has derivatives: whether positions alone determine it.
@@ -87,17 +87,17 @@ impl<N: Compiled> Column<N> {
 
     /// What a number inside, or its derivative with respect to a drive, is multiplied with for that in the file.
     pub fn in_file_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
-        let per = drive.map_or(1.0, |drive| unit.per_drive(drive.kind));
-        self.kind.in_file(unit) / per
+        let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).in_file(unit));
+        self.dimension.in_file(unit) / per
     }
 
     /// The same for what people read, and the unit's symbol.
     pub fn for_people_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
-        let (scale, symbol) = self.kind.for_people(unit);
+        let (scale, symbol) = self.dimension.for_people(unit);
         match drive.map(|drive| drive.kind) {
-            Some(kind) => {
-                let symbol = format!("{symbol}/{}", unit.of_drive(kind));
-                (scale / unit.per_drive(kind), symbol)
+            Some(dimension) => {
+                let symbol = format!("{symbol}/{}", Dimension::from(dimension).symbol(unit));
+                (scale / Dimension::from(dimension).in_file(unit), symbol)
             }
             None => (scale, symbol),
         }
@@ -105,29 +105,31 @@ impl<N: Compiled> Column<N> {
 
     /// Its name in a CSV file: `p6_x`, `p6_vx`, `omega_x`, `camber_rad`.
     pub fn csv_name(&self, unit: Unit) -> String {
-        self.name_with(&self.kind.symbol(unit))
+        self.name_with(&self.dimension.symbol(unit))
     }
 
     /// The same of numbers for people: `camber_deg`.
     pub fn name_for_people(&self, unit: Unit) -> String {
-        let (_, symbol) = self.kind.for_people(unit);
+        let (_, symbol) = self.dimension.for_people(unit);
         self.name_with(&symbol)
     }
 
     fn name_with(&self, symbol: &str) -> String {
-        let Self { name, kind, .. } = self;
-        match (self.axis, kind) {
-            (Some(axis), Kind::Velocity) => format!("{name}_v{axis}"),
-            (Some(axis), Kind::Acceleration) => format!("{name}_a{axis}"),
+        let Self {
+            name, dimension, ..
+        } = self;
+        match (self.axis, dimension) {
+            (Some(axis), Dimension::Velocity) => format!("{name}_v{axis}"),
+            (Some(axis), Dimension::Acceleration) => format!("{name}_a{axis}"),
             (Some(axis), _) => format!("{name}_{axis}"),
-            (None, Kind::Count) => name.clone(),
+            (None, Dimension::Count) => name.clone(),
             (None, _) => format!("{name}_{}", symbol.replace('/', "_").replace('^', "")),
         }
     }
 
     /// Above a column for people: `camber (deg)`, `centre x (m)`.
     pub fn heading(&self, unit: Unit) -> String {
-        let (_, symbol) = self.kind.for_people(unit);
+        let (_, symbol) = self.dimension.for_people(unit);
         let axis = self
             .axis
             .map_or_else(String::new, |axis| format!(" {axis}"));
@@ -162,7 +164,7 @@ pub fn columns_in<N: Compiled>(
                 None => name,
             },
             wheel: reading.wheel,
-            kind: reading.kind,
+            dimension: reading.dimension,
             axis: reading.axis,
             has_derivatives: reading.has_derivatives,
             value: reading.value,

@@ -2,31 +2,31 @@
 
 use nalgebra::Vector3;
 
+use crate::file::Dimension;
 use crate::mechanism::{Names, State};
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::wheel::Rolling;
 
 /// One number of any state, of which no derivatives are known.
-pub(super) fn number<N: Number>(kind: Kind, value: fn(&State) -> f64) -> Vec<Reading<N>> {
+pub(super) fn number<N: Number>(dimension: Dimension, value: fn(&State) -> f64) -> Vec<Reading<N>> {
     vec![Reading {
         has_derivatives: false,
-        ..reading(kind, move |reader| N::alone(value(reader)))
+        ..reading(dimension, move |reader| N::alone(value(reader)))
     }]
 }
 
 /// One number, by a formula of positions.
 pub(super) fn reading<N: Number>(
-    kind: Kind,
+    dimension: Dimension,
     value: impl Fn(&Reader<'_, N>) -> N + 'static,
 ) -> Reading<N> {
     Reading {
         name: None,
         wheel: None,
-        kind,
+        dimension,
         axis: None,
         has_derivatives: true,
         value: Box::new(value),
@@ -35,26 +35,26 @@ pub(super) fn reading<N: Number>(
 
 /// A number each of several things that the linkage names.
 pub(super) fn each<'a, N: Number>(
-    things: impl Iterator<Item = (&'a str, Kind)>,
+    things: impl Iterator<Item = (&'a str, Dimension)>,
     has_derivatives: bool,
     value: fn(&Reader<'_, N>, usize) -> N,
 ) -> Vec<Reading<N>> {
-    let of_one = |(index, (name, kind)): (usize, (&str, Kind))| Reading {
+    let of_one = |(index, (name, dimension)): (usize, (&str, Dimension))| Reading {
         name: Some(name.to_owned()),
         has_derivatives,
-        ..reading(kind, move |state| value(state, index))
+        ..reading(dimension, move |state| value(state, index))
     };
     things.enumerate().map(of_one).collect()
 }
 
 /// A number of which no derivatives are known; none where the state does not tell it.
 pub(super) fn without_derivatives<N: Number>(
-    kind: Kind,
+    dimension: Dimension,
     value: impl Fn(&State) -> Option<f64> + 'static,
 ) -> Reading<N> {
     Reading {
         has_derivatives: false,
-        ..reading(kind, move |reader| {
+        ..reading(dimension, move |reader| {
             N::alone(value(reader).unwrap_or(f64::NAN))
         })
     }
@@ -63,11 +63,11 @@ pub(super) fn without_derivatives<N: Number>(
 /// Components of a vector of which no derivatives are known.
 pub(super) fn vector<N: Number>(
     name: Option<&str>,
-    kind: Kind,
+    dimension: Dimension,
     axes: &[Axis],
     value: impl Fn(&State) -> Vector3<f64> + Clone + 'static,
 ) -> Vec<Reading<N>> {
-    let mut readings = components(name, kind, axes, move |reader: &Reader<'_, N>| {
+    let mut readings = components(name, dimension, axes, move |reader: &Reader<'_, N>| {
         value(reader).map(N::alone)
     });
     for reading in &mut readings {
@@ -79,7 +79,7 @@ pub(super) fn vector<N: Number>(
 /// Components of a vector, by a formula of positions.
 pub(super) fn components<N: Number>(
     name: Option<&str>,
-    kind: Kind,
+    dimension: Dimension,
     axes: &[Axis],
     value: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
 ) -> Vec<Reading<N>> {
@@ -88,7 +88,7 @@ pub(super) fn components<N: Number>(
         Reading {
             name: name.map(str::to_owned),
             axis: Some(axis),
-            ..reading(kind, move |state| value(state)[axis as usize])
+            ..reading(dimension, move |state| value(state)[axis as usize])
         }
     };
     axes.iter().map(component).collect()
@@ -100,19 +100,23 @@ pub(super) fn place<N: Number>(
     name: Option<&str>,
     local: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
 ) -> Vec<Reading<N>> {
-    components(name, Kind::Length, &Axis::ALL, move |reader| {
+    components(name, Dimension::Length, &Axis::ALL, move |reader| {
         reader.axes.turned(local(reader) + reader.places.origin())
     })
 }
 
 /// Positions, velocities or accelerations of a point.
-pub(super) fn point<N: Number>(names: &Names, point: usize, kind: Kind) -> Vec<Reading<N>> {
+pub(super) fn point<N: Number>(
+    names: &Names,
+    point: usize,
+    dimension: Dimension,
+) -> Vec<Reading<N>> {
     let name = Some(names.points[point].as_str());
-    match kind {
-        Kind::Velocity => vector(name, kind, &Axis::ALL, move |state| {
+    match dimension {
+        Dimension::Velocity => vector(name, dimension, &Axis::ALL, move |state| {
             state.points.rate[point]
         }),
-        Kind::Acceleration => vector(name, kind, &Axis::ALL, move |state| {
+        Dimension::Acceleration => vector(name, dimension, &Axis::ALL, move |state| {
             state.points.second_rate[point]
         }),
         _ => Axis::ALL.map(|axis| coordinate(name, point, axis)).into(),
@@ -125,7 +129,7 @@ fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Readin
     Reading {
         name: name.map(str::to_owned),
         axis: Some(axis),
-        ..reading(Kind::Length, move |reader| {
+        ..reading(Dimension::Length, move |reader| {
             reader.places.numbers.point(point)[component] + N::still(reader.origin[component])
         })
     }
@@ -152,7 +156,7 @@ pub(super) fn of_spin_axis<N: Number>(
     angle: fn(&Vector3<N>) -> N,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        vec![reading(Kind::Angle, move |reader: &Reader<'_, N>| {
+        vec![reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
             angle(&reader.wheel(rolling).axis)
         })]
     })
@@ -170,7 +174,7 @@ pub(super) fn of_kingpin_and_spin_axis<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let of = |_| {
-            reading(Kind::Angle, move |reader: &Reader<'_, N>| {
+            reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
                 let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
                 kingpin.map_or_else(N::unknown, |kingpin| angle(&kingpin.direction, &wheel.axis))
             })

@@ -4,9 +4,9 @@ use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
+use crate::file::Dimension;
 use crate::mechanism::{Movement, Names, Spring, State};
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::{Axle, of_each_axle};
 use crate::quantities::reader::Reader;
@@ -57,9 +57,9 @@ impl Sprung {
 pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let springs = names.vehicle.springs.iter().enumerate();
     let of_one = |(number, spring): (usize, &Spring)| {
-        let (kind, what) = match spring.kind {
-            MeasureKind::Length => (Kind::Force, "force"),
-            MeasureKind::Angle => (Kind::Moment, "moment"),
+        let (dimension, what) = match spring.kind {
+            MeasureKind::Length => (Dimension::Force, "force"),
+            MeasureKind::Angle => (Dimension::Moment, "moment"),
         };
         let of_state = move |state: &State| {
             let spring = state.springs.get(number)?;
@@ -67,7 +67,7 @@ pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
         };
         Reading {
             name: Some(format!("{}_{what}", spring.name)),
-            ..without_derivatives(kind, of_state)
+            ..without_derivatives(dimension, of_state)
         }
     };
     springs.map(of_one).collect()
@@ -76,7 +76,7 @@ pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
 /// A number of the springs at each wheel, along the height of its centre.
 pub(super) fn of_wheels<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     value: fn(Sprung) -> f64,
 ) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
@@ -91,13 +91,13 @@ pub(super) fn of_wheels<N: Number>(
             let share = share(&together, rolling, |rolling| height(rolling).rate);
             Some(share * value(Sprung::along(height(rolling), state)))
         };
-        vec![without_derivatives(kind, of_state)]
+        vec![without_derivatives(dimension, of_state)]
     })
 }
 
 /// A number of the springs at each wheel of an axle in heave, both centres rising alike: each wheel has half of it.
 pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
-    of_sprung_axles(names, Kind::Stiffness, move |wheels, state| {
+    of_sprung_axles(names, Dimension::Stiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
         Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
     })
@@ -105,7 +105,7 @@ pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Ve
 
 /// The same of each axle in roll, one centre rising as the other falls, along the angle of the line through them.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
-    of_sprung_axles(names, Kind::AngularStiffness, move |wheels, state| {
+    of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
         let of = Reader::of(moved);
         let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
@@ -119,13 +119,15 @@ pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec
 /// A number of each axle whose wheels have drives of travel of their own, where there are springs.
 fn of_sprung_axles<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     value: impl Fn([Rolling; 2], &State) -> Option<f64> + Copy + 'static,
 ) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
     of_each_axle(names, &is_sprung, &|wheels| {
-        vec![without_derivatives(kind, move |state| value(wheels, state))]
+        vec![without_derivatives(dimension, move |state| {
+            value(wheels, state)
+        })]
     })
 }
 

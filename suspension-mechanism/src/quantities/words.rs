@@ -18,12 +18,12 @@ pub fn in_words(
         let [first, .., last] = columns.as_slice() else {
             if let [only] = columns.as_slice() {
                 let name = only.csv_name(unit);
-                entry(&mut text, quantity, &name, &only.kind.symbol(unit));
+                entry(&mut text, quantity, &name, &only.dimension.symbol(unit));
             }
             continue;
         };
         let name = format!("{} to {}", first.csv_name(unit), last.csv_name(unit));
-        entry(&mut text, quantity, &name, &first.kind.symbol(unit));
+        entry(&mut text, quantity, &name, &first.dimension.symbol(unit));
     }
     text
 }

@@ -212,7 +212,7 @@ fn what_no_surface_can_be_made_of_is_refused_in_one_sentence() {
         (
             &["--drive", "bump=0.24:0.36", "--drive", "steer=0.1:0.36"],
             3,
-            "bump = 0.24 to 0.36, steer = 0.1 to 0.36 cannot be baked: the mechanism does not reach",
+            "bump = 0.24 to 0.36 m, steer = 0.1 to 0.36 m cannot be baked: the mechanism does not reach",
         ),
         (&["--drive", "bump=0.36:0.24"], 2, "FROM is less than TO"),
     ] {

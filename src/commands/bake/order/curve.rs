@@ -5,6 +5,7 @@ use crate::bake::widest::widest;
 use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
 use crate::commands::bake::order::{Along, DIGITS, Ordered, possible_in_few_digits};
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
 
@@ -101,7 +102,7 @@ impl Ordered<'_> {
     /// A local value in the file's coordinates and units.
     fn in_file(&self, drive: usize, local: f64) -> f64 {
         let kind = self.mechanism.names.drives[drive].kind;
-        self.given(drive, local) * self.mechanism.unit.per_drive(kind)
+        self.given(drive, local) * Dimension::from(kind).in_file(self.mechanism.unit)
     }
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {

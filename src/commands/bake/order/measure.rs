@@ -8,6 +8,7 @@ use crate::bake::widest::widest;
 use crate::bake::{Baked, OutOfReach, Wanted, bake};
 use crate::commands::bake::order::{DIGITS, Ordered, possible_in_few_digits};
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::number::{number, rounded};
 
@@ -54,10 +55,7 @@ impl Ordered<'_> {
             (wanted, _) => names.chosen_drive(wanted.as_deref()),
         };
         let drive = drive.map_err(|message| self.refuse(&message))?;
-        let per = self
-            .mechanism
-            .unit
-            .per_measure(names.measures[measure].kind);
+        let per = Dimension::from(names.measures[measure].kind).in_file(self.mechanism.unit);
         Ok(AlongMeasure {
             measure,
             drive,
@@ -71,7 +69,7 @@ impl Ordered<'_> {
         let measure = &names.measures[along.measure];
         Ranged {
             name: measure.name.clone(),
-            unit: unit.of_measure(measure.kind),
+            unit: Dimension::from(measure.kind).symbol(unit),
             range: along.range,
             in_place_of: Some(names.drives[along.drive].name.clone()),
         }
@@ -168,7 +166,7 @@ impl Ordered<'_> {
     fn of_measure(&self, along: &AlongMeasure, local: f64) -> String {
         let measure = &self.mechanism.names.measures[along.measure];
         let given = local + self.mechanism.measure_offsets[along.measure];
-        let symbol = self.mechanism.unit.of_measure(measure.kind);
+        let symbol = Dimension::from(measure.kind).symbol(self.mechanism.unit);
         format!(
             "{} = {} {symbol}",
             measure.name,
@@ -179,6 +177,6 @@ impl Ordered<'_> {
     /// A value in the file's units.
     fn measured_in_file(&self, along: &AlongMeasure, given: f64) -> f64 {
         let kind = self.mechanism.names.measures[along.measure].kind;
-        given * self.mechanism.unit.per_measure(kind)
+        given * Dimension::from(kind).in_file(self.mechanism.unit)
     }
 }

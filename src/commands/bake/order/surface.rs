@@ -4,7 +4,8 @@ use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
 use crate::commands::bake::order::{Along, Ordered, interrupted};
 use crate::failure::Failure;
-use crate::mechanism::advice;
+use crate::file::Dimension;
+use crate::mechanism::{Drive, advice};
 use crate::number::{number, rounded};
 
 impl Ordered<'_> {
@@ -28,10 +29,13 @@ impl Ordered<'_> {
     }
 
     fn unmet(&self, along: [&Along; 2], unmet: &UnmetSurface) -> Failure {
-        let ranges = along.map(|Along { drive, range, .. }| {
-            let [from, to] = range.map(number);
-            let name = &self.mechanism.names.drives[*drive].name;
-            format!("{name} = {from} to {to}")
+        let ranges = along.map(|Along { drive, local, .. }| {
+            let (Drive { name, kind }, unit) =
+                (&self.mechanism.names.drives[*drive], self.mechanism.unit);
+            let dimension = Dimension::from(*kind);
+            let [from, to] =
+                local.map(|end| number(self.given(*drive, end) * dimension.in_file(unit)));
+            format!("{name} = {from} to {to} {}", dimension.symbol(unit))
         });
         let reason = match unmet {
             UnmetSurface::Interrupted => return interrupted(self.file),

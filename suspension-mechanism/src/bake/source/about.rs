@@ -43,7 +43,7 @@ pub struct Ranged {
     /// Its name.
     pub name: String,
     /// Its unit.
-    pub unit: &'static str,
+    pub unit: String,
     /// Its first and last value.
     pub range: [f64; 2],
     /// The drive that a measure stands in for.

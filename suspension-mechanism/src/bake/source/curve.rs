@@ -52,7 +52,7 @@ impl Sheet<'_> {
             argument,
             baked,
         } = self;
-        let (unit, per) = (about.unit, argument.unit);
+        let (unit, per) = (about.unit, &argument.unit);
         let joined = match baked.wanted.continuity {
             Continuity::Position => "position",
             Continuity::Velocity => "position and first derivative",

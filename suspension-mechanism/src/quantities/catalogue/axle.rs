@@ -2,7 +2,7 @@
 
 use suspension_core::wheel::{steer_angle, toe};
 
-use crate::quantities::kind::Kind;
+use crate::file::Dimension;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::{
     of_both, of_both_from_design, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
@@ -17,7 +17,7 @@ catalogue! {
         definition: "the sum of both toe angles of an axle",
         source: "as toe",
         shown: Shown::InTables,
-        read: |names| of_both(names, Kind::Angle, false, |wheels| {
+        read: |names| of_both(names, Dimension::Angle, false, |wheels| {
             let [left, right] = wheels.map(|wheel| toe(&wheel.axis));
             left + right
         }),
@@ -28,7 +28,7 @@ catalogue! {
         definition: "from the right contact point to the left one, along y; its derivatives are the change of track",
         source: "ISO 8855",
         shown: Shown::InTables,
-        read: |names| of_both(names, Kind::Length, true, track),
+        read: |names| of_both(names, Dimension::Length, true, track),
     }
     TRACK_CHANGE: "change of track" {
         name: "track_change",
@@ -36,7 +36,7 @@ catalogue! {
         definition: "track less that at the design position",
         source: "as track",
         shown: Shown::InTables,
-        read: |names| of_both_from_design(names, Kind::Length, |now, design| track(now) - track(design)),
+        read: |names| of_both_from_design(names, Dimension::Length, |now, design| track(now) - track(design)),
     }
     STEER_ANGLE: "steer angle" {
         name: "steer_angle",
@@ -53,7 +53,7 @@ catalogue! {
                      wheelbase; none where they are less than a degree on average",
         source: "given the outer wheel, as in the reports of Simscape Multibody; wheelbase of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Percent, |turn, wheelbase, track| {
+        read: |names| of_turn(names, Dimension::Percent, |turn, wheelbase, track| {
             turn.ackermann(wheelbase, track) * Number::still(100.0)
         }),
     }
@@ -64,7 +64,7 @@ catalogue! {
                      less than a degree on average",
         source: "as ackermann",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Angle, |turn, wheelbase, track| {
+        read: |names| of_turn(names, Dimension::Angle, |turn, wheelbase, track| {
             turn.inner - turn.ideal_inner(wheelbase, track)
         }),
     }
@@ -75,7 +75,7 @@ catalogue! {
                      sin(outer); none where the steer angles are less than a degree on average, or the outer wheel is turned the other way",
         source: "half the turning circle; wheelbase of [vehicle]",
         shown: Shown::InTables,
-        read: |names| of_turn(names, Kind::Length, |turn, wheelbase, _| turn.radius(wheelbase)),
+        read: |names| of_turn(names, Dimension::Length, |turn, wheelbase, _| turn.radius(wheelbase)),
     }
     AXLE_ROLL_CENTRE: "roll centre of the axle" {
         name: "axle_roll_centre",

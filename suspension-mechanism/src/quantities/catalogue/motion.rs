@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use suspension_core::body::{angular_acceleration, angular_velocity};
 
+use crate::file::Dimension;
 use crate::mechanism::{Names, State};
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::readings::{each, number, of_each_wheel, point, vector};
@@ -18,7 +18,7 @@ catalogue! {
         definition: "the instant",
         source: "the motion file",
         shown: Shown::InBoth,
-        read: |_| number(Kind::Time, |state| state.t),
+        read: |_| number(Dimension::Time, |state| state.t),
     }
     DRIVES: "drives" {
         name: "",
@@ -38,7 +38,7 @@ catalogue! {
         definition: "the unknowns of the equations",
         source: "`free` of the listing",
         shown: Shown::InTables,
-        read: |names| of_free_points(names, Kind::Length),
+        read: |names| of_free_points(names, Dimension::Length),
     }
     VELOCITIES: "velocities of free points" {
         name: "",
@@ -46,7 +46,7 @@ catalogue! {
         definition: "J qdot = -dF/du udot",
         source: "Attia 2003, eq. (3)",
         shown: Shown::InTables,
-        read: |names| of_free_points(names, Kind::Velocity),
+        read: |names| of_free_points(names, Dimension::Velocity),
     }
     ACCELERATIONS: "accelerations of free points" {
         name: "",
@@ -54,7 +54,7 @@ catalogue! {
         definition: "J qddot = -C(qdot, qdot) - dF/du uddot",
         source: "Attia 2003, eq. (7) and (8)",
         shown: Shown::InTables,
-        read: |names| of_free_points(names, Kind::Acceleration),
+        read: |names| of_free_points(names, Dimension::Acceleration),
     }
     OMEGA: "angular velocity of the wheel's carrier" {
         name: "omega",
@@ -62,7 +62,7 @@ catalogue! {
         definition: "the least-squares fit of v = v0 + omega x r over three points",
         source: "Attia 2003, eq. (9), without its 0/0",
         shown: Shown::InTables,
-        read: |names| of_carrier(names, Kind::AngularVelocity, |[omega, _]| omega),
+        read: |names| of_carrier(names, Dimension::AngularVelocity, |[omega, _]| omega),
     }
     ALPHA: "angular acceleration of the wheel's carrier" {
         name: "alpha",
@@ -70,7 +70,7 @@ catalogue! {
         definition: "the least-squares fit of a = a0 + alpha x r + omega x (omega x r) over three points",
         source: "Attia 2003, eq. (10), without its 0/0",
         shown: Shown::InTables,
-        read: |names| of_carrier(names, Kind::AngularAcceleration, |[_, alpha]| alpha),
+        read: |names| of_carrier(names, Dimension::AngularAcceleration, |[_, alpha]| alpha),
     }
     MARKERS: "markers, with velocities and accelerations" {
         name: "",
@@ -80,29 +80,34 @@ catalogue! {
         shown: Shown::InTables,
         read: |names| {
             let markers = names.chassis + names.free..names.points.len();
-            let of_one = |marker| RATES.map(|kind| point(names, marker, kind)).into_iter();
+            let of_one = |marker| RATES.map(|dimension| point(names, marker, dimension)).into_iter();
             markers.flat_map(of_one).flatten().collect()
         },
     }
 }
 
 /// What is read of each marker.
-const RATES: [Kind; 3] = [Kind::Length, Kind::Velocity, Kind::Acceleration];
+const RATES: [Dimension; 3] = [
+    Dimension::Length,
+    Dimension::Velocity,
+    Dimension::Acceleration,
+];
 
-fn of_free_points<N: Number>(names: &Names, kind: Kind) -> Vec<Reading<N>> {
+fn of_free_points<N: Number>(names: &Names, dimension: Dimension) -> Vec<Reading<N>> {
     let free = names.chassis..names.chassis + names.free;
-    free.flat_map(|index| point(names, index, kind)).collect()
+    free.flat_map(|index| point(names, index, dimension))
+        .collect()
 }
 
 /// A rate of the body that carries the wheel: one of its angular velocity and acceleration.
 fn of_carrier<N: Number>(
     names: &Names,
-    kind: Kind,
+    dimension: Dimension,
     which: fn([Vector3<f64>; 2]) -> Vector3<f64>,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let carrier = rolling.points.carrier;
-        vector(None, kind, &Axis::ALL, move |state| {
+        vector(None, dimension, &Axis::ALL, move |state| {
             which(rotation(state, carrier))
         })
     })

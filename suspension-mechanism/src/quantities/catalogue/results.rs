@@ -1,6 +1,6 @@
 //! What the linkage measures, and what the solver says of its solution.
 
-use crate::quantities::kind::Kind;
+use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::readings::{each, number};
 
@@ -23,7 +23,7 @@ catalogue! {
         definition: "from the instant before, steps in between included",
         source: "the solver",
         shown: Shown::InTables,
-        read: |_| number(Kind::Count, |state| state.iterations as f64),
+        read: |_| number(Dimension::Count, |state| state.iterations as f64),
     }
     RESIDUAL: "largest residual" {
         name: "residual",
@@ -31,6 +31,6 @@ catalogue! {
         definition: "of any equation, (|d|^2 - L^2) / (2 L) of a length",
         source: "the solver",
         shown: Shown::InTables,
-        read: |_| number(Kind::Length, |state| state.residual),
+        read: |_| number(Dimension::Length, |state| state.residual),
     }
 }

@@ -1,6 +1,6 @@
 //! What springs and anti-roll bars do at the wheels.
 
-use crate::quantities::kind::Kind;
+use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};
 use crate::quantities::sprung::{of_springs, of_wheels};
 
@@ -21,7 +21,7 @@ catalogue! {
                      held: -sum F ds/dz of their measures s, F = load - rate (s - s_design); wheels that one drive moves share it",
         source: "virtual work",
         shown: Shown::InTables,
-        read: |names| of_wheels(names, Kind::Force, |sprung| sprung.force),
+        read: |names| of_wheels(names, Dimension::Force, |sprung| sprung.force),
     }
     WHEEL_RATE: "wheel rate" {
         name: "wheel_rate",
@@ -30,6 +30,6 @@ catalogue! {
                      (ds/dz)^2 - F d2s/dz2; an anti-roll bar has its part in it, as the other wheel is held: see heave_rate",
         source: "Milliken 1995, chapter 16, with the change of the motion ratio",
         shown: Shown::InTables,
-        read: |names| of_wheels(names, Kind::Stiffness, |sprung| sprung.rate),
+        read: |names| of_wheels(names, Dimension::Stiffness, |sprung| sprung.rate),
     }
 }

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use suspension_core::signal;
 use suspension_core::wheel::InstantCentre;
 
+use crate::file::Dimension;
 use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
 use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
-use crate::quantities::kind::Kind;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::side_view;
 use crate::quantities::on_ground::{
@@ -25,7 +25,7 @@ catalogue! {
                      that move each other, on one body or a twist beam, which have axle_roll_centre",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
-        read: |names| of_independent(names, Kind::Length, |moving| {
+        read: |names| of_independent(names, Dimension::Length, |moving| {
             moving.carrier.roll_centre(&moving.contact) - moving.contact.z
         }),
     }
@@ -36,7 +36,7 @@ catalogue! {
                      travel, v_y outboard: the slope of the line from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
-        read: |names| of_independent(names, Kind::Percent, |moving| {
+        read: |names| of_independent(names, Dimension::Percent, |moving| {
             let height = moving.carrier.roll_centre(&moving.contact) - moving.contact.z;
             height / signal::Number::magnitude(moving.contact.y) * Number::still(100.0)
         }),
@@ -59,7 +59,7 @@ catalogue! {
         definition: "from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Kind::Length, false, |moving| {
+        read: |names| of_moving(names, Along::Travel, Dimension::Length, false, |moving| {
             moving.front_view().arm
         }),
     }
@@ -82,7 +82,7 @@ catalogue! {
         definition: "from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving_in_side_view(names, Kind::Length, false, |moving| {
+        read: |names| of_moving_in_side_view(names, Dimension::Length, false, |moving| {
             moving.side_view().arm
         }),
     }

@@ -11,7 +11,7 @@ pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
     let mut text = commented("#", &sheet.header());
     let drives = &sheet.about.arguments;
     let names: Vec<&str> = drives.iter().map(|drive| drive.name.as_str()).collect();
-    let units: Vec<&str> = drives.iter().map(|drive| drive.unit).collect();
+    let units: Vec<&str> = drives.iter().map(|drive| &*drive.unit).collect();
     let _ = write!(
         text,
         "

@@ -2,11 +2,11 @@
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
-use crate::mechanism::{Angle, Length, Unit};
+use crate::{Angle, Length, Unit};
 
 /// What a number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Dimension {
     /// A time.
     Time,
     /// A length or a coordinate.
@@ -41,7 +41,7 @@ pub enum Kind {
     Count,
 }
 
-impl Kind {
+impl Dimension {
     /// The unit's symbol in a file of such units.
     pub fn symbol(self, unit: Unit) -> String {
         let (length, angle) = (unit.symbol(), unit.angle.symbol());
@@ -155,7 +155,7 @@ impl Kind {
     }
 }
 
-impl From<DriveKind> for Kind {
+impl From<DriveKind> for Dimension {
     fn from(kind: DriveKind) -> Self {
         match kind {
             DriveKind::Coordinate => Self::Length,
@@ -164,7 +164,7 @@ impl From<DriveKind> for Kind {
     }
 }
 
-impl From<MeasureKind> for Kind {
+impl From<MeasureKind> for Dimension {
     fn from(kind: MeasureKind) -> Self {
         match kind {
             MeasureKind::Length => Self::Length,
