@@ -161,7 +161,7 @@ CarSim 2021; hold the signs of toe and dive against your version.
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
 rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
 ry, rz rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx camber as seen along the wheel. Lengths that are measured under names with
-the word spring, damper, or bar are lSpring, lDamp, lStabi; a bar along an angle has no lStabi, and a line says so. ValidSide is
+the word spring, damper, or bar are lSpring, lDamp, lStabi, that of a spring of [springs] that is no bar lSpring too; a bar along an angle has no lStabi, and a line says so. ValidSide is
 left+right, the right wheel as the left one's mirror image, where the listing has one wheel or both are that, else the wheel's side.
 
 Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which

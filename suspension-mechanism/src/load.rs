@@ -3,6 +3,7 @@
 mod assembled;
 mod cases;
 mod columns;
+mod coupling;
 mod design;
 mod included;
 mod led;
@@ -17,7 +18,6 @@ mod prepare;
 mod request;
 mod said_of_drives;
 mod said_of_wheels;
-mod sharing;
 mod springs;
 mod start;
 mod stated;
@@ -27,6 +27,7 @@ mod tuning;
 mod turned;
 mod unsatisfied;
 mod unstated;
+mod usual_drives;
 mod vehicle;
 mod wrong_side;
 

@@ -1,6 +1,7 @@
 //! Quantities of both wheels of an axle, and of the axle.
 
 mod car;
+mod coupled;
 mod derivatives;
 mod files;
 mod roll;

@@ -293,6 +293,9 @@ fn travel_by_a_damper_is_not_that_of_the_wheel() {
     let said = "the wheel rises by 1 per unit of `bump` of A and by 0.6";
     assert!(report.contains(said), "{report}");
     assert!(report.contains("of `bump upwards` of B"), "{report}");
+    assert!(
+        report.contains("what is compared per and over travel is by equal changes of the drives")
+    );
 }
 
 #[test]

@@ -198,3 +198,16 @@ fn a_motion_that_begins_out_of_reach_meets_no_end() {
         "{output:?}"
     );
 }
+
+/// A spring's perch that an actuator moves: only the measure reads it.
+#[test]
+fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
+    let file = "unit = \"m\"\nstatements = '''\nfixed: front at [0.2, 0.3, 0.3], rear at [-0.2, 0.3, 0.3], perch at [0.0, 0.5, 0.6];\n\
+                free: hub at [0.0, 0.7, 0.3];\nhinge arm: front, rear -> hub;\ndrive bump: hub.z;\ndrive height: perch.z;\n\
+                measure spring: length(perch -> hub);\n'''\ntime = { instants = [0.0] }\ndrives = { bump = 0.3, height = 0.6 }\n";
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["range", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
+}

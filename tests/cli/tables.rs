@@ -298,6 +298,10 @@ fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
         "{text}"
     );
     assert!(text.contains(".L.lDamp = "), "{text}");
+    assert!(!text.contains("lSpring"), "{text}");
+    // A spring beside the damper, whatever the measure is called.
+    let sprung = format!("{file}\n[springs.coil]\nalong = \"damper\"\nrate = 30000.0\n");
+    assert!(tables(&sprung, &["carmaker"]).contains(".L.lSpring = "));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::characteristics::{Curves, Line};
+use crate::characteristics::{Curves, Does, Line, Parameter};
 use crate::commands::compare::differences::{
     Comparison, Difference, Part, pairs, same_ways, unmatched,
 };
@@ -14,7 +14,7 @@ use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
-use crate::quantities::WHEEL_TRAVEL;
+use crate::quantities::{CENTRE, WHEEL_TRAVEL};
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -82,6 +82,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     });
     let unlike_travel = same_ways(sides).into_iter().filter_map(unlike_travel);
     let [a, b] = sides;
+    let across = across(sides);
     let alone = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
         curves.map(move |Curves { title, way, .. }| {
@@ -89,7 +90,26 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));
-    unlike.chain(unlike_travel).chain(alone).collect()
+    let notes = unlike.chain(unlike_travel).chain(alone);
+    notes.chain(across).collect()
+}
+
+/// Says so where a wheel on the left is compared with one on the right.
+fn across(sides: [&Side; 2]) -> Option<String> {
+    let side = |side: &Side| {
+        let mut centres = side.parameters.iter();
+        let is_across = |parameter: &&Parameter| {
+            parameter.title.wheel.is_none()
+                && std::ptr::eq(parameter.quantity, &CENTRE)
+                && parameter.title.of_wheel.ends_with(" y")
+        };
+        let outwards = centres.find(is_across)?.value;
+        (outwards != 0.0).then_some(outwards > 0.0)
+    };
+    let [a, b] = sides.map(side);
+    (a? != b?).then(|| {
+        "the wheels are on opposite sides of the vehicle: what is along y, and what steering does, has the other sign".to_owned()
+    })
 }
 
 /// Wheels further apart than this part of their travel are not at the same place of it.
@@ -98,6 +118,9 @@ const ALIKE: f64 = 0.1;
 /// Says so where equal changes of two drives are not equal travels of the wheels.
 fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
+    if a.way.does != Does::Travel {
+        return None;
+    }
     let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
     let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
     let is_unlike = a.dimension == b.dimension && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
@@ -105,7 +128,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
             "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
-             compared over {} is at equal changes of the drives, not of the wheels",
+             compared per and over {} is by equal changes of the drives, not of the wheels",
             a.title, b.title, a.way
         )
     })

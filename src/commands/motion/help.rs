@@ -3,7 +3,9 @@
 use suspension_core::listing::MeasureKind;
 use suspension_runtime::{Listing, catalogue as layouts};
 
-use crate::mechanism::{Axle, Mass, Names, Spring, Torque, Unit, Vehicle, Wheel, WheelPoints};
+use crate::mechanism::{
+    Axle, Coupling, Mass, Names, Spring, Torque, Unit, Vehicle, Wheel, WheelPoints,
+};
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
@@ -75,7 +77,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
         brake_torque: Torque::Carrier,
         drive_torque: Torque::Chassis,
         design: None,
-        moves_another: false,
+        coupling: Coupling::default(),
     }
 }
 

@@ -9,11 +9,14 @@ use crate::commands::tables::wheel::{Rates, Wheel};
 use crate::mechanism::{Axle, Description, Measure, is_within};
 use crate::number::{exact, without_rounding};
 
+const SPRING: &str = "lSpring";
+const BAR: &[&str] = &["bar", "stabi"];
+
 /// The lengths of force elements, each with the words that measures of them have.
 const LENGTHS: [(&str, &[&str]); 3] = [
-    ("lSpring", &["spring"]),
+    (SPRING, &["spring"]),
     ("lDamp", &["damper"]),
-    ("lStabi", &["bar", "stabi"]),
+    ("lStabi", BAR),
 ];
 
 /// The lines of an infofile.
@@ -61,9 +64,16 @@ pub(super) fn text(
     for (name, words) in LENGTHS {
         // Of several wheels, that of this one.
         let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
-        let is_named = |name: &str| is_own(name) && words.iter().any(|word| is_within(word, name));
+        let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));
+        // A bar is in [springs] as well.
+        let has_spring = |number: usize, measure: &str| {
+            let mut springs = mechanism.names.vehicle.springs.iter();
+            name == SPRING && !has(BAR, measure) && springs.any(|spring| spring.measure == number)
+        };
         let measures = mechanism.names.measures.iter().enumerate();
-        let mut named = measures.filter(|(_, measure)| is_named(&measure.name));
+        let own = measures.filter(|(_, measure)| is_own(&measure.name));
+        let mut named = own
+            .filter(|(number, Measure { name, .. })| has(words, name) || has_spring(*number, name));
         let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
         match named.clone().find(|(_, measure)| is_length(measure)) {
             Some((measure, _)) => row(name, 0.0, &|rates| rates.measures[measure]),

@@ -4,12 +4,13 @@ use suspension_core::{Motion, Values};
 
 use crate::failure::Failure;
 use crate::load::assembled::Assembled;
+use crate::load::coupling::couplings;
 use crate::load::design::Design;
 use crate::load::masses::masses;
 use crate::load::notes::{loose_markers, notes, short_of_stop};
 use crate::load::request::{Request, Start};
-use crate::load::sharing::sharing;
 use crate::load::springs::springs;
+use crate::load::usual_drives::in_effect;
 use crate::load::{columns, led, said_of_drives, said_of_wheels, start};
 use crate::mechanism::{Description, DriveLaws, Lead, Mechanism, Suspension};
 
@@ -21,7 +22,6 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
 ) -> Result<Mechanism<L, N>, Failure> {
     let assembled = Assembled::<L, N>::of(&request, listing)?;
     let (task, design) = (assembled.task(), &assembled.design);
-    let names = task.names;
     let measured = assembled.measured();
     let springs = springs(&task, &measured.in_file)?;
     let masses = match request.listing {
@@ -31,7 +31,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
         None => Vec::new(),
     };
-    let sharing = sharing(names, design);
+    let (names, of_drives) = in_effect(&task, design);
+    let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
     let doubts = match assembled.outlier {
         None => said_of_drives::doubts(&task, design, &drives, request.instants),
@@ -42,7 +43,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(&task, design, listing));
     }
-    notes.extend(said_of_wheels::notes(&task, design, &sharing));
+    notes.extend(said_of_wheels::notes(&task, design, &couplings));
+    notes.extend(of_drives);
     if request.to != Start::Design {
         notes.extend(short_of_stop(&task, request.instants));
     }
@@ -52,7 +54,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let begin = Begin::of(&assembled, request.to, drives, (&doubts, &mut notes))?;
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
     let named = names.clone().with(springs, masses).designed(&points);
-    let named = named.sharing(&sharing);
+    let named = named.coupled(&couplings);
     columns::check(request.source, &named, task.file.unit())?;
     let drive_offsets = assembled.drive_offsets.values().take(names.drives.len());
     let description = Description {

@@ -7,7 +7,8 @@ use toml::Spanned;
 
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::mechanism::{Axle, Suspension, Wheel};
+use crate::load::usual_drives::turns;
+use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
 use crate::number::{number, rounded};
 
 /// How far the wheelbase may be off the distance of the axles, as a part of it.
@@ -16,18 +17,15 @@ const OFF: f64 = 0.05;
 /// How many times as far as its own wheel a crossed drive moves another.
 const FAR: f64 = 10.0;
 
-/// The least turn of a wheel that is steered, times the suspension's size, against the fastest point.
-const STEERS: f64 = 1e-6;
-
-/// Notes on wheels, at the design; `sharing` says which of them move another one.
+/// Notes on wheels, at the design; `couplings` are those of each.
 pub(super) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
-    sharing: &[bool],
+    couplings: &[Coupling],
 ) -> Vec<String> {
     let points: Vec<_> = design.points.values().collect();
     let of_car = wheelbase(task, &points).into_iter();
-    let mut notes: Vec<String> = of_car.chain(drive_torque(task, sharing)).collect();
+    let mut notes: Vec<String> = of_car.chain(drive_torque(task, couplings)).collect();
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
     let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
@@ -93,12 +91,7 @@ fn unsteered(
     (points, rates): (&[Vector3<f64>], &[Vector3<f64>]),
     size: f64,
 ) -> Option<String> {
-    let [inner, centre] = wheel.points.axis;
-    let along = (points[centre] - points[inner]).xy();
-    let rate = (rates[centre] - rates[inner]).xy();
-    let turn = along.perp(&rate) / along.norm_squared();
-    let fastest = rates.iter().map(|rate| rate.norm()).fold(0.0, f64::max);
-    (turn.abs() * size <= STEERS * fastest).then(|| {
+    (!turns(wheel, (points, rates), size)).then(|| {
         let drive = &task.names.drives[drive].name;
         let wheel = wheel.title("wheel");
         format!("steer of the {wheel} is `{drive}`, which does not turn it: is it another drive?")
@@ -106,15 +99,15 @@ fn unsteered(
 }
 
 /// What bears the torque of a driven axle whose wheels move each other, where the file leaves that open.
-fn drive_torque(task: &Task<'_>, sharing: &[bool]) -> Option<String> {
+fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
     let vehicle = task.file.vehicle.as_ref()?.get_ref();
     if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {
         return None;
     }
-    let wheels = task.names.wheels.iter().zip(sharing);
-    let driven = |(wheel, shares): (&Wheel, &bool)| {
+    let wheels = task.names.wheels.iter().zip(couplings);
+    let driven = |(wheel, coupling): (&Wheel, &Coupling)| {
         let is_on_one = wheel.drive_torque == Torque::Carrier;
-        (wheel.drive_share.is_some() && (is_on_one || *shares)).then_some(is_on_one)
+        (wheel.drive_share.is_some() && (is_on_one || coupling.is_coupled())).then_some(is_on_one)
     };
     let note = if wheels.filter_map(driven).next()? {
         "one body carries both driven wheels and is taken to have the differential in it and bear the torque of the drive; if that is \

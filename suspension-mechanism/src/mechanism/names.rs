@@ -7,7 +7,7 @@ use suspension_listing::did_you_mean::unknown;
 
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
-use crate::mechanism::vehicle::{Vehicle, Wheel};
+use crate::mechanism::vehicle::{Coupling, Vehicle, Wheel};
 
 /// A linkage that this program can run.
 pub trait Suspension<const N: usize>:
@@ -156,10 +156,10 @@ impl Names {
         self
     }
 
-    /// The same with wheels that know whether they move another one.
-    pub fn sharing(mut self, sharing: &[bool]) -> Self {
-        for (wheel, moves_another) in self.wheels.iter_mut().zip(sharing) {
-            wheel.moves_another = *moves_another;
+    /// The same with wheels that know how their travel is bound to that of others.
+    pub fn coupled(mut self, couplings: &[Coupling]) -> Self {
+        for (wheel, coupling) in self.wheels.iter_mut().zip(couplings) {
+            wheel.coupling = *coupling;
         }
         self
     }

@@ -58,8 +58,27 @@ pub struct Wheel {
     pub drive_torque: Torque,
     /// The points of its axis at the design position, in local coordinates; of a listing without points none.
     pub design: Option<[Vector3<f64>; 2]>,
-    /// Whether its travel moves the carrier of another wheel, as on a twist beam.
+    /// How its travel is bound to that of others.
+    pub coupling: Coupling,
+}
+
+/// How the travel of a wheel is bound to that of others at the design position, the other wheel of its axle held at its height.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coupling {
+    /// Its travel moves the carrier of another wheel, as on a twist beam.
     pub moves_another: bool,
+    /// The travel of another wheel moves its carrier.
+    pub is_moved: bool,
+    /// Its travel takes the drives of both wheels of its axle: either one moves both wheels up or down, as where both dampers of a
+    /// rigid axle drive it.
+    pub takes_both_drives: bool,
+}
+
+impl Coupling {
+    /// Whether its travel moves another wheel, or is moved by one.
+    pub fn is_coupled(self) -> bool {
+        self.moves_another || self.is_moved
+    }
 }
 
 /// The points of a wheel, by number.
@@ -121,15 +140,19 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Those of all wheels: two alone, whatever their names, or those whose names differ by their sides, as `front_left` and
-    /// `front_right` do.
+    /// Those of all wheels: two alone, but for a front and a rear one, or those whose names differ by their sides, as `front_left`
+    /// and `front_right` do.
     pub fn all(wheels: &[Wheel]) -> Vec<Self> {
-        if wheels.len() == 2 {
-            let name = String::new();
-            return vec![Self {
-                name,
+        if let [one, other] = wheels {
+            let are_in_line = match [one, other].map(|wheel| Axle::of(&wheel.name)) {
+                [Some(one), Some(other)] => one != other,
+                _ => false,
+            };
+            let pair = Self {
+                name: String::new(),
                 wheels: [0, 1],
-            }];
+            };
+            return if are_in_line { Vec::new() } else { vec![pair] };
         }
         let names: Vec<String> = wheels
             .iter()

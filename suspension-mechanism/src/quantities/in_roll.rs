@@ -43,6 +43,25 @@ impl<N: Number> Moved<N> {
     }
 }
 
+/// See [`roll_centre`]. Where both contact points move upright but for rounding, the normals are level: at one height they are one
+/// line, and the centre is in the middle between the wheels, without derivatives; at two they do not meet.
+fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> Vector3<N> {
+    const ROUNDING: f64 = 1e-11;
+    let values = |vector: &Vector3<N>| vector.map(N::value);
+    let [left, right] = contacts.map(values);
+    let of = |wheel: usize| values(&carriers[wheel].velocity_of(contacts[wheel]));
+    let [of_left, of_right] = [of(0), of(1)];
+    let largest = |axis: usize| of_left[axis].abs().max(of_right[axis].abs());
+    if largest(1) > ROUNDING * largest(2) {
+        return roll_centre(carriers, contacts);
+    }
+    let middle = 0.5 * (left + right);
+    if (left.z - right.z).abs() > ROUNDING * (left.y - right.y).abs() {
+        return Vector3::repeat(N::unknown());
+    }
+    Vector3::new(N::zero(), N::alone(middle.y), N::alone(middle.z))
+}
+
 impl<N: Number> InRoll<N> {
     /// Of the left wheel and the right one, and of what moves a wheel's carrier by a drive; `None` where the mechanism
     /// locks, or a wheel has no drive of travel.
@@ -81,7 +100,7 @@ impl<N: Number> InRoll<N> {
             (rolling.number, per)
         };
         Some(Self {
-            centre: roll_centre([&left_in_roll.carrier, &right_in_roll.carrier], contacts),
+            centre: centre([&left_in_roll.carrier, &right_in_roll.carrier], contacts),
             wheels: [
                 per_roll(axle[0], &left_in_roll),
                 per_roll(axle[1], &right_in_roll),

@@ -55,18 +55,29 @@ impl Axle {
     }
 }
 
-/// How a wheel moves in the side view of its axle: in travel, or in heave where the wheels of the axle move each other.
+/// How a wheel moves in the side view of its axle: in travel, or in heave where one wheel of the axle moves the other.
 pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
-    if rolling.is_alone(names) {
-        return Along::Travel;
+    if !rolling.coupling(names).is_coupled() && !rolling.shares_its_carrier(names) {
+        return travel(names, rolling);
     }
+    beside(names, rolling).map_or(Along::Travel, Along::Heave)
+}
+
+/// How a wheel moves in travel, the other wheel of its axle held at its height.
+pub(super) fn travel(names: &Names, rolling: Rolling) -> Along {
+    let takes_both = rolling.coupling(names).takes_both_drives;
+    let other = beside(names, rolling).filter(|_| takes_both);
+    other.map_or(Along::Travel, Along::Held)
+}
+
+/// The other wheel of an axle whose wheels have a drive of travel each.
+fn beside(names: &Names, rolling: Rolling) -> Option<Rolling> {
     let mut axles = Axle::all(names).into_iter().filter(Axle::has_travel);
-    let other = axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
+    axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
         number if number == a.number => Some(b),
         number if number == b.number => Some(a),
         _ => None,
-    });
-    other.map_or(Along::Travel, Along::Heave)
+    })
 }
 
 /// The readings of each axle that is wanted, under its name. (`dyn`, so that this is compiled once, not for each quantity.)

@@ -92,18 +92,20 @@ impl<'a, N: Number> Reader<'a, N> {
     pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
         let cells = self.cells(rolling);
         let cell = match along {
-            Along::Travel => &cells.travel,
+            Along::Travel | Along::Held(_) => &cells.travel,
             Along::Heave(_) => &cells.heave,
             Along::Steer => &cells.steer,
         };
         let moving = || match along {
             Along::Travel | Along::Steer => self.moved_by(rolling.drive(along)?, rolling),
-            Along::Heave(other) => self.in_heave(rolling, other),
+            Along::Held(other) => self.by_both([rolling, other], [1.0, 0.0]),
+            Along::Heave(other) => self.by_both([rolling, other], [1.0, 1.0]),
         };
         cell.get_or_init(moving).as_ref()
     }
 
-    fn in_heave(&self, rolling: Rolling, other: Rolling) -> Option<Moving<N>> {
+    /// The first wheel of an axle as the drives of both move it, with the rates at which both centres rise.
+    fn by_both(&self, [rolling, other]: [Rolling; 2], at: [f64; 2]) -> Option<Moving<N>> {
         let drives = [rolling.travel?, other.travel?];
         let by_drives = |wheel| {
             Some([
@@ -113,7 +115,7 @@ impl<'a, N: Number> Reader<'a, N> {
         };
         let (own, of_other) = (by_drives(rolling)?, by_drives(other)?);
         let rises = [&own, &of_other].map(|wheel| wheel.each_ref().map(|by| by.carrier.velocity.z));
-        let carrier = combined(&own, rates(rises, [1.0, 1.0]));
+        let carrier = combined(&own, rates(rises, at));
         let [moving, _] = own;
         Some(moving.with(carrier))
     }

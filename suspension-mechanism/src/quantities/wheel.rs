@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Names, WheelPoints};
+use crate::mechanism::{Coupling, Names, WheelPoints};
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
 
@@ -41,15 +41,17 @@ impl Rolling {
         })
     }
 
-    /// Whether the body that carries it carries no other wheel, and its travel moves none.
-    pub(super) fn is_alone(&self, names: &Names) -> bool {
+    /// Whether the body that carries it carries another wheel.
+    pub(super) fn shares_its_carrier(&self, names: &Names) -> bool {
         let carrier = self.points.carrier;
-        if names.wheels[self.number].moves_another {
-            return false;
-        }
         let others = names.wheels.iter().enumerate();
         let mut others = others.filter(|(number, _)| *number != self.number);
-        !others.any(|(_, other)| other.points.carrier == carrier)
+        others.any(|(_, other)| other.points.carrier == carrier)
+    }
+
+    /// How its travel is bound to that of others.
+    pub(super) fn coupling(&self, names: &Names) -> Coupling {
+        names.wheels[self.number].coupling
     }
 
     /// All wheels with the same drive of travel, this one among them.
@@ -61,7 +63,7 @@ impl Rolling {
     /// The drive that moves it, where the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
-            Along::Travel | Along::Heave(_) => self.travel,
+            Along::Travel | Along::Held(_) | Along::Heave(_) => self.travel,
             Along::Steer => self.steer,
         }
     }
@@ -115,7 +117,9 @@ impl<N: Number> Wheel<N> {
 pub(super) enum Along {
     /// The wheel's drive of travel.
     Travel,
-    /// The drives of travel of both wheels of its axle, of which this is the other one: both centres rise alike.
+    /// The drives of travel of both wheels of its axle, of which this is the other one: its centre keeps its height.
+    Held(Rolling),
+    /// The same, both centres rising alike.
     Heave(Rolling),
     /// The wheel's drive of steering.
     Steer,

@@ -67,11 +67,12 @@ pub fn range<L: Suspension<N>, const N: usize>(
     let backwards = usable[0].iter().skip(1).rev();
     let usable = backwards.chain(usable[1]).cloned().collect();
     let gap = up.gap;
-    let mut turns = up.turns.len();
+    let turning_points = |run: &Run| run.turns.iter().filter(|(_, is_end)| !is_end).count();
+    let mut turns = turning_points(&up);
     let curve = if gap.is_some() {
         up.stations
     } else {
-        turns += down.turns.len();
+        turns += turning_points(&down);
         let back = down.stations.into_iter().skip(1).rev();
         back.chain(up.stations).collect()
     };
@@ -212,6 +213,10 @@ impl DriveRange {
             .iter()
             .map(|s| s.speed)
             .fold(f64::INFINITY, f64::min);
+        // A drive of a point that only measures read moves no point of the mechanism.
+        if least == 0.0 {
+            return Vec::new();
+        }
         // The inverse goes through zero where the drive turns.
         let margin = |station: &Station| 1.0 / station.speed - 1.0 / (POOR * least);
         let mut intervals: Vec<[f64; 2]> = Vec::new();

@@ -82,7 +82,8 @@ catalogue! {
         sign: "in the axes and from the origin of the file",
         definition: "of any axle whose wheels have a drive of travel each, symmetric or not, in roll, the left contact point rising as \
                      fast as the right one falls: \
-                     where the normals to the velocities of both, as points of the carriers, meet in the front view",
+                     where the normals to the velocities of both, as points of the carriers, meet in the front view; on the ground in the \
+                     middle, without derivatives, where both are level, as of trailing arms",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: of_roll_centre,

@@ -9,20 +9,19 @@ use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
 use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::side_view;
+use crate::quantities::of_axle::{side_view, travel};
 use crate::quantities::on_ground::{
-    of_independent, of_moving, of_moving_in_side_view, of_moving_place,
+    of_independent, of_moving_in_side_view, of_moving_place, of_travel,
 };
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::wheel::Along;
 
 catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
         name: "roll_centre",
         sign: "positive above the contact point",
         definition: "of an axle of independent wheels, symmetric about y = 0: where the normal to the velocity in travel of the \
-                     contact point, as a point of the carrier, meets that plane in the front view; none of wheels \
-                     that move each other, on one body or a twist beam, which have axle_roll_centre",
+                     contact point, as a point of the carrier, meets that plane in the front view; none of a wheel \
+                     that another one moves, on one body or a twist beam, which has axle_roll_centre",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: |names| of_independent(names, Dimension::Length, |moving| {
@@ -44,11 +43,11 @@ catalogue! {
     FRONT_CENTRE: "instant centre in the front view" {
         name: "front_centre",
         sign: "in the axes of the file",
-        definition: "of the wheel's carrier in travel, in the plane x = constant through the wheel centre; none where the \
-                     carrier does not turn in that view",
+        definition: "of the wheel's carrier in travel, the other wheel of its axle held at its height, in the plane x = constant \
+                     through the wheel centre; none where the carrier does not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, |_| Along::Travel, &[Axis::Y, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, |rolling| travel(names, rolling), &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.front_view();
             Vector3::new(Number::unknown(), across, z)
         }),
@@ -59,7 +58,7 @@ catalogue! {
         definition: "from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Dimension::Length, false, |moving| {
+        read: |names| of_travel(names, Dimension::Length, |moving| {
             moving.front_view().arm
         }),
     }
@@ -67,7 +66,7 @@ catalogue! {
         name: "side_centre",
         sign: "in the axes of the file",
         definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre; none where the \
-                     carrier does not turn in that view; of wheels that move each other, on one body or a twist beam, in heave, both \
+                     carrier does not turn in that view; of wheels of which one moves the other, on one body or a twist beam, in heave, both \
                      wheel centres rising alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
@@ -91,7 +90,7 @@ catalogue! {
         sign: "positive where the contact point moves forward in bump",
         definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
                      side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share; \
-                     of wheels that move each other, on one body or a twist beam, in heave, both wheel centres rising alike",
+                     of wheels of which one moves the other, on one body or a twist beam, in heave, both wheel centres rising alike",
         source: "side-view support angle, brake torque borne by the carrier",
         shown: Shown::InTables,
         read: |names| of_support_angle(names, Torque::Carrier),
@@ -100,7 +99,7 @@ catalogue! {
         name: "drive_angle",
         sign: "positive where the wheel centre moves forward in bump",
         definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
-                     with v_z upwards; its tangent is anti-squat without the car's share; of wheels that move each other in heave, as \
+                     with v_z upwards; its tangent is anti-squat without the car's share; of wheels of which one moves the other in heave, as \
                      brake_angle",
         source: "side-view support angle, drive torque borne by the chassis",
         shown: Shown::InTables,
