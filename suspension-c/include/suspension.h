@@ -17,8 +17,9 @@
  *           written only then. Only those named `advance` keep what they have got to.
  *           SUSP_ERROR_SMALL_PIVOT alone comes with a model.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers of what makes a model and of what solves; what only reads, carries or
- *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
+ *           told by the answers of what makes a model and of what solves, but for drives that measures
+ *           alone read; what only reads, carries or looks up may pass them on. Axes: x forward, y left,
+ *           z up (ISO 8855) where wheels are read off.
  * Structs   of named points or numbers are arrays in the order of their members as well.
  */
 #ifndef SUSP_H
@@ -275,7 +276,8 @@ typedef struct {
 } susp_f32_masses;
 
 /** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
- * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach. */
+ * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
+ * SUSP_ERROR_ARGUMENT where its numbers are not those of one table. */
 susp_status susp_f32_look_up_wheel(
         const susp_f32_curve *curve,
         float drive,
@@ -450,7 +452,8 @@ typedef struct {
 } susp_f64_masses;
 
 /** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
- * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach. */
+ * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
+ * SUSP_ERROR_ARGUMENT where its numbers are not those of one table. */
 susp_status susp_f64_look_up_wheel(
         const susp_f64_curve *curve,
         double drive,

@@ -11,6 +11,10 @@ const OUTPUTS: usize = 6;
 const TERMS: usize = 6;
 
 /// The wheel where the drive has this value and these rates.
+///
+/// # Errors
+///
+/// [`Status::Argument`] where range, segments per unit and coefficients are not those of one table, [`Status::Outside`] beyond its range.
 pub(crate) fn wheel<T: Split>(
     curve: &Curve<T>,
     drive: T,
@@ -19,7 +23,13 @@ pub(crate) fn wheel<T: Split>(
 ) -> Result<BakedWheelRates<T>, Status> {
     let (rows, rest) = curve.coefficients.get()?.as_chunks::<OUTPUTS>();
     let (segments, rows_left) = rows.as_chunks::<TERMS>();
-    if !(rest.is_empty() && rows_left.is_empty()) {
+    let [first, last] = curve.range;
+    let wanted = (last - first) * curve.segments_per_unit;
+    let off = wanted - T::constant(segments.len() as f64);
+    let half = T::constant(0.5);
+    let is_whole = rest.is_empty() && rows_left.is_empty();
+    // The segments cover the range, but for rounding.
+    if !is_whole || !(off.abs() < half) || segments.is_empty() {
         return Err(Status::Argument);
     }
     let curve = baked::Curve {

@@ -29,8 +29,9 @@ const RULES: &str = " * Suspension kinematics for C. This file has what all link
  *           written only then. Only those named `advance` keep what they have got to.
  *           SUSP_ERROR_SMALL_PIVOT alone comes with a model.
  * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers of what makes a model and of what solves; what only reads, carries or
- *           looks up may pass them on. Axes: x forward, y left, z up (ISO 8855) where wheels are read off.
+ *           told by the answers of what makes a model and of what solves, but for drives that measures
+ *           alone read; what only reads, carries or looks up may pass them on. Axes: x forward, y left,
+ *           z up (ISO 8855) where wheels are read off.
  * Structs   of named points or numbers are arrays in the order of their members as well.
 ";
 

@@ -20,7 +20,8 @@ macro_rules! over {
 
             crate::functions! { $prefix:
                 /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a
-                /// second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach.
+                /// second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
+                /// SUSP_ERROR_ARGUMENT where its numbers are not those of one table.
                 fn look_up_wheel(curve: In<Curve>, drive: Number, rate: Number, second_rate: Number, wheel: Out<BakedWheelRates>) -> Status {
                     answer(|| {
                         let (curve, wheel) = (curve.get()?, wheel.get()?);

@@ -124,5 +124,16 @@ fn a_baked_wheel_is_that_of_the_core() {
     assert_eq!(look_up(flat, 4.1).unwrap_err(), Status::Outside);
     assert_eq!(look_up(flat, f32::NAN).unwrap_err(), Status::Outside);
     assert_eq!(look_up(&flat[1..], 1.0).unwrap_err(), Status::Argument);
-    assert_eq!(look_up(&flat[..0], 1.0).unwrap_err(), Status::Outside);
+    assert_eq!(look_up(&flat[..0], 1.0).unwrap_err(), Status::Argument);
+    // Half of the coefficients, and so many segments per unit as are none of this table.
+    assert_eq!(look_up(&flat[36..], 1.0).unwrap_err(), Status::Argument);
+    for segments_per_unit in [-1.0, 0.0, 1.0, f32::NAN] {
+        let curve = Curve {
+            segments_per_unit,
+            ..curve(flat)
+        };
+        let found =
+            made::<BakedWheelRates>(|wheel| look_up_wheel((&curve).into(), 1.0, 1.5, -0.7, wheel));
+        assert_eq!(found.unwrap_err(), Status::Argument, "{segments_per_unit}");
+    }
 }

@@ -175,7 +175,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed: what they do within
     /// a step is not looked at. That is a time as [`Corner::time`] has it, no duration: where the corner stands
     /// there already it stays. The functions continue from where the corner stands: a jump at the start may be refused, which
-    /// [`Corner::step`] would follow.
+    /// [`Corner::step`] would follow. Driven angles are to stay within their range on the way, of which the end alone is looked at.
     ///
     /// # Errors
     ///
