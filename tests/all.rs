@@ -13,6 +13,7 @@ mod derivatives;
 mod double_wishbone;
 mod elimination;
 mod guarantees;
+mod imports;
 mod inertia;
 mod instructions;
 mod lanes;

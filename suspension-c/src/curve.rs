@@ -27,9 +27,10 @@ pub(crate) fn wheel<T: Split>(
     let wanted = (last - first) * curve.segments_per_unit;
     let off = wanted - T::constant(segments.len() as f64);
     let half = T::constant(0.5);
-    let is_whole = rest.is_empty() && rows_left.is_empty();
-    // The segments cover the range, but for rounding.
-    if !is_whole || !(off.abs() < half) || segments.is_empty() {
+    let is_whole = rest.is_empty() && rows_left.is_empty() && !segments.is_empty();
+    // But for rounding.
+    let cover_the_range = off.abs() < half;
+    if !(is_whole && cover_the_range) {
         return Err(Status::Argument);
     }
     let curve = baked::Curve {

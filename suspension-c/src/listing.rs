@@ -3,24 +3,16 @@
 //! The one part of the interface that needs the heap, where objects are made, and a standard library.
 
 mod corner;
+mod kind;
 mod loads;
 mod moving;
+mod objects;
 mod parsed;
 mod placed;
 mod row;
 mod text;
 
 use crate::describe::{Interface, Shape, Structure};
-use crate::pointer::{Object, tag};
-
-/// A kind of what has names: points are 0, drives 1, measures 2, wheels 3, parts 4.
-pub type Kind = i32;
-
-/// A listing that was read.
-pub type Listing = Object<parsed::Parsed, { tag("susp_listing") }>;
-
-/// A suspension that moves.
-pub type Corner = Object<placed::Placed, { tag("susp_corner") }>;
 
 pub use corner::{
     corner_add_masses, corner_advance, corner_copy, corner_destroy, corner_drives, corner_new,
@@ -28,18 +20,12 @@ pub use corner::{
     corner_read_measures, corner_read_points, corner_read_rotation, corner_read_rotation_at,
     corner_read_wheel, corner_read_wheel_at, corner_step, corner_time,
 };
+pub(crate) use kind::KINDS;
+pub use kind::Kind;
+pub use objects::{Corner, Listing};
 pub use text::{
     listing_count, listing_design, listing_destroy, listing_find, listing_name, listing_parse,
 };
-
-/// What parts may be asked for, in C.
-pub(crate) const KINDS: &str = "
-/** What of a listing has numbers and names: points (on the chassis, free, markers), drives, measures, wheels, and
- * the parts that hold its points: links, bodies, hinges, slides and the like. The name of an only wheel that is
- * stated without one is empty. */
-typedef int32_t susp_kind;
-enum { SUSP_POINT = 0, SUSP_DRIVE = 1, SUSP_MEASURE = 2, SUSP_WHEEL = 3, SUSP_PART = 4 };
-";
 
 const HANDLES: &[Structure] = &[
     Structure {

@@ -1,5 +1,6 @@
 //! From a rough guess to a configuration.
 
+mod assembly;
 mod fit;
 mod neighbour;
 mod search;
@@ -12,29 +13,13 @@ use crate::linkage::Build;
 use crate::listing::Kind;
 use crate::motion::Prescribed;
 use crate::newton::Newton;
-use crate::report::Report;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs};
 
+pub use assembly::Assembly;
 pub use fit::{best_rigid_fit, best_rigid_motion};
 use neighbour::beyond_singularity;
 use search::{AROUND, Found, around, nearer};
-
-/// A configuration that was found, and how it relates to the guess.
-///
-/// Distances are the norm over all coordinates of free points, in units of length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Assembly<T> {
-    /// How it was found, from the start that led to it.
-    pub report: Report<T>,
-    /// How far it lies from the guess.
-    pub distance: T,
-    /// How far the next nearest root that was met lies from the guess; `None` where all that was met
-    /// is this one. Where the two are nearly alike the guess does not tell which is meant.
-    pub next: Option<T>,
-    /// How many of the [`STARTS`] led to it.
-    pub starts: usize,
-}
 
 /// Starts that a search is made from: the guess itself, others around it, and one beyond the
 /// singularity that is nearest to the root found.

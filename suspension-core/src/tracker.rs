@@ -211,12 +211,13 @@ impl<T: Real> Tracker<T> {
                 let part = Part::Unknown(index_of_largest(moves));
                 return Err(SolveError::CrossedSingularity { part });
             }
-            self.guard::<L, C, N>(&Crossing {
+            let crossing = Crossing {
                 linkage,
                 change,
                 moves,
                 factors,
-            })?;
+            };
+            crossing.check::<C>(self.change_of_jacobian)?;
             Ok(next)
         })??;
         Ok(report)

@@ -7,67 +7,17 @@
 //! broken in many ways, and the cheapest order found is kept.
 
 mod acceptance;
+mod order;
 mod partial;
 mod preference;
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use acceptance::Positions;
 pub use acceptance::THRESHOLD;
+pub use order::{DIVISION, Entry, Order, Step};
 use partial::Partial;
-
-/// One entry of the Jacobian.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Entry {
-    pub row: usize,
-    pub column: usize,
-    /// Its values in the design position and in others of the motion; none where the design is not
-    /// known.
-    pub values: Vec<f64>,
-    /// Whether it is 1 in every position: a pivot that cannot go bad.
-    pub unit: bool,
-    /// Whether it is a coordinate of a point in the equation that ties the point to a frame: such
-    /// pivots come first, because what they do is known in closed form and need not be multiplied
-    /// out (see `emit::substitution`).
-    pub carried: bool,
-}
-
-/// The steps of an elimination.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Order {
-    pub steps: Vec<Step>,
-    /// Entries that the matrix does not have but its factors do.
-    pub fill: BTreeSet<(usize, usize)>,
-    /// Multiplications and divisions of one factorisation, beside those of carried points, which are
-    /// the same in every order.
-    pub operations: usize,
-    /// The longest chain of operations of which each needs the one before.
-    pub chain: usize,
-    /// The largest multiplier or inverse of a pivot in any of the positions; zero where nothing is
-    /// known.
-    pub growth: f64,
-    /// In how many of the positions all pivots are large enough.
-    pub served: usize,
-}
-
-/// Row and column of a pivot, and what the step does.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    pub row: usize,
-    pub column: usize,
-    /// Whether the pivot is 1 in every position.
-    pub unit: bool,
-    /// See [`Entry::carried`].
-    pub carried: bool,
-    /// Columns of the pivot row to the right of the pivot.
-    pub right: Vec<usize>,
-    /// Rows below the pivot that have an entry in its column.
-    pub below: Vec<usize>,
-}
-
-/// A division takes as long as this many multiplications.
-pub const DIVISION: usize = 4;
 
 /// The best order found for an `n x n` matrix of full structural rank. Where none has large pivots
 /// in all positions, it is chosen by the design position; where that is singular, by structure

@@ -26,6 +26,7 @@ mod substitution;
 mod terms;
 mod types;
 mod unrolled;
+mod written_out;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -75,14 +76,5 @@ pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenSt
             #build
             #roles
         }
-    }
-}
-
-/// A function of equations. In a release build it is written out wherever it is called, so that a step is
-/// straight-line code; a debug build compiles it once.
-fn written_out(function: &TokenStream) -> TokenStream {
-    quote! {
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        #function
     }
 }

@@ -15,6 +15,7 @@ mod path;
 mod random;
 mod searched;
 mod tilt;
+mod watch;
 
 use nalgebra::SVector;
 use suspension_core::{Inputs, Newton, Still};
@@ -22,18 +23,13 @@ use suspension_core::{Inputs, Newton, Still};
 pub use census::{PartTally, Tally};
 pub use family::Enumerable;
 pub use generic::Evidence;
+pub use watch::Watch;
 
 use factors::Vector;
 use family::{complex, parts};
 use random::Random;
 use searched::Searched;
-
-/// Watches a search that may take long. It is called before each root is followed, by several threads, with the number of
-/// assemblies that are known of a part of general lengths; `false` gives the search up.
-pub type Watch<'a> = dyn Fn(usize) -> bool + Sync + 'a;
-
-/// How many real assemblies are listed. Those of its parts multiply.
-const MOST: usize = 10_000;
+use watch::MOST;
 
 /// All assemblies of a mechanism at given values of its drives.
 #[derive(Clone, Debug, PartialEq)]

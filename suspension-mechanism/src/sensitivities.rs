@@ -5,8 +5,10 @@
 //! changed with the drives held. The derivatives are exact; those of what springs do are differences, and so are all of a model that
 //! `linkage!` has written.
 
+mod change;
 mod difference;
 mod exact;
+mod read;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -14,18 +16,12 @@ use nalgebra::DMatrix;
 
 use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
-use crate::mechanism::{CHANGES_AT_ONCE, Description, Place};
-use crate::quantities::{Axis, Column, Reader};
+use crate::mechanism::{CHANGES_AT_ONCE, Description};
+use crate::quantities::{Axis, Column};
 use exact::Exact;
+pub(crate) use read::read;
 
-/// What is changed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Change {
-    /// Its name: `tie_ball.z`, `length tie_rod`, or a move's.
-    pub name: String,
-    /// What it is, of one unit of length.
-    pub per_unit: Changes,
-}
+pub use change::Change;
 
 /// What a change does.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,30 +119,4 @@ pub fn sensitivities(
         columns,
         each,
     })
-}
-
-/// Value and derivatives of each column where a mechanism starts.
-pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
-    let mut of_place = |place: &dyn Place| {
-        let state = place.state();
-        let reader = Reader::of(&state);
-        let drives = 0..mechanism.names.drives.len();
-        let per: Vec<_> = drives.map(|drive| place.per(drive)).collect();
-        let per: Vec<_> = per
-            .iter()
-            .map(|state| state.as_ref().map(Reader::of))
-            .collect();
-        let of_column = |column: &Column| {
-            let rates = per.iter().map(|reader| {
-                let reader = reader.as_ref().filter(|_| column.has_derivatives);
-                reader.map_or(f64::NAN, |reader| column.read(reader).rate)
-            });
-            [column.read(&reader).value]
-                .into_iter()
-                .chain(rates)
-                .collect()
-        };
-        columns.iter().map(of_column).collect()
-    };
-    mechanism.at_start(&AtomicBool::new(false), &mut of_place)
 }

@@ -5,10 +5,10 @@ use suspension_core::nalgebra::Vector3;
 
 use super::loads::Wanted;
 use super::moving::Moving;
+use super::objects::{Corner, Listing};
 use super::parsed::Parsed;
 use super::placed::Placed;
 use super::text::{Number, check_count};
-use super::{Corner, Listing};
 use crate::convert::{fill, kingpin_of, rotation_of, wheel_of};
 use crate::failure::{Trouble, answer, respond};
 use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel};

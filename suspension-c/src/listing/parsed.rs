@@ -10,6 +10,7 @@ use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::nalgebra::Vector3;
 use suspension_runtime::Listing;
 
+use super::kind;
 use super::loads::Structure;
 use crate::names::{Naming, Text};
 use crate::status::Status;
@@ -88,7 +89,7 @@ impl Parsed {
     }
 
     /// The names of a kind of parts: `SUSP_POINT` and the like.
-    pub(super) fn names(&self, kind: super::Kind) -> Result<&[CString], Status> {
+    pub(super) fn names(&self, kind: kind::Kind) -> Result<&[CString], Status> {
         match kind {
             0 => Ok(&self.points),
             1 => Ok(&self.drives),
@@ -100,7 +101,7 @@ impl Parsed {
     }
 
     /// The number of a name.
-    pub(super) fn find(&self, kind: super::Kind, name: &CStr) -> Result<usize, Status> {
+    pub(super) fn find(&self, kind: kind::Kind, name: &CStr) -> Result<usize, Status> {
         let mut names = self.names(kind)?.iter();
         let place = names.position(|other| other.as_c_str() == name);
         place.ok_or(Status::Absent)

@@ -1,8 +1,9 @@
 //! Functions that read a listing and tell what is in it.
 #![allow(unsafe_code, reason = "names for the linker")]
 
+use super::kind::Kind;
+use super::objects::Listing;
 use super::parsed::{self, Parsed};
-use super::{Kind, Listing};
 use crate::convert::fill;
 use crate::failure::answer;
 use crate::names::Text;

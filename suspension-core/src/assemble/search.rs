@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::assemble::Assembly;
+use crate::assemble::assembly::Assembly;
 use crate::error::SolveError;
 use crate::factored::smallest_pivot;
 use crate::magnitude::largest;

@@ -25,7 +25,6 @@ use core::ops::{Mul, Sub};
 
 use nalgebra::{SVector, Vector3};
 
-use super::Tracker;
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage, Values};
 use crate::listing::{Kind, Part};
@@ -34,7 +33,7 @@ use crate::motion::Prescribed;
 use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Signal};
 
-/// See [`Tracker::change_of_jacobian`]. Of 560,000 accepted steps of random five-link suspensions 2
+/// See [`change_of_jacobian`](super::Tracker::change_of_jacobian) of the tracker. Of 560,000 accepted steps of random five-link suspensions 2
 /// ended in another assembly without it, both with a change above 3.7, and none with it; where the
 /// bounds on corrections were loosened fivefold, 29 of 110,000 did, the least change 1.27.
 pub(super) const CHANGE_OF_JACOBIAN: f64 = 1.0;
@@ -144,27 +143,19 @@ pub(super) struct Crossing<'a, L: Linkage<N>, const N: usize> {
     pub(super) factors: &'a dyn Factors<L::Scalar, N>,
 }
 
-impl<T: Real> Tracker<T> {
-    /// Refuses a step over which the Jacobian changes too much.
-    pub(super) fn guard<L, C, const N: usize>(
-        &self,
-        crossing: &Crossing<'_, L, N>,
-    ) -> Result<(), SolveError<T>>
-    where
-        L: Linkage<N, Scalar = T>,
-        C: ChassisMotion<L::Fixed>,
-    {
+impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Crossing<'_, L, N> {
+    /// Refuses a step over which the Jacobian changes by more than `most` of the move.
+    pub(super) fn check<C: ChassisMotion<L::Fixed>>(&self, most: T) -> Result<(), SolveError<T>> {
         let Crossing {
             linkage,
             change,
             moves,
             factors,
-        } = crossing;
+        } = self;
         let chassis = change.of_chassis::<C>(linkage);
         let (change, moved) = change_of_jacobian::<_, C, N>(*linkage, moves, &chassis, *factors);
         let size = magnitude(&change).map_err(SolveError::overflow)?;
-        let bound =
-            (self.change_of_jacobian * moved).max(T::constant(LEAST_OF_SIZE) * linkage.size());
+        let bound = (most * moved).max(T::constant(LEAST_OF_SIZE) * linkage.size());
         if size <= bound {
             Ok(())
         } else {

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use super::acceptance::{Acceptance, Positions};
+use super::order::{DIVISION, Entry, Order, Step};
 use super::preference::Preference;
-use super::{DIVISION, Entry, Order, Step};
 
 /// What is known of an entry during elimination.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 //! Lengths drift a little on the way, which the size of pivots does not notice.
 
 use super::MOST_UNKNOWNS;
-use super::gradients;
+use super::gradient::gradients;
 use crate::system::{Place, Positions, System};
 use crate::vector::{dot, minus};
 

@@ -6,7 +6,8 @@ use syn::Ident;
 
 use super::jacobian::{parameters, with_points};
 use super::unrolled::Unrolled;
-use super::{carried, entries, indices, substitution, written_out};
+use super::written_out::written_out;
+use super::{carried, entries, indices, substitution};
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::System;
 

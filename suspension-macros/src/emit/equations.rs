@@ -4,9 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::terms::{Binding, ident, parameter, vector};
-use super::{
-    clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout, written_out,
-};
+use super::written_out::written_out;
+use super::{clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout};
 use suspension_listing::eliminate::Order;
 use suspension_listing::system::{Equation, System};
 

@@ -6,7 +6,8 @@ use quote::quote;
 use super::form::gradients;
 use super::gradient::{By, Gradient};
 use super::terms::{Binding, bind, ident, parameter};
-use super::{frames, indices, written_out};
+use super::written_out::written_out;
+use super::{frames, indices};
 use suspension_listing::system::{System, coordinate_name};
 
 pub(super) fn jacobian(system: &System) -> TokenStream {

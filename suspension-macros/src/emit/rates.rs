@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::terms::{Binding, ident, parameter, vector};
-use super::{form, frames, written_out};
+use super::written_out::written_out;
+use super::{form, frames};
 use suspension_listing::system::{SiteMotion, System};
 
 /// Of the drives, and of the chassis points that they move.

@@ -3,8 +3,9 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::carried;
 use super::unrolled::Unrolled;
-use super::{carried, written_out};
+use super::written_out::written_out;
 use suspension_listing::eliminate::Step;
 
 /// `J x = right`: first with the lower factor, then with the upper one.

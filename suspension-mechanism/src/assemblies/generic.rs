@@ -3,13 +3,13 @@
 use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
-use crate::assemblies::Watch;
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Family, Line, Member};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
+use crate::assemblies::watch::Watch;
 
 /// Random starts before the first loop.
 const STARTS: usize = 200;

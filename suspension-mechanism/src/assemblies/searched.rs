@@ -11,7 +11,7 @@ use crate::assemblies::generic::Generic;
 use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
-use crate::assemblies::{MOST, Watch};
+use crate::assemblies::watch::{MOST, Watch};
 
 /// A part, and what is known of it with general lengths.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {

@@ -3,7 +3,8 @@
 
 use nalgebra::DMatrix;
 
-use super::{Change, read};
+use super::change::Change;
+use super::read::read;
 use crate::kinematics::Kinematics;
 use crate::quantities::Column;
 

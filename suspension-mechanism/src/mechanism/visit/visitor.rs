@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::SVector;
 use suspension_core::{Linkage, Motion, Values};
 
-use super::{OnPlace, Place, VisitEnd};
+use super::place::{OnPlace, Place, VisitEnd};
 use crate::mechanism::around::Around;
 use crate::mechanism::gradient::Gradient;
 use crate::mechanism::grid::Grid;

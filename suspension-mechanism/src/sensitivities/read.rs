@@ -1,0 +1,33 @@
+//! The quantities of a design.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::kinematics::Kinematics;
+use crate::mechanism::Place;
+use crate::quantities::{Column, Reader};
+
+/// Value and derivatives of each column where a mechanism starts.
+pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
+    let mut of_place = |place: &dyn Place| {
+        let state = place.state();
+        let reader = Reader::of(&state);
+        let drives = 0..mechanism.names.drives.len();
+        let per: Vec<_> = drives.map(|drive| place.per(drive)).collect();
+        let per: Vec<_> = per
+            .iter()
+            .map(|state| state.as_ref().map(Reader::of))
+            .collect();
+        let of_column = |column: &Column| {
+            let rates = per.iter().map(|reader| {
+                let reader = reader.as_ref().filter(|_| column.has_derivatives);
+                reader.map_or(f64::NAN, |reader| column.read(reader).rate)
+            });
+            [column.read(&reader).value]
+                .into_iter()
+                .chain(rates)
+                .collect()
+        };
+        columns.iter().map(of_column).collect()
+    };
+    mechanism.at_start(&AtomicBool::new(false), &mut of_place)
+}
