@@ -148,6 +148,15 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// Checks the points that a statement joins, and that one of them can move.
+    pub(crate) fn joins(&mut self, statement: &(impl Statement + ?Sized)) {
+        let points = statement.operands();
+        self.sites(points.iter().copied());
+        if let Some((named, kind)) = statement.named() {
+            self.not_all_fixed(&named.name, kind, points);
+        }
+    }
+
     /// Checks that one of the points of a statement can move.
     pub(crate) fn not_all_fixed<'p>(
         &mut self,

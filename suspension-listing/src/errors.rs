@@ -8,6 +8,7 @@ use syn::{Attribute, Error, Ident};
 
 use crate::did_you_mean::did_you_mean;
 use crate::kind::Kind;
+use crate::system::Body;
 
 /// Errors gathered so that all of them are reported at once.
 #[derive(Default)]
@@ -121,6 +122,14 @@ pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
         "nothing keeps `{from}` and `{to}` apart {as_what}; list both in one body, join them by a link, or put both on the chassis"
     );
     at(from, message)
+}
+
+/// All points of a statement are of one body, which leaves the statement nothing to keep or to move: `what` they are
+/// comes before the body, and the remedy after it, from its comma or semicolon on.
+pub(crate) fn of_one_body(token: &Ident, what: &str, body: &Body, remedy: &str) -> Error {
+    let body = &body.name;
+    let message = format!("{what} of body `{body}`{remedy} of another body");
+    at(token, message)
 }
 
 pub(crate) fn along_axis(from: &Ident, to: &Ident) -> Error {

@@ -76,7 +76,8 @@ impl Listing {
     }
 }
 
-/// What each statement but those that declare points answers for itself.
+/// What each statement but those that declare points answers for itself. What it leaves out is as most
+/// statements that join points have it.
 pub(crate) trait Statement {
     /// Its name, and what that stands for.
     fn named(&self) -> Option<(&Named, Kind)>;
@@ -85,10 +86,14 @@ pub(crate) trait Statement {
     fn operands(&self) -> Vec<&Ident>;
 
     /// Checks its operands, against the listing and the statements before.
-    fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]);
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        check.joins(self);
+    }
 
     /// When it is lowered.
-    fn rank(&self) -> Rank;
+    fn rank(&self) -> Rank {
+        Rank::Constraint
+    }
 
     /// Adds to the system what it stands for.
     fn lower(&self, lowering: &mut Lowering<'_>);

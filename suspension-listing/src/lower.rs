@@ -93,6 +93,13 @@ impl Lowering<'_> {
         });
     }
 
+    /// The equation that has a statement's own name.
+    pub(crate) fn equation_of(&mut self, kind: Kind, stated: &listing::Named, form: Form) {
+        let named = stated.plain();
+        let origin = origin(kind, &named.name, None);
+        self.equation(named, origin, form);
+    }
+
     /// The equation that keeps a distance.
     pub(crate) fn distance(&mut self, named: Named, origin: Origin, [a, b]: [Site; 2]) {
         self.rigid.insert(pair(&a, &b));

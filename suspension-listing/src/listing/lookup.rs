@@ -61,10 +61,9 @@ impl Listing {
 
     /// Whether two points stay as far apart as they are: by an equation, in a body or on the chassis.
     pub(crate) fn keeps_apart(&self, system: &System, ends: [&Ident; 2]) -> bool {
-        let names = ends.map(Name::from);
-        let [a, b] = &names;
-        distance_between(&system.equations, a, b).is_some()
-            || system.body_of(&names).is_some()
+        let [a, b] = ends.map(Name::from);
+        distance_between(&system.equations, &a, &b).is_some()
+            || system.body_of(ends).is_some()
             || ends.iter().all(|end| self.is_at_rest(end))
     }
 

@@ -1,17 +1,15 @@
 //! `angle square: a -> c, d -> e;`: two lines whose angle stays as it is in the design. Something keeps the length of
 //! each.
 
-use syn::{Error, Ident, Token};
+use syn::{Ident, Token};
 
 use super::operands::arrow;
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Form, Product};
 use crate::kind::Kind;
-use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
-use crate::lower::origin;
-use crate::name::Name;
-use crate::system::{Body, System};
+use crate::listing::{Listing, Lowering, Named, Statement};
+use crate::system::System;
 
 const KIND: Kind = Kind("angle");
 
@@ -41,23 +39,12 @@ impl Statement for Angle {
         self.lines.iter().flatten().collect()
     }
 
-    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
-        let points = self.operands();
-        check.sites(points.iter().copied());
-        check.not_all_fixed(&self.named.name, KIND, points);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
-    }
-
     fn lower(&self, lowering: &mut Lowering<'_>) {
         let lines = self.lines.each_ref();
         let form = Form::Product(Product {
             lines: lines.map(|line| line.each_ref().map(|end| lowering.site(end))),
         });
-        let origin = origin(KIND, &Name::from(&self.named.name), None);
-        lowering.equation(self.named.plain(), origin, form);
+        lowering.equation_of(KIND, &self.named, form);
     }
 
     /// Checks that the lines keep their lengths, and that they are not of one body.
@@ -65,9 +52,11 @@ impl Statement for Angle {
         if !listing.declares(self.operands()) {
             return;
         }
-        let names: Vec<Name> = self.operands().into_iter().map(Name::from).collect();
-        if let Some(body) = system.body_of(&names) {
-            errors.push(of_one_body(&self.named.name, body));
+        if let Some(body) = system.body_of(self.operands()) {
+            let name = &self.named.name;
+            let lines = format!("both lines of `{name}` are");
+            let remedy = ", which keeps their angle; remove it, or take a line";
+            errors.push(errors::of_one_body(name, &lines, body, remedy));
         }
         for [from, to] in &self.lines {
             if from != to && !listing.keeps_apart(system, [from, to]) {
@@ -75,15 +64,4 @@ impl Statement for Angle {
             }
         }
     }
-}
-
-fn of_one_body(angle: &Ident, body: &Body) -> Error {
-    errors::at(
-        angle,
-        format!(
-            "both lines of `{angle}` are of body `{}`, which keeps their angle; remove it, or take \
-             a line of another body",
-            body.name
-        ),
-    )
 }

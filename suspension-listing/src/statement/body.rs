@@ -6,7 +6,7 @@ use super::operands::names;
 use super::word::{Head, Word};
 use crate::errors;
 use crate::kind::Kind;
-use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
+use crate::listing::{Check, Lowering, Named, Rigid, Statement};
 
 const KIND: Kind = Kind::BODY;
 
@@ -50,10 +50,6 @@ impl Statement for Body {
             check.not_all_fixed(name, KIND, &self.points);
         }
         check.lengths_stated_once(self, earlier);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {

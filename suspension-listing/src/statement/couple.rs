@@ -7,9 +7,7 @@ use super::sum::Sum;
 use super::word::{Head, Word};
 use crate::form::{Form, Linear, Prescribed};
 use crate::kind::Kind;
-use crate::listing::{Check, Lowering, Named, Rank, Statement};
-use crate::lower::origin;
-use crate::name::Name;
+use crate::listing::{Check, Lowering, Named, Statement};
 
 const KIND: Kind = Kind("couple");
 
@@ -46,15 +44,9 @@ impl Statement for Couple {
     }
 
     fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
-        let points = self.sum.points();
         self.sum.check(check);
-        check.sites(points.iter().copied());
-        check.not_all_fixed(&self.named.name, KIND, points);
+        check.joins(self);
         check.prescribed_once(self, earlier);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {
@@ -63,8 +55,7 @@ impl Statement for Couple {
             scalar: None,
             prescribed: Prescribed::Design,
         });
-        let origin = origin(KIND, &Name::from(&self.named.name), None);
-        lowering.equation(self.named.plain(), origin, form);
+        lowering.equation_of(KIND, &self.named, form);
     }
 
     fn claim(&self) -> Option<String> {

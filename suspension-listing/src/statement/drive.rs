@@ -85,10 +85,9 @@ impl Statement for Drive {
             let form = Form::Linear(Linear {
                 terms: self.quantity.terms(site),
                 scalar,
-                prescribed: Prescribed::Drive(name.clone()),
+                prescribed: Prescribed::Drive(name),
             });
-            let origin = origin(KIND, &name, None);
-            lowering.equation(self.named.plain(), origin, form);
+            lowering.equation_of(KIND, &self.named, form);
         }
         let angle_of = match &quantity {
             system::Quantity::Angle { line: [a, b], .. } => {

@@ -7,7 +7,7 @@ use super::operands::names;
 use super::word::{Head, Word};
 use crate::errors;
 use crate::kind::Kind;
-use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
+use crate::listing::{Check, Lowering, Named, Rigid, Statement};
 
 const KIND: Kind = Kind::HINGE;
 
@@ -54,10 +54,6 @@ impl Statement for Hinge {
             check.report(cannot_turn(&self.named.name, point));
         }
         check.lengths_stated_once(self, earlier);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {

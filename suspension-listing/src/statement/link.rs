@@ -5,7 +5,7 @@ use syn::Ident;
 use super::operands::arrow;
 use super::word::{Head, Word};
 use crate::kind::Kind;
-use crate::listing::{Check, Lowering, Named, Rank, Rigid, Statement};
+use crate::listing::{Check, Lowering, Named, Rigid, Statement};
 use crate::lower::origin;
 use crate::name::Name;
 
@@ -39,13 +39,8 @@ impl Statement for Link {
     }
 
     fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
-        check.sites(&self.ends);
-        check.not_all_fixed(&self.named.name, KIND, &self.ends);
+        check.joins(self);
         check.lengths_stated_once(self, earlier);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {

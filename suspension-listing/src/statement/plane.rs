@@ -9,10 +9,9 @@ use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Along, Form};
 use crate::kind::Kind;
-use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
-use crate::lower::origin;
+use crate::listing::{Listing, Lowering, Named, Statement};
 use crate::name::Name;
-use crate::system::{Body, System, distance_name};
+use crate::system::{System, distance_name};
 
 const KIND: Kind = Kind("plane");
 
@@ -46,15 +45,6 @@ impl Statement for Plane {
         self.points.iter().collect()
     }
 
-    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
-        check.sites(&self.points);
-        check.not_all_fixed(&self.named.name, KIND, &self.points);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
-    }
-
     fn lower(&self, lowering: &mut Lowering<'_>) {
         let name = Name::from(&self.named.name);
         let [point, from, b, c] = self.points.each_ref().map(|point| lowering.site(point));
@@ -66,14 +56,15 @@ impl Statement for Plane {
             point,
             distances: distances.to_vec(),
         });
-        lowering.equation(self.named.plain(), origin(KIND, &name, None), form);
+        lowering.equation_of(KIND, &self.named, form);
     }
 
     /// Checks that the point is not fixed to the plane.
     fn check_lowered(&self, _listing: &Listing, system: &System, errors: &mut Errors) {
-        if let Some(body) = system.body_of(&self.points.each_ref().map(Name::from)) {
+        if let Some(body) = system.body_of(&self.points) {
             let [point, ..] = &self.points;
-            errors.push(of_one_body(point, body));
+            let plane = format!("`{point}` and the plane that it stays in are points");
+            errors.push(errors::of_one_body(point, &plane, body, "; take a plane"));
         }
     }
 }
@@ -82,16 +73,5 @@ fn not_three_points(span: Span, count: usize) -> Error {
     Error::new(
         span,
         format!("a plane goes through three points; name three after `on`, not {count}"),
-    )
-}
-
-fn of_one_body(point: &Ident, body: &Body) -> Error {
-    errors::at(
-        point,
-        format!(
-            "`{point}` and the plane that it stays in are points of body `{}`; take a plane of \
-             another body",
-            body.name
-        ),
     )
 }

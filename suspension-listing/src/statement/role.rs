@@ -158,10 +158,9 @@ impl Axis {
     fn carrier(&self, lowering: &Lowering<'_>) -> Option<[Name; 3]> {
         let [from, to] = &self.ends;
         let points = lowering.listing.carrier_of(from, to)?;
-        let names: Vec<Name> = points.iter().map(Name::from).collect();
-        match (lowering.system.body_of(&names), names.as_slice()) {
+        match (lowering.system.body_of(points), points) {
             (Some(body), _) => Some(body.frame.each_ref().map(|site| site.name.clone())),
-            (None, [a, b, c, ..]) => Some([a, b, c].map(Name::clone)),
+            (None, [a, b, c, ..]) => Some([a, b, c].map(Name::from)),
             _ => None,
         }
     }

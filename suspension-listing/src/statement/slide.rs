@@ -1,17 +1,16 @@
 //! `slide strut: top on low -> high;`: a point on the line through two others, which a body or the chassis
 //! carries. The strut's length, from `low` to `top`, becomes an unknown.
 
-use syn::{Error, Ident};
+use syn::Ident;
 
 use super::operands::{arrow, point_on};
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Along, Form};
 use crate::kind::Kind;
-use crate::listing::{Check, Listing, Lowering, Named, Rank, Statement};
-use crate::lower::origin;
+use crate::listing::{Listing, Lowering, Named, Statement};
 use crate::name::Name;
-use crate::system::{Body, System};
+use crate::system::System;
 
 const KIND: Kind = Kind("slide");
 
@@ -43,15 +42,6 @@ impl Statement for Slide {
         self.points.iter().collect()
     }
 
-    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
-        check.sites(&self.points);
-        check.not_all_fixed(&self.named.name, KIND, &self.points);
-    }
-
-    fn rank(&self) -> Rank {
-        Rank::Constraint
-    }
-
     fn lower(&self, lowering: &mut Lowering<'_>) {
         let name = Name::from(&self.named.name);
         let [point, from, to] = self.points.each_ref().map(|point| lowering.site(point));
@@ -61,9 +51,8 @@ impl Statement for Slide {
             point,
             distances: vec![name.clone()],
         });
-        let origin = origin(KIND, &name, None);
         lowering.system.scalars.push(name);
-        lowering.equation(self.named.plain(), origin, form);
+        lowering.equation_of(KIND, &self.named, form);
     }
 
     /// Checks that the line keeps its length, and that the point is not fixed to it.
@@ -72,22 +61,12 @@ impl Statement for Slide {
         if !listing.declares(&self.points) || from == to {
             return;
         }
-        if let Some(body) = system.body_of(&self.points.each_ref().map(Name::from)) {
-            errors.push(cannot_slide(point, body));
+        if let Some(body) = system.body_of(&self.points) {
+            let line = format!("`{point}` and the line that it slides on are points");
+            errors.push(errors::of_one_body(point, &line, body, "; take the line"));
         }
         if !listing.keeps_apart(system, [from, to]) {
             errors.push(errors::loose(from, to, "as a line to slide on"));
         }
     }
-}
-
-fn cannot_slide(point: &Ident, body: &Body) -> Error {
-    errors::at(
-        point,
-        format!(
-            "`{point}` and the line that it slides on are points of body `{}`; take the line of \
-             another body",
-            body.name
-        ),
-    )
 }

@@ -5,7 +5,8 @@ use crate::name::Name;
 
 impl System {
     /// The body that has all of some points.
-    pub fn body_of(&self, points: &[Name]) -> Option<&Body> {
+    pub fn body_of(&self, points: impl IntoIterator<Item: Into<Name>>) -> Option<&Body> {
+        let points: Vec<Name> = points.into_iter().map(Into::into).collect();
         let has = |body: &&Body| {
             points
                 .iter()
@@ -18,7 +19,7 @@ impl System {
     pub fn loose_pairs<'f>(&self, [a, b, c]: &'f [Site; 3]) -> Vec<[&'f Name; 2]> {
         let is_loose = |[a, b]: &[&'f Site; 2]| {
             distance_between(&self.equations, &a.name, &b.name).is_none()
-                && self.body_of(&[a.name.clone(), b.name.clone()]).is_none()
+                && self.body_of([a.name.clone(), b.name.clone()]).is_none()
                 && [a, b]
                     .into_iter()
                     .any(|site| site.motion != SiteMotion::Anchor)

@@ -19,12 +19,11 @@ pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Op
     if from == to || !all_known || !(free || other_free) {
         return None;
     }
-    let names = [from, to].map(Name::from);
-    let [a, b] = &names;
-    if distance_between(&system.equations, a, b).is_some() {
+    let [a, b] = [from, to].map(Name::from);
+    if distance_between(&system.equations, &a, &b).is_some() {
         return None;
     }
-    Some(match system.body_of(&names) {
+    Some(match system.body_of(line) {
         Some(body) => angle_beside_frame([from, to], body),
         None => no_such_link(from, to),
     })
@@ -33,10 +32,9 @@ pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Op
 /// What is wrong with a driven length: nothing may keep it.
 pub(super) fn length(line: &[Ident; 2], system: &System) -> Option<Error> {
     let [from, to] = line;
-    let names = [from, to].map(Name::from);
-    let [a, b] = &names;
-    let equation = distance_between(&system.equations, a, b);
-    let keeper = equation.or_else(|| Some(&system.body_of(&names)?.name))?;
+    let [a, b] = [from, to].map(Name::from);
+    let equation = distance_between(&system.equations, &a, &b);
+    let keeper = equation.or_else(|| Some(&system.body_of(line)?.name))?;
     (from != to).then(|| kept_already(from, to, keeper))
 }
 

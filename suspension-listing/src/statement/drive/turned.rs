@@ -16,7 +16,7 @@ use crate::listing::{Listing, Lowering};
 use crate::lower::origin;
 use crate::name::{Name, Named};
 use crate::site::Site;
-use crate::system::{AXES, Body, System, turn_name};
+use crate::system::{AXES, System, turn_name};
 
 /// Adds the equations of a driven angle but the drive's own.
 pub(super) fn lower(
@@ -205,9 +205,10 @@ pub(super) fn check(
     if !listing.declares(points.iter().copied()) {
         return None;
     }
-    let names: Vec<Name> = points.into_iter().map(Name::from).collect();
-    if let Some(body) = system.body_of(&names) {
-        return Some(of_one_body(drive, body));
+    if let Some(body) = system.body_of(points) {
+        let lines = format!("the lines of `{drive}` and its axis are");
+        let remedy = ", which keeps their angle; take a line";
+        return Some(errors::of_one_body(drive, &lines, body, remedy));
     }
     let [from, to] = about;
     (from != to && !listing.keeps_apart(system, [from, to]))
@@ -219,15 +220,5 @@ pub(super) fn about_no_axis(drive: &Ident) -> Error {
         drive,
         "an angle between two lines is driven about an axis, towards one side or the other; name the line that it \
          turns about: `angle(p -> q, r -> s about t -> u)`",
-    )
-}
-
-fn of_one_body(drive: &Ident, body: &Body) -> Error {
-    errors::at(
-        drive,
-        format!(
-            "the lines of `{drive}` and its axis are of body `{}`, which keeps their angle; take a line of another body",
-            body.name
-        ),
     )
 }
