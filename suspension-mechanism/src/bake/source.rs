@@ -1,7 +1,9 @@
 //! A baked motion as a file that people read and compilers take.
 
 mod about;
+mod c;
 mod curve;
+mod rust;
 mod surface;
 
 use std::path::Path;
@@ -81,12 +83,25 @@ impl Sheet {
     /// The text of a file at a path.
     pub fn text(&self, language: Language, path: &Path) -> String {
         let Self { about, baked } = self;
-        let name = about.name(baked.outputs(), path);
+        let titled = Titled {
+            about,
+            name: about.name(baked.outputs(), path),
+            outputs: about::output_names(baked.outputs()),
+        };
         match baked {
-            Table::Curve(baked) => curve::text(about, baked, language, &name),
-            Table::Surface(baked) => surface::text(about, baked, language, &name),
+            Table::Curve(baked) => curve::text(titled, baked, language),
+            Table::Surface(baked) => surface::text(titled, baked, language),
         }
     }
+}
+
+/// What a file has of a table of either kind.
+struct Titled<'a> {
+    about: &'a About,
+    /// The table's name.
+    name: String,
+    /// The numbers' names, in order.
+    outputs: Vec<String>,
 }
 
 /// A bound, rounded up to two digits: still a bound.

@@ -5,21 +5,6 @@ use std::path::Path;
 use crate::bake::driven::Output;
 use crate::number::{counted, exact};
 
-/// At the head of what a header in C has in it, so that float is rounded without a warning.
-pub(super) const IGNORE_CONVERSIONS: &str = "\
-/* Where numbers are float, those in this file are rounded. */
-#if defined __GNUC__
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored \"-Wconversion\"
-#pragma GCC diagnostic ignored \"-Wfloat-conversion\"
-#endif";
-
-/// At the end of it.
-pub(super) const END_IGNORE: &str = "\
-#if defined __GNUC__
-#pragma GCC diagnostic pop
-#endif";
-
 /// What the numbers of a baked file mean.
 #[derive(Clone, Debug)]
 pub struct About {
@@ -144,20 +129,6 @@ pub(super) fn output_names(outputs: &[Output]) -> Vec<String> {
 pub(super) fn commented(mark: &str, lines: &[String]) -> String {
     let line = |line: &String| format!("{}\n", format!("{mark} {line}").trim_end());
     lines.iter().map(line).collect()
-}
-
-/// The head of a comment in C; a file's name may hold what ends one.
-pub(super) fn comment_in_c(lines: &[String]) -> String {
-    let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
-    format!("/*\n{}", commented(" *", &lines))
-}
-
-/// Of a text, by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
-pub(super) fn checksum(text: &str) -> u32 {
-    let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
-        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
-    });
-    hash >> 1
 }
 
 /// A row of numbers in the brackets of a language.

@@ -7,48 +7,39 @@ mod toml;
 use crate::bake::certify::SAMPLES;
 use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
-use crate::bake::source::about::{About, Ranged, output_names, row};
-use crate::bake::source::{Language, bound};
+use crate::bake::source::about::{Ranged, row};
+use crate::bake::source::{Language, Titled, bound};
 use crate::number::{counted, rounded};
 
 /// What is written of a curve.
 struct Sheet<'a> {
-    about: &'a About,
+    titled: Titled<'a>,
     argument: &'a Ranged,
     baked: &'a Baked,
 }
 
 /// The text of a file; empty without an argument.
-pub(super) fn text(about: &About, baked: &Baked, language: Language, name: &str) -> String {
-    let [argument] = about.arguments.as_slice() else {
+pub(super) fn text(titled: Titled<'_>, baked: &Baked, language: Language) -> String {
+    let [argument] = titled.about.arguments.as_slice() else {
         return String::new();
     };
     let sheet = Sheet {
-        about,
+        titled,
         argument,
         baked,
     };
     match language {
-        Language::Rust => rust::text(&sheet, name),
-        Language::C => c::text(&sheet, name),
-        Language::Toml => toml::text(&sheet, name),
+        Language::Rust => rust::text(&sheet),
+        Language::C => c::text(&sheet),
+        Language::Toml => toml::text(&sheet),
     }
 }
 
 impl Sheet<'_> {
-    /// How many numbers the outputs are.
-    fn width(&self) -> usize {
-        3 * self.baked.outputs.len()
-    }
-
-    fn output_names(&self) -> Vec<String> {
-        output_names(&self.baked.outputs)
-    }
-
     /// What a reader needs to know, line by line.
     fn header(&self) -> Vec<String> {
         let Self {
-            about,
+            titled: Titled { about, outputs, .. },
             argument,
             baked,
         } = self;
@@ -62,7 +53,7 @@ impl Sheet<'_> {
         let [position, first, second] =
             [reached.position, reached.first, reached.second].map(bound);
         let count = baked.segments.len();
-        let bytes = count * TERMS * self.width() * size_of::<f64>();
+        let bytes = count * TERMS * outputs.len() * size_of::<f64>();
         let mut lines = about.header(&baked.outputs);
         lines.extend([
             format!("Continuous where segments join: {joined}."),

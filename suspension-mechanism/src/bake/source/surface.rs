@@ -6,40 +6,32 @@ mod toml;
 
 use crate::bake::certify::SAMPLES;
 use crate::bake::scheme::TERMS;
-use crate::bake::source::about::{About, output_names, row};
-use crate::bake::source::{Language, bound};
+use crate::bake::source::about::row;
+use crate::bake::source::{Language, Titled, bound};
 use crate::bake::surface::BakedSurface;
 use crate::number::rounded;
 
 /// What is written of a surface.
 struct Sheet<'a> {
-    about: &'a About,
+    titled: Titled<'a>,
     baked: &'a BakedSurface,
 }
 
 /// The text of a file.
-pub(super) fn text(about: &About, baked: &BakedSurface, language: Language, name: &str) -> String {
-    let sheet = Sheet { about, baked };
+pub(super) fn text(titled: Titled<'_>, baked: &BakedSurface, language: Language) -> String {
+    let sheet = Sheet { titled, baked };
     match language {
-        Language::Rust => rust::text(&sheet, name),
-        Language::C => c::text(&sheet, name),
-        Language::Toml => toml::text(&sheet, name),
+        Language::Rust => rust::text(&sheet),
+        Language::C => c::text(&sheet),
+        Language::Toml => toml::text(&sheet),
     }
 }
 
 impl Sheet<'_> {
-    /// How many numbers the outputs are.
-    fn width(&self) -> usize {
-        3 * self.baked.outputs.len()
-    }
-
-    fn output_names(&self) -> Vec<String> {
-        output_names(&self.baked.outputs)
-    }
-
     /// What a reader needs to know, line by line.
     fn header(&self) -> Vec<String> {
-        let Self { about, baked } = self;
+        let Self { titled, baked } = self;
+        let Titled { about, outputs, .. } = titled;
         let unit = about.unit;
         let joined = if baked.wanted.smooth {
             "position and first derivatives"
@@ -49,7 +41,7 @@ impl Sheet<'_> {
         let asked = rounded(baked.wanted.tolerance, 3);
         let reached = bound(baked.reached);
         let [along, across] = baked.counts;
-        let bytes = along * across * TERMS * TERMS * self.width() * size_of::<f64>();
+        let bytes = along * across * TERMS * TERMS * outputs.len() * size_of::<f64>();
         let degree = TERMS - 1;
         let mut lines = about.header(&baked.outputs);
         lines.extend([

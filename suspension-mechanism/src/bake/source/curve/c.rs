@@ -1,42 +1,21 @@
 //! As a header in C99.
 
-use std::fmt::Write;
-
 use crate::bake::scheme::TERMS;
-use crate::bake::source::about::{END_IGNORE, IGNORE_CONVERSIONS, checksum, comment_in_c};
+use crate::bake::source::c::header;
 use crate::bake::source::curve::Sheet;
 
-/// The text of a header. Its guard has a value of the header's own: another header under the same
-/// name is an error and not left out in silence.
-pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
-    let mut text = comment_in_c(&sheet.header());
+/// The text of a header.
+pub(super) fn text(sheet: &Sheet<'_>) -> String {
+    let name = &sheet.titled.name;
     let upper = name.to_uppercase();
-    let width = sheet.width();
+    let width = sheet.titled.outputs.len();
     let count = sheet.baked.segments.len();
     let [from, to] = sheet.baked.wanted.range;
     let per_unit = sheet.baked.segments_per_unit();
     let segments = sheet.coefficients(["{", "}"]);
-    let outputs = sheet.output_names().join(", ");
     let kind = sheet.argument.kind();
-    let _ = write!(
-        text,
-        " *
- * Outputs: {outputs}.
- * For the same digits as in Rust compile without contraction (-std=c99 or -ffp-contract=off).
- * In float where {upper}_NUMBER is defined as such: rounding adds some 1e-7 of the largest output.
- */
-#if !defined {upper}_H
-#define {upper}_H {checksum:#010x}
-
-#include <stddef.h>
-
-{IGNORE_CONVERSIONS}
-
-#ifndef {upper}_NUMBER
-#define {upper}_NUMBER double
-#endif
-typedef {upper}_NUMBER {name}_number;
-
+    let code = format!(
+        "\
 enum {{ {upper}_OUTPUTS = {width}, {upper}_SEGMENTS = {count} }};
 
 static const {name}_number {name}_range[2] = {{{from:?}, {to:?}}};
@@ -81,16 +60,9 @@ static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number
     }}
     return 0;
 }}
-
-{END_IGNORE}
-
-#elif {upper}_H != {checksum:#010x}
-#error \"another baked header has the name {name}: bake to a file of another name\"
-#endif
 ",
-        checksum = checksum(&segments),
         last = count - 1,
         degree = TERMS - 1,
     );
-    text
+    header(&sheet.titled, &sheet.header(), &segments, &code)
 }

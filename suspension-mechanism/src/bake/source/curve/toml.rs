@@ -7,7 +7,7 @@ use crate::bake::source::about::commented;
 use crate::bake::source::curve::Sheet;
 
 /// The text of a file.
-pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let mut text = commented("#", &sheet.header());
     let reached = sheet.baked.reached;
     let [from, to] = sheet.baked.wanted.range;
@@ -37,14 +37,15 @@ segments = [
         reached.position,
         reached.first,
         reached.second,
-        linkage = sheet.about.linkage,
+        name = sheet.titled.name,
+        linkage = sheet.titled.about.linkage,
         kind = argument.kind(),
         name_of = argument.name,
         unit_of = argument.unit,
-        unit = sheet.about.unit,
+        unit = sheet.titled.about.unit,
         tolerance = sheet.baked.wanted.tolerance,
         per_unit = sheet.baked.segments_per_unit(),
-        outputs = sheet.output_names(),
+        outputs = sheet.titled.outputs,
         segments = sheet.coefficients(["[", "]"]),
     );
     text

@@ -7,9 +7,9 @@ use crate::bake::source::about::commented;
 use crate::bake::source::surface::Sheet;
 
 /// The text of a file.
-pub(super) fn text(sheet: &Sheet<'_>, name: &str) -> String {
+pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let mut text = commented("#", &sheet.header());
-    let drives = &sheet.about.arguments;
+    let drives = &sheet.titled.about.arguments;
     let names: Vec<&str> = drives.iter().map(|drive| drive.name.as_str()).collect();
     let units: Vec<&str> = drives.iter().map(|drive| &*drive.unit).collect();
     let _ = write!(
@@ -32,14 +32,15 @@ outputs = {outputs:?}
 patches = [
 {patches}]
 ",
-        linkage = sheet.about.linkage,
-        unit = sheet.about.unit,
+        name = sheet.titled.name,
+        linkage = sheet.titled.about.linkage,
+        unit = sheet.titled.about.unit,
         ranges = sheet.baked.wanted.ranges,
         tolerance = sheet.baked.wanted.tolerance,
         reached = sheet.baked.reached,
         per_unit = sheet.baked.patches_per_unit(),
         across = sheet.baked.counts[1],
-        outputs = sheet.output_names(),
+        outputs = sheet.titled.outputs,
         patches = sheet.coefficients(["[", "]"]),
     );
     text
