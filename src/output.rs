@@ -9,5 +9,6 @@ pub mod progress;
 pub mod record;
 pub mod summary;
 pub mod table;
+pub mod text_table;
 
 pub use suspension_tables::{csv_file, files, heading, rows, target};

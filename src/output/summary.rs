@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::mechanism::{Description, Unit};
-use crate::number::fixed;
 use crate::output::record::Outcome;
-use crate::quantities::{Column, Shown, catalogue, columns};
+use crate::output::text_table::{TextColumn, laid_out};
+use crate::quantities::{Shown, catalogue, columns};
 
 /// The catalogue's quantities at the kept instants, and the totals.
 pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
@@ -19,25 +19,14 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     let unit = *unit;
     let kept = &outcome.kept;
     let columns = columns(catalogue(), names).into_iter();
-    let columns: Vec<Column> = columns
-        .filter(|column| column.quantity.shown != Shown::InTables)
-        .collect();
-    let headings: Vec<String> = columns.iter().map(|column| column.heading(unit)).collect();
-    let width = |heading: &String| heading.len().max(9);
-    let mut out = format!("Linkage {linkage}, axes of {}\n\n", axes.in_words());
-    for heading in &headings {
-        let _ = write!(out, "  {heading:>0$}", width(heading));
-    }
-    out.push('\n');
-    for state in kept {
-        for (column, heading) in columns.iter().zip(&headings) {
-            let (scale, _) = column.dimension.for_people(unit);
-            let decimals = column.dimension.decimals(unit);
-            let value = column.value(state) * scale;
-            let _ = write!(out, "  {:>1$}", fixed(value, decimals), width(heading));
-        }
-        out.push('\n');
-    }
+    let columns = columns.filter(|column| column.quantity.shown != Shown::InTables);
+    let columns = columns.map(|column| {
+        let values = kept.iter().map(|state| column.value(state));
+        let heading = format!("{:>9}", column.heading(unit));
+        TextColumn::values(values, column.dimension, unit).under(heading)
+    });
+    let table = laid_out(2, columns);
+    let mut out = format!("Linkage {linkage}, axes of {}\n\n{table}", axes.in_words());
     if kept.len() < outcome.solved {
         let _ = writeln!(
             out,

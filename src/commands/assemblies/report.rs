@@ -1,14 +1,13 @@
 //! Assemblies as text and as rows of a table.
 
-use std::fmt::Write;
-
 use crate::assemblies::PartTally;
 use crate::commands::assemblies::listed::Listed;
 use crate::file::Dimension;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
-use crate::number::{fixed, number};
+use crate::number::number;
 use crate::output::table::Column;
+use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{self, CAMBER, CENTRE, DRIVES, MARKERS, POSITIONS, Quantity, TOE};
 
 /// The columns of a table, one row an assembly.
@@ -46,66 +45,40 @@ impl Report {
 
     /// The assemblies in a table, and how sure it is that they are all.
     pub(super) fn text(&self, listed: &Listed) -> String {
-        let mut out = format!("At {}:\n\n", listed.drives_in_words);
-        if listed.assemblies.is_empty() {
-            let _ = write!(
-                out,
-                "  no assembly: the mechanism cannot be put together there\n\n{}",
-                certainty(listed)
-            );
-            return out;
-        }
-        let headings = self.headings();
-        let widths: Vec<_> = headings
-            .iter()
-            .map(|heading| heading.len().max(9))
-            .collect();
-        for (heading, width) in headings.iter().zip(&widths) {
-            let _ = write!(out, "  {heading:>width$}");
-        }
-        out.push('\n');
-        for assembly in &listed.assemblies {
-            for (cell, width) in self.cells(assembly).iter().zip(&widths) {
-                let _ = write!(out, "  {cell:>width$}");
-            }
-            out.push('\n');
-        }
-        let _ = write!(out, "\n{}", certainty(listed));
-        out
-    }
-
-    fn headings(&self) -> Vec<String> {
-        let symbol = self.unit.symbol();
-        let mut headings = vec![
-            "assembly".to_owned(),
-            format!("distance ({symbol})"),
-            format!("farthest ({symbol})"),
-            "smallest pivot".to_owned(),
-        ];
-        headings.extend(self.wheel.iter().map(|column| column.heading(self.unit)));
-        headings.push("mirrored".to_owned());
-        headings
-    }
-
-    fn cells(&self, assembly: &Assembly) -> Vec<String> {
-        let written = |dimension: Dimension, value: f64| {
-            let (scale, _) = dimension.for_people(self.unit);
-            let decimals = dimension.decimals(self.unit);
-            fixed(value * scale, decimals)
+        let table = match listed.assemblies.as_slice() {
+            [] => "  no assembly: the mechanism cannot be put together there\n".to_owned(),
+            assemblies => laid_out(2, self.columns(assemblies)),
         };
-        let mut cells = vec![
-            assembly.number.to_string(),
-            written(Dimension::Length, assembly.distance),
-            written(Dimension::Length, assembly.farthest),
-            format!("{:.1e}", assembly.smallest_pivot),
-        ];
-        let wheel = self.wheel.iter();
-        cells.extend(wheel.map(|column| written(column.dimension, column.value(&assembly.state))));
-        cells.push(match assembly.mirrored.as_slice() {
-            [] => "-".to_owned(),
-            points => points.join(" "),
+        let drives = &listed.drives_in_words;
+        format!("At {drives}:\n\n{table}\n{}", certainty(listed))
+    }
+
+    fn columns(&self, assemblies: &[Assembly]) -> Vec<TextColumn> {
+        let (each, unit) = (|| assemblies.iter(), self.unit);
+        let length = |name: &str, value: fn(&Assembly) -> f64| {
+            let values = each().map(value);
+            TextColumn::values(values, Dimension::Length, unit)
+                .under(format!("{name} ({})", unit.symbol()))
+        };
+        let wheel = self.wheel.iter().map(|column| {
+            let values = each().map(|assembly| column.value(&assembly.state));
+            TextColumn::values(values, column.dimension, unit).under(column.heading(unit))
         });
-        cells
+        let pivots = each().map(|assembly| format!("{:.1e}", assembly.smallest_pivot));
+        let mirrored = each().map(|assembly| match assembly.mirrored.as_slice() {
+            [] => "        -".to_owned(),
+            points => format!("{:>9}", points.join(" ")),
+        });
+        let mut columns = vec![
+            TextColumn::right(each().map(|assembly| assembly.number)).under(" assembly"),
+            length("distance", |assembly| assembly.distance),
+            length("farthest", |assembly| assembly.farthest),
+            TextColumn::right(pivots).under("smallest pivot"),
+        ];
+        columns.extend(wheel);
+        // Many names run on, to the right of the heading.
+        columns.push(TextColumn::left(mirrored).under(" mirrored"));
+        columns
     }
 }
 

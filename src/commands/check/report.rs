@@ -1,12 +1,11 @@
 //! What was checked, for people.
 
-use std::fmt::Write;
-
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
 use crate::file::Dimension;
 use crate::mechanism::{Axes, Names, Unit, from_design};
 use crate::number::rounded;
+use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
 
 /// All that the report tells.
@@ -66,18 +65,14 @@ impl Report<'_> {
             .map(|note| ("note".to_owned(), note.clone()));
         let notes: Vec<_> = notes.collect();
         lines.extend(if notes.is_empty() { none.into() } else { notes });
-        let width = lines.iter().map(|(what, _)| what.len()).max().unwrap_or(0);
-        let mut out = format!(
-            "{}: {}, lengths in {symbol}, axes of {}\n\n",
+        let (what, text): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
+        format!(
+            "{}: {}, lengths in {symbol}, axes of {}\n\n{}",
             self.file,
             self.linkage,
-            self.axes.in_words()
-        );
-        for (what, text) in lines {
-            // Writing into a string has no way to fail.
-            let _ = writeln!(out, "{what:width$}  {text}");
-        }
-        out
+            self.axes.in_words(),
+            laid_out(0, [TextColumn::left(what), TextColumn::left(text)])
+        )
     }
 
     fn points(&self) -> String {

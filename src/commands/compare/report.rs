@@ -9,11 +9,11 @@ use crate::commands::compare::differences::{
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::file::Dimension;
-use crate::number::aligned;
 use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
+use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{CENTRE, WHEEL_TRAVEL};
 
 /// Which file is which, a line each.
@@ -43,21 +43,8 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
         let _ = writeln!(out, "{note}");
     }
     for part in &comparison.parts {
-        let _ = write!(out, "\n{}\n\n", heading(part));
-        let rows = columns(part);
-        let widths: Vec<usize> = rows.iter().map(|column| width(column)).collect();
-        for row in 0..=part.differences.len() {
-            let cells = rows.iter().zip(&widths).enumerate();
-            let cells = cells.map(|(index, (column, width))| {
-                if matches!(index, 0 | 4) {
-                    format!("{:width$}", column[row])
-                } else {
-                    format!("{:>width$}", column[row])
-                }
-            });
-            let line = cells.collect::<Vec<_>>().join("  ");
-            let _ = writeln!(out, "  {}", line.trim_end());
-        }
+        let (heading, table) = (heading(part), laid_out(2, columns(part)));
+        let _ = write!(out, "\n{heading}\n\n{table}");
     }
     out
 }
@@ -142,43 +129,21 @@ fn rise(curves: &Curves, line: &Line) -> Option<f64> {
     Some((last.1 - first.1) / (last.0 - first.0))
 }
 
-fn width(column: &[String]) -> usize {
-    column
-        .iter()
-        .map(|cell| cell.chars().count())
-        .max()
-        .unwrap_or(0)
-}
-
-/// Columns with their headings; the last, where the curves differ most, of curves alone.
-fn columns(part: &Part) -> Vec<Vec<String>> {
+/// The differences; the last column, where the curves differ most, is of curves alone.
+fn columns(part: &Part) -> Vec<TextColumn> {
     let differences = || part.differences.iter();
-    let titled = |title: &str, cells: Vec<String>| {
-        [title.to_owned()]
-            .into_iter()
-            .chain(cells)
-            .collect::<Vec<_>>()
-    };
     let numbers = |title, value: &dyn Fn(&Difference) -> f64| {
         let cells = differences().map(|difference| in_digits(value(difference)));
-        titled(title, aligned(cells.collect(), [' ', ' ']))
+        TextColumn::numbers(cells).under(title)
     };
+    let quantities = differences().map(|difference| &difference.quantity);
+    let symbols = differences().map(|difference| &difference.symbol);
     let mut columns = vec![
-        titled(
-            "quantity",
-            differences()
-                .map(|difference| difference.quantity.clone())
-                .collect(),
-        ),
+        TextColumn::left(quantities).under("quantity"),
         numbers("A", &|difference| difference.values[0]),
         numbers("B", &|difference| difference.values[1]),
         numbers("B - A", &Difference::value),
-        titled(
-            "unit",
-            differences()
-                .map(|difference| difference.symbol.clone())
-                .collect(),
-        ),
+        TextColumn::left(symbols).under("unit"),
     ];
     if differences().any(|difference| difference.at.is_some()) {
         columns.push(numbers("at", &|difference| {

@@ -1,13 +1,12 @@
 //! What a load case does, for people.
 
-use std::fmt::Write;
-
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::Found;
 use crate::loads::Structure;
 use crate::mechanism::{Description, Drive, Measure};
-use crate::number::{aligned, fixed};
+use crate::number::fixed;
+use crate::output::text_table::{TextColumn, laid_out};
 
 /// Decimals of a force: a tenth of a newton.
 const DECIMALS: usize = 1;
@@ -28,9 +27,9 @@ impl Report<'_> {
             structure,
         } = self;
         let (case, first, names) = (found.case, &found.first, &mechanism.names);
-        let places = match found.places {
-            1 => "one place".to_owned(),
-            several => format!("least and greatest of {several} places"),
+        let (places, between) = match found.places {
+            1 => ("one place".to_owned(), "  "),
+            several => (format!("least and greatest of {several} places"), " to "),
         };
         let axes = mechanism.axes.in_words();
         let mut out = format!(
@@ -44,28 +43,27 @@ impl Report<'_> {
             Line {
                 name: name.to_owned(),
                 numbers: numbers.to_vec(),
-                between: " to ",
                 unit,
             }
         };
+        let mut table = |headings, lines: Vec<Line>| table(&mut out, between, headings, &lines);
         let drives = names.drives.iter();
         let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
-        table(&mut out, "drive", "bears", drives.collect());
+        table(["drive", "bears"], drives.collect());
         let bearing = first.in_measures.iter().map(|(measure, _)| {
             let measure = &names.measures[*measure];
             line(&measure.name, unit_in(measure))
         });
-        table(&mut out, "measure", "bears", bearing.collect());
+        table(["measure", "bears"], bearing.collect());
         let links = first.links.iter();
         let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
-        table(&mut out, "link", "tension", links.collect());
+        table(["link", "tension"], links.collect());
         let joints = first.joints.iter().map(|(statement, point, force)| {
             let statement = structure.statements[*statement].name;
             let of_several = line(&format!("{statement} at {}", names.points[*point]), "N");
             match found.places {
                 1 => Line {
                     numbers: force.iter().copied().collect(),
-                    between: "  ",
                     ..of_several
                 },
                 _ => of_several,
@@ -75,7 +73,7 @@ impl Report<'_> {
             1 => "force along x, y and z",
             _ => "size of the force",
         };
-        table(&mut out, "joint", heading, joints.collect());
+        table(["joint", heading], joints.collect());
         out.push_str(&near_a_lock(found.amplification));
         out
     }
@@ -97,7 +95,6 @@ fn near_a_lock(most: f64) -> String {
 struct Line {
     name: String,
     numbers: Vec<f64>,
-    between: &'static str,
     unit: &'static str,
 }
 
@@ -117,29 +114,20 @@ pub(super) fn unit_of(drive: &Drive) -> &'static str {
     }
 }
 
-/// Lines under a heading, with decimal points below each other.
-fn table(out: &mut String, what: &str, heading: &str, lines: Vec<Line>) {
-    let Some(first) = lines.first() else {
+/// Lines under a heading, with decimal points below each other and their numbers apart by what is between them.
+fn table(out: &mut String, between: &str, [what, heading]: [&str; 2], lines: &[Line]) {
+    let column = |number: usize| {
+        let numbers = lines.iter().map(|line| line.numbers[number]);
+        TextColumn::numbers(numbers.map(|number| fixed(number, DECIMALS)))
+    };
+    let numbers = 0..lines.first().map_or(0, |line| line.numbers.len());
+    let numbers = numbers.map(column);
+    let Some(numbers) = numbers.reduce(|column, next| column.then(between, next)) else {
         return;
     };
-    let column = |number: usize| {
-        let numbers = lines
-            .iter()
-            .map(|line| fixed(line.numbers[number], DECIMALS));
-        aligned(numbers.collect(), [' ', ' '])
-    };
-    let columns: Vec<Vec<String>> = (0..first.numbers.len()).map(column).collect();
-    let names = lines.iter().map(|line| line.name.len());
-    let width = names.chain([what.len()]).max().unwrap_or(0);
-    // Writing into a string has no way to fail.
-    let _ = writeln!(out, "{what:width$}  {heading}");
-    for (number, line) in lines.iter().enumerate() {
-        let numbers: Vec<&str> = columns
-            .iter()
-            .map(|column| column[number].as_str())
-            .collect();
-        let numbers = numbers.join(line.between);
-        let _ = writeln!(out, "{:width$}  {numbers} {}", line.name, line.unit);
-    }
+    let names = TextColumn::left(lines.iter().map(|line| &line.name));
+    let units = TextColumn::left(lines.iter().map(|line| line.unit));
+    let numbers = numbers.then(" ", units).under(heading);
+    out.push_str(&laid_out(0, [names.under(what), numbers]));
     out.push('\n');
 }

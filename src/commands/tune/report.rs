@@ -1,9 +1,8 @@
 //! What was moved and what was reached, for people.
 
-use std::fmt::Write;
-
 use crate::mechanism::Description;
-use crate::number::{aligned, counted, number, rounded};
+use crate::number::{counted, number, rounded};
+use crate::output::text_table::{TextColumn, laid_out};
 use crate::tune::{Deviations, Move, Target, Tuned, Wanted};
 
 /// Digits of moves and of what targets are off.
@@ -34,10 +33,10 @@ impl Report<'_> {
         });
         let targets = self.targets.iter().zip(&self.tuned.targets);
         let targets = targets.map(|(target, [before, after])| self.line(target, before, after));
-        let mut out = format!("{}: {}\n\n", self.file, self.outcome());
-        table(&mut out, "move", "by", moves.collect());
-        table(&mut out, "target", "off by at most", targets.collect());
-        out
+        let moves = table(["move", "by"], &moves.collect::<Vec<_>>());
+        let targets = table(["target", "off by at most"], &targets.collect::<Vec<_>>());
+        let (file, outcome) = (self.file, self.outcome());
+        format!("{file}: {outcome}\n\n{moves}\n{targets}\n")
     }
 
     /// How many targets are met.
@@ -117,15 +116,10 @@ fn greatest(off: &Deviations) -> f64 {
 }
 
 /// Names, numbers below each other, and what stands behind.
-fn table(out: &mut String, what: &str, heading: &str, lines: Vec<(String, String, String)>) {
-    let names = lines.iter().map(|(name, ..)| name.len());
-    let width = names.chain([what.len()]).max().unwrap_or(0);
-    let numbers = lines.iter().map(|(_, number, _)| number.clone());
-    let numbers = aligned(numbers.collect(), [' ', ' ']);
-    // Writing into a string has no way to fail.
-    let _ = writeln!(out, "{what:width$}  {heading}");
-    for ((name, _, rest), number) in lines.iter().zip(numbers) {
-        let _ = writeln!(out, "{name:width$}  {number} {rest}");
-    }
-    out.push('\n');
+fn table([what, heading]: [&str; 2], lines: &[(String, String, String)]) -> String {
+    let names = TextColumn::left(lines.iter().map(|(name, ..)| name));
+    let numbers = TextColumn::numbers(lines.iter().map(|(_, number, _)| number.clone()));
+    let rest = TextColumn::left(lines.iter().map(|(.., rest)| rest));
+    let numbers = numbers.then(" ", rest).under(heading);
+    laid_out(0, [names.under(what), numbers])
 }

@@ -1,0 +1,141 @@
+//! Tables of text for people: columns beside each other, two spaces apart, each as wide as its widest text.
+
+use crate::file::Dimension;
+use crate::mechanism::Unit;
+use crate::number::{aligned, fixed};
+
+/// A column: what stands above its cells, and these.
+pub struct TextColumn {
+    heading: String,
+    cells: Vec<String>,
+    is_at_right: bool,
+}
+
+impl TextColumn {
+    /// Texts that begin below each other.
+    pub fn left(cells: impl IntoIterator<Item = impl ToString>) -> Self {
+        Self {
+            heading: String::new(),
+            cells: cells.into_iter().map(|cell| cell.to_string()).collect(),
+            is_at_right: false,
+        }
+    }
+
+    /// Texts that end below each other.
+    pub fn right(cells: impl IntoIterator<Item = impl ToString>) -> Self {
+        Self {
+            is_at_right: true,
+            ..Self::left(cells)
+        }
+    }
+
+    /// Numbers whose decimal points are below each other; their heading ends where they do.
+    pub fn numbers(numbers: impl IntoIterator<Item = String>) -> Self {
+        Self::right(aligned(numbers.into_iter().collect(), [' ', ' ']))
+    }
+
+    /// Values in the unit that people read, with as many decimals as suit it.
+    pub fn values(values: impl Iterator<Item = f64>, dimension: Dimension, unit: Unit) -> Self {
+        let ((scale, _), decimals) = (dimension.for_people(unit), dimension.decimals(unit));
+        Self::right(values.map(|value| fixed(value * scale, decimals)))
+    }
+
+    /// The column under a heading.
+    pub fn under(self, heading: impl Into<String>) -> Self {
+        let heading = heading.into();
+        Self { heading, ..self }
+    }
+
+    /// Numbers, each with the text of another column behind it, as its unit: one column whose heading begins at the left.
+    pub fn then(self, between: &str, next: Self) -> Self {
+        let cells = self.cells.iter().zip(next.cells);
+        let cells = cells.map(|(cell, next)| format!("{cell}{between}{next}"));
+        Self::left(cells).under(self.heading)
+    }
+
+    /// The heading and the cells, all as wide as the widest.
+    fn padded(&self) -> Vec<String> {
+        let texts = || [&self.heading].into_iter().chain(&self.cells);
+        let width = texts().map(|text| text.chars().count()).max().unwrap_or(0);
+        let padded = texts().map(|text| match self.is_at_right {
+            true => format!("{text:>width$}"),
+            false => format!("{text:width$}"),
+        });
+        padded.collect()
+    }
+}
+
+/// Columns of equally many cells as lines, so many spaces from the left: the headings, where there are any, and the cells.
+pub fn laid_out(indent: usize, columns: impl IntoIterator<Item = TextColumn>) -> String {
+    let columns = Vec::from_iter(columns);
+    let is_without_headings = columns.iter().all(|column| column.heading.is_empty());
+    let columns: Vec<Vec<String>> = columns.iter().map(TextColumn::padded).collect();
+    let lines = columns.iter().map(Vec::len).min().unwrap_or(0);
+    let line = |line: usize| {
+        let texts: Vec<&str> = columns.iter().map(|column| column[line].as_str()).collect();
+        let line = format!("{:indent$}{}", "", texts.join("  "));
+        line.trim_end().to_owned() + "\n"
+    };
+    let lines = usize::from(is_without_headings)..lines;
+    lines.map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NONE: [&str; 0] = [];
+
+    fn numbers(numbers: &[&str]) -> TextColumn {
+        TextColumn::numbers(numbers.iter().map(|number| (*number).to_owned()))
+    }
+
+    #[test]
+    fn without_rows_there_are_the_headings_and_without_those_nothing() {
+        assert_eq!(laid_out(2, []), "");
+        assert_eq!(
+            laid_out(2, [TextColumn::left(NONE), TextColumn::right(NONE)]),
+            ""
+        );
+        let headed = [
+            TextColumn::left(NONE).under("name"),
+            TextColumn::right(NONE),
+        ];
+        assert_eq!(laid_out(2, headed), "  name\n");
+    }
+
+    #[test]
+    fn names_are_as_wide_as_their_characters() {
+        let columns = [
+            TextColumn::left(["Lenker", "Höhe", "Größe"]),
+            TextColumn::right(["größer", "1", "22"]),
+        ];
+        let expected = "Lenker  größer\nHöhe         1\nGröße       22\n";
+        assert_eq!(laid_out(0, columns), expected);
+    }
+
+    #[test]
+    fn headings_that_are_wider_stand_where_the_cells_do() {
+        let columns = [
+            TextColumn::left(["a", "b"]).under("measure"),
+            numbers(&["1.25", "-10"]).under("in all"),
+            TextColumn::right([7, 12]).under("  no"),
+            TextColumn::left(["m", ""]),
+        ];
+        let expected = "\
+            \x20measure  in all    no\n\
+            \x20a          1.25     7  m\n\
+            \x20b        -10       12\n";
+        assert_eq!(laid_out(1, columns), expected);
+    }
+
+    #[test]
+    fn what_follows_numbers_is_below_each_other() {
+        let range = numbers(&["1.5", "-20"]).then(" to ", numbers(&["300", "0.25"]));
+        let range = range
+            .under("from")
+            .then(" ", TextColumn::left(["N", "N m"]));
+        let expected = "from\n  1.5 to 300    N\n-20   to   0.25 N m\n";
+        assert_eq!(laid_out(0, [range]), expected);
+    }
+}
