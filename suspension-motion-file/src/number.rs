@@ -33,13 +33,14 @@ pub fn counted(count: usize, thing: &str) -> String {
 
 /// Numbers below each other: their decimal points are in a line where spaces are as wide as a digit and as a point.
 pub fn aligned(numbers: Vec<String>, [space, point]: [char; 2]) -> Vec<String> {
-    let whole = |number: &String| number.find('.').unwrap_or(number.len());
+    let count = |text: &str| text.chars().count();
+    let whole = |number: &String| count(number.split('.').next().unwrap_or_default());
     let widest = |width: &dyn Fn(&String) -> usize| numbers.iter().map(width).max().unwrap_or(0);
     let before = widest(&whole);
-    let behind = widest(&|number| number.len() - whole(number));
+    let behind = widest(&|number| count(number) - whole(number));
     let spaces = |count: usize| space.to_string().repeat(count);
     let padded = |number: &String| {
-        let fraction = number.len() - whole(number);
+        let fraction = count(number) - whole(number);
         let left = spaces(before - whole(number));
         let right = match fraction {
             0 if behind > 0 => format!("{point}{}", spaces(behind - 1)),
@@ -106,8 +107,8 @@ mod tests {
 
     #[test]
     fn decimal_points_are_in_a_line() {
-        let numbers = ["12.5", "-0.125", "3", ""].map(str::to_owned);
-        let expected = ["12.5  ", "-0.125", " 3_   ", "  _   "];
+        let numbers = ["12.5", "-0.125", "3", "–", ""].map(str::to_owned);
+        let expected = ["12.5  ", "-0.125", " 3_   ", " –_   ", "  _   "];
         let aligned = aligned(numbers.into(), [' ', '_']);
         assert_eq!(aligned, expected);
     }

@@ -163,6 +163,8 @@ fn car(
     if !is_described {
         return Ok(());
     }
+    // A wheel between the axles of a longer vehicle is on neither.
+    let tells_no_name = wheels.iter().all(|wheel| Axle::of(&wheel.name).is_none());
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
         let told = Axle::of(&wheel.name);
         if let (Some(_), Some(told)) = (stated.axle, told)
@@ -178,7 +180,10 @@ fn car(
         wheel.brake_share = share(task, "brake_share", brake)?;
         wheel.drive_share = share(task, "drive_share", drive)?;
         let missing = [
-            (wheel.axle.is_none(), "axle = \"front\" or \"rear\""),
+            (
+                wheel.axle.is_none() && tells_no_name,
+                "axle = \"front\" or \"rear\"",
+            ),
             (stated.wheelbase.is_none(), "wheelbase"),
             (stated.cg_height.is_none(), "cg_height"),
         ];

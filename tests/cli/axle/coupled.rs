@@ -144,3 +144,32 @@ fn usual_drives_that_do_not_move_a_wheel_are_not_its_own() {
         .replace("rear_left", "rear");
     assert!(!has(&file(&in_line, "", drives), "track_m"));
 }
+
+/// Three arms one behind the other: the front and the rear one have quantities of a car, the one between them none.
+#[test]
+fn a_wheel_between_the_axles_is_on_neither() {
+    let arm = |name: &str, x: f64| {
+        format!(
+            "fixed: {name}_in at [{:?}, 0.3, 0.35], {name}_out at [{:?}, 0.6, 0.35];\nfree: {name}_left_hub at [{x:?}, 0.7, 0.3];\n\
+             hinge {name}_arm: {name}_in, {name}_out -> {name}_left_hub;\npoint {name}_axle: {name}_arm at [{x:?}, 0.6, 0.3];\n\
+             drive {name}_left_bump: {name}_left_hub.z;\nwheel {name}_left: {name}_axle -> {name}_left_hub;\n",
+            x + 0.5,
+            x + 0.5
+        )
+    };
+    let arms: Vec<String> = [("front", 0.0), ("mid", -2.0), ("rear", -3.2)]
+        .map(|(name, x)| arm(name, x))
+        .into();
+    let vehicle =
+        "wheelbase = 3.2\ncg_height = 0.8\nbrake_share = { front = 0.5, mid = 0.25, rear = 0.25 }";
+    let drives = "front_left_bump = 0.3\nmid_left_bump = 0.3\nrear_left_bump = 0.3";
+    let row = &table(&file(&arms.join(""), vehicle, drives), &["motion"])[0];
+    for (name, is_there) in [
+        ("front_left_anti_dive_percent", true),
+        ("rear_left_anti_lift_percent", true),
+        ("mid_left_anti_dive_percent", false),
+        ("mid_left_anti_lift_percent", false),
+    ] {
+        assert_eq!(row.contains_key(name), is_there, "{name}");
+    }
+}
