@@ -293,8 +293,20 @@ fn travel_by_a_damper_is_not_that_of_the_wheel() {
     let said = "the wheel rises by 1 per unit of `bump` of A and by 0.6";
     assert!(report.contains(said), "{report}");
     assert!(report.contains("of `bump upwards` of B"), "{report}");
+    // It is one suspension: per travel of the wheel there is no difference.
+    let (_folder, output) = compare(&up, &by_damper, &["--csv", "-"]);
+    let rows = rows(&output);
+    let by_wheel = || rows.iter().filter(|([of, ..], _)| of == "per wheel travel");
+    let camber = by_wheel().find(|([_, quantity, _], _)| quantity == "camber angle");
+    assert!(camber.is_some_and(|(_, [_, a, ..])| a.abs() > 0.01));
+    for (names, [_, a, b, difference]) in by_wheel() {
+        assert!(
+            difference.abs() < 1e-9 * (1.0 + a.abs()),
+            "{names:?}: {a} {b}"
+        );
+    }
     assert!(
-        report.contains("what is compared per and over travel is by equal changes of the drives")
+        report.contains("what is compared over travel is at equal changes of the drives, derivatives are per travel of the wheel")
     );
 }
 

@@ -46,13 +46,24 @@ impl Comparison {
         }];
         for (of_a, way) in sides[0].ways.iter().enumerate() {
             if let Some(of_b) = sides[1].ways.iter().position(|other| other == way) {
-                let [a, b] = [(sides[0], of_a), (sides[1], of_b)].map(|(side, way)| {
+                let ways = [(sides[0], of_a), (sides[1], of_b)];
+                let by_wheel = are_unlike_travels(ways);
+                let [a, b] = ways.map(|(side, way)| {
                     move |parameter: &Parameter, is_alone| {
-                        derivative(side, way, parameter, is_alone)
+                        let derivative = derivative(side, way, parameter, is_alone);
+                        if by_wheel {
+                            derivative?.per_rise(side)
+                        } else {
+                            derivative.map(|along| (along.value, along.symbol.clone()))
+                        }
                     }
                 });
                 parts.push(Part {
-                    of: format!("per {way}"),
+                    of: if by_wheel {
+                        format!("per wheel {way}")
+                    } else {
+                        format!("per {way}")
+                    },
                     across: None,
                     differences: of_parameters(sides, [&a, &b]),
                 });
@@ -90,14 +101,43 @@ pub(super) fn title_of_both([a, b]: [&Title; 2]) -> String {
     if a.wheel.is_none() { b } else { a }.to_string()
 }
 
-/// The derivative of a parameter along a drive with its unit; of a wheel that is compared with one without a name, along
-/// the wheel's own drive of travel in place of the first.
-fn derivative(
+/// Wheels that rise further than others by this part, for equal changes of their drives, are compared by their own travel.
+pub(super) const ALIKE: f64 = 0.1;
+
+/// Whether equal changes of two drives of travel are not equal travels of the wheels.
+fn are_unlike_travels(ways: [(&Side, usize); 2]) -> bool {
+    let [a, b] = ways.map(|(side, way)| side.rise(way));
+    let (Some((a, of_a)), Some((b, of_b))) = (a, b) else {
+        return false;
+    };
+    of_a != of_b || (b - a).abs() > ALIKE * a.abs()
+}
+
+/// A derivative of a parameter along a drive.
+struct Along<'a> {
+    parameter: &'a Parameter,
+    way: usize,
+    value: f64,
+    symbol: &'a String,
+}
+
+impl Along<'_> {
+    /// The same with respect to the height of the wheel that the drive moves.
+    fn per_rise(&self, side: &Side) -> Option<(f64, String)> {
+        let (rise, _) = side.rise(self.way)?;
+        let symbol = format!("{}/{}", self.parameter.symbol, side.unit.symbol());
+        Some((self.value / rise, symbol))
+    }
+}
+
+/// The derivative of a parameter along a drive; of a wheel that is compared with one without a name, along the wheel's own drive of
+/// travel in place of the first.
+fn derivative<'a>(
     side: &Side,
     way: usize,
-    parameter: &Parameter,
+    parameter: &'a Parameter,
     is_alone: bool,
-) -> Option<(f64, String)> {
+) -> Option<Along<'a>> {
     let mut travel_of = side.travel_of.iter();
     let own = travel_of.find(|(wheel, _)| parameter.title.wheel.as_ref() == Some(wheel));
     let way = match (side.ways[way].does, own) {
@@ -105,7 +145,12 @@ fn derivative(
         _ => way,
     };
     let derivative = parameter.per[way].as_ref()?;
-    Some((derivative.value, derivative.symbol.clone()))
+    Some(Along {
+        parameter,
+        way,
+        value: derivative.value,
+        symbol: &derivative.symbol,
+    })
 }
 
 /// Reads a number of a parameter, with its unit; with whether only one of the two that are compared names its wheel.

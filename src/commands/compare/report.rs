@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::characteristics::{Curves, Does, Line, Parameter};
 use crate::commands::compare::differences::{
-    Comparison, Difference, Part, pairs, same_ways, unmatched,
+    ALIKE, Comparison, Difference, Part, pairs, same_ways, unmatched,
 };
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
@@ -59,8 +59,14 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
             true => "an angle",
             false => "a length",
         };
+        let compared = match a.way.does {
+            Does::Travel => {
+                "no curves along them are compared, and derivatives are per travel of the wheel"
+            }
+            Does::Roll | Does::Steer => "nothing along them is compared",
+        };
         format!(
-            "`{}` of A is {}, `{}` of B {}: nothing along them is compared",
+            "`{}` of A is {}, `{}` of B {}: {compared}",
             a.title,
             what(a),
             b.title,
@@ -99,9 +105,6 @@ fn across(sides: [&Side; 2]) -> Option<String> {
     })
 }
 
-/// Wheels further apart than this part of their travel are not at the same place of it.
-const ALIKE: f64 = 0.1;
-
 /// Says so where equal changes of two drives are not equal travels of the wheels.
 fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
@@ -115,7 +118,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
             "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
-             compared per and over {} is by equal changes of the drives, not of the wheels",
+             compared over {} is at equal changes of the drives, derivatives are per travel of the wheel",
             a.title, b.title, a.way
         )
     })

@@ -2,11 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Does, Parameter, Span, Way, curves, parameters, ways};
+use crate::characteristics::{Curves, Does, Parameter, Span, Title, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::Unit;
+use crate::quantities::CENTRE;
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
@@ -16,6 +17,8 @@ pub(super) struct Side {
     pub(super) converted: Option<String>,
     /// The unit of lengths here.
     pub(super) unit: Unit,
+    /// 1 where the z axis points upwards, -1 where it points downwards.
+    up: f64,
     /// What the drives do with respect to which the parameters have derivatives.
     pub(super) ways: Vec<Way>,
     /// The drive of travel of each wheel that has a name, by its place in these.
@@ -54,6 +57,7 @@ impl Side {
             converted,
             unit,
             missing: missing.collect(),
+            up: mechanism.axes.signs()[2],
             travel_of: travel_of.collect(),
             ways: does,
             parameters: parameters(mechanism, unit, interrupted),
@@ -64,5 +68,23 @@ impl Side {
     /// Whether a drive steers.
     pub(super) fn steers(&self) -> bool {
         self.ways.iter().any(|way| way.does == Does::Steer)
+    }
+
+    /// How far the wheel of a drive of travel rises per unit of the drive at the design position, with the unit; `None` of other
+    /// drives.
+    pub(super) fn rise(&self, way: usize) -> Option<(f64, &str)> {
+        let mut travel_of = self.travel_of.iter();
+        let (wheel, _) = travel_of.find(|(_, own)| *own == way)?;
+        let is_height = |parameter: &&Parameter| {
+            let Title {
+                wheel: of,
+                of_wheel,
+            } = &parameter.title;
+            std::ptr::eq(parameter.quantity, &CENTRE)
+                && of_wheel.ends_with(" z")
+                && of.as_deref().unwrap_or_default() == wheel
+        };
+        let rise = self.parameters.iter().find(is_height)?.per[way].as_ref()?;
+        Some((self.up * rise.value, &rise.symbol))
     }
 }
