@@ -44,32 +44,7 @@ pub fn list(
     interrupted: &AtomicBool,
     on_listed: &mut OnListed<'_>,
 ) -> Result<(), Failure> {
-    let first = mechanism.first_drives();
-    let refuse = |message: String| Failure::Input(format!("{file}: {message}"));
-    let places = match wish.at.as_slice() {
-        [] => vec![first],
-        values => {
-            let drive = mechanism.names.chosen_drive(wish.drive.as_deref());
-            let drive = drive.map_err(refuse)?;
-            let offset = mechanism.drive_offsets[drive];
-            let with = |value: &f64| {
-                let kind = mechanism.names.drives[drive].kind;
-                let inside = value / Dimension::from(kind).in_file(mechanism.unit);
-                let angle = mechanism.unit.angle;
-                let bounds = angle.bounds_exceeded(kind, inside);
-                let finite =
-                    || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
-                let bounds = bounds.or_else(finite);
-                if let Some(bounds) = bounds {
-                    return Err(refuse(format!("--at {value}: {bounds}")));
-                }
-                let mut drives = first.clone();
-                drives[drive] = inside - offset;
-                Ok(drives)
-            };
-            values.iter().map(with).collect::<Result<_, _>>()?
-        }
-    };
+    let places = places(mechanism, file, wish)?;
     let given_up = |done: &str| Failure::Interrupted(format!("{file}: interrupted {done}"));
     let known = AtomicUsize::new(0);
     let found = Found::new(GENERAL);
@@ -113,4 +88,28 @@ pub fn list(
         "{file}: no assembly was found at {}; --at has the drive's own values, the design is at {design}",
         nowhere.join(", nor at ")
     )))
+}
+
+/// The drives at each value of the wish, of the first instant without one, in local coordinates.
+fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec<f64>>, Failure> {
+    let first = mechanism.first_drives();
+    if wish.at.is_empty() {
+        return Ok(vec![first]);
+    }
+    let refuse = |message: String| Failure::Input(format!("{file}: {message}"));
+    let drive = mechanism.names.chosen_drive(wish.drive.as_deref());
+    let drive = drive.map_err(refuse)?;
+    let (kind, unit) = (mechanism.names.drives[drive].kind, mechanism.unit);
+    let with = |value: &f64| {
+        let inside = value / Dimension::from(kind).in_file(unit);
+        let finite = || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
+        let bounds = unit.angle.bounds_exceeded(kind, inside).or_else(finite);
+        if let Some(bounds) = bounds {
+            return Err(refuse(format!("--at {value}: {bounds}")));
+        }
+        let mut drives = first.clone();
+        drives[drive] = inside - mechanism.drive_offsets[drive];
+        Ok(drives)
+    };
+    wish.at.iter().map(with).collect()
 }

@@ -115,6 +115,40 @@ impl<'a> Candidate<'a> {
             each => format!("; not known: {each}"),
         }
     }
+
+    /// Why the points are not those of the listing, in words; `None` where they are.
+    fn does_not_fit(
+        &self,
+        stated: &Hardpoints<'_>,
+        points: &[&Hardpoint],
+        names: &Names,
+        wanted: Option<&str>,
+    ) -> Option<String> {
+        if self.found.is_empty() {
+            let first = points.first().map_or("", |point| point.name.as_str());
+            if points.iter().any(|point| names.is_point(&point.key)) {
+                return Some(format!(
+                    "{} has none of the file's points, `{first}` for one; without --linkage they choose the layout",
+                    self.linkage
+                ));
+            }
+            return Some(format!(
+                "no name of a point is known, `{first}` for one; suspension import --names lists those that are"
+            ));
+        }
+        if !self.missing.is_empty() {
+            let what = match wanted {
+                Some(_) => format!("{} lacks", self.linkage),
+                None => format!(
+                    "no layout has all its points here; the nearest, {}, lacks",
+                    self.linkage
+                ),
+            };
+            let unknown = self.unknown(points, names, stated);
+            return Some(format!("{what} {}{unknown}", self.lacks(names)));
+        }
+        None
+    }
 }
 
 /// The names of a listing's points, which take none of the search for an order of elimination.
@@ -157,28 +191,8 @@ pub(super) fn choose<'a>(
     let Some(best) = candidates.next() else {
         return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
-    if best.found.is_empty() {
-        let first = points.first().map_or("", |point| point.name.as_str());
-        if points.iter().any(|point| names.is_point(&point.key)) {
-            return Err(format!(
-                "{} has none of the file's points, `{first}` for one; without --linkage they choose the layout",
-                best.linkage
-            ));
-        }
-        return Err(format!(
-            "no name of a point is known, `{first}` for one; suspension import --names lists those that are"
-        ));
-    }
-    if !best.missing.is_empty() {
-        let what = match wanted {
-            Some(_) => format!("{} lacks", best.linkage),
-            None => format!(
-                "no layout has all its points here; the nearest, {}, lacks",
-                best.linkage
-            ),
-        };
-        let unknown = best.unknown(points, names, stated);
-        return Err(format!("{what} {}{unknown}", best.lacks(names)));
+    if let Some(why) = best.does_not_fit(stated, points, names, wanted) {
+        return Err(why);
     }
     match candidates.next() {
         Some(other)
