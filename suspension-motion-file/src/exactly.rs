@@ -1,28 +1,17 @@
 //! Lists of so many numbers: an array type of serde's would read that many and drop the rest.
 
+use std::fmt;
+
+use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 /// As many numbers as there are to be.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(try_from = "Vec<f64>")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exactly<const N: usize>(pub [f64; N]);
 
-impl<const N: usize> TryFrom<Vec<f64>> for Exactly<N> {
-    type Error = String;
-
-    fn try_from(list: Vec<f64>) -> Result<Self, String> {
-        let wanted = || {
-            let as_written = if N == 2 { "[from, to]" } else { "[x, y, z]" };
-            let comma = if list.len() > N {
-                "; a decimal separator is a point, as in 0.5"
-            } else {
-                ""
-            };
-            let count = list.len();
-            format!("{N} numbers are wanted here, {as_written}, not {count}{comma}")
-        };
-        let exact = <[f64; N]>::try_from(list.as_slice());
-        exact.map(Self).map_err(|_| wanted())
+impl<'de, const N: usize> Deserialize<'de> for Exactly<N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(List).map(Self)
     }
 }
 
@@ -31,5 +20,38 @@ pub(crate) fn exactly<'de, D, const N: usize>(deserializer: D) -> Result<[f64; N
 where
     D: Deserializer<'de>,
 {
-    Exactly::deserialize(deserializer).map(|Exactly(numbers)| numbers)
+    deserializer.deserialize_seq(List)
+}
+
+struct List<const N: usize>;
+
+impl<const N: usize> List<N> {
+    /// As it is written.
+    const WRITTEN: &str = if N == 2 { "[from, to]" } else { "[x, y, z]" };
+}
+
+impl<'de, const N: usize> Visitor<'de> for List<N> {
+    type Value = [f64; N];
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{N} numbers {}", Self::WRITTEN)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<[f64; N], A::Error> {
+        let mut list = Vec::new();
+        while let Some(number) = entries.next_element::<f64>()? {
+            list.push(number);
+        }
+        <[f64; N]>::try_from(list.as_slice()).map_err(|_| {
+            let comma = if list.len() > N {
+                "; a decimal separator is a point, as in 0.5"
+            } else {
+                ""
+            };
+            let (written, count) = (Self::WRITTEN, list.len());
+            de::Error::custom(format!(
+                "{N} numbers are wanted here, {written}, not {count}{comma}"
+            ))
+        })
+    }
 }

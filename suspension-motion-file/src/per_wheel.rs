@@ -10,6 +10,8 @@ use serde::de::{
 };
 use toml::Spanned;
 
+use crate::axle::is_within;
+
 /// What is stated of wheels.
 #[derive(Clone, Debug)]
 pub enum PerWheel<T> {
@@ -17,6 +19,16 @@ pub enum PerWheel<T> {
     All(T),
     /// Of those whose names have these words: `left`, `front`, `front_left`.
     Of(BTreeMap<String, Spanned<T>>),
+}
+
+impl<T> PerWheel<T> {
+    /// Whether it is stated of the wheel with this name.
+    pub fn is_of(&self, wheel: &str) -> bool {
+        match self {
+            Self::All(_) => true,
+            Self::Of(some) => some.keys().any(|words| is_within(words, wheel)),
+        }
+    }
 }
 
 /// What may be stated of wheels.

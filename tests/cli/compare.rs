@@ -351,3 +351,57 @@ fn a_wheel_without_a_name_is_compared_with_each_wheel_of_an_axle() {
         }
     }
 }
+
+/// Arms of two axles, each driven by its height; the wheels are stated in any order.
+fn axles(wheels: &[(&str, f64, f64)]) -> String {
+    let (mut statements, mut drives) = (String::new(), String::new());
+    for (wheel, x, side) in wheels {
+        let at = |x: f64, y: f64, z: f64| format!("[{x:?}, {:?}, {z:?}]", y * side);
+        statements += &format!(
+            "fixed: {wheel}_fore at {}, {wheel}_aft at {};\nfree: {wheel}_hub at {};\n\
+             hinge {wheel}_arm: {wheel}_fore, {wheel}_aft -> {wheel}_hub;\npoint {wheel}_in: {wheel}_arm at {};\n\
+             drive {wheel}_bump: {wheel}_hub.z;\nwheel {wheel}: {wheel}_in -> {wheel}_hub;\n",
+            at(x + 0.2, 0.30, 0.25),
+            at(x - 0.2, 0.35, 0.22),
+            at(*x, 0.70, 0.30),
+            at(*x, 0.60, 0.30),
+        );
+        drives += &format!("{wheel}_bump = 0.3\n");
+    }
+    format!(
+        "unit = \"m\"\nstatements = \"\"\"\n{statements}\"\"\"\nvehicle = {{ wheel_radius = 0.3 }}\n\
+         time = {{ instants = [0.0] }}\n[drives]\n{drives}"
+    )
+}
+
+/// What is compared of two files, without places and differences.
+fn assert_same(a: &str, b: &str, wanted: &str) {
+    let (_folder, output) = compare(a, b, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let mut count = 0;
+    for ([of, quantity, _], [_, a, b, difference]) in rows(&output) {
+        if of != "design" && quantity.contains(wanted) && !quantity.ends_with(" x") {
+            assert!(
+                difference.abs() < 1e-9 * (1.0 + a.abs()),
+                "{of} {quantity}: {a} {b}"
+            );
+            count += usize::from(a.abs() > 1e-3);
+        }
+    }
+    assert!(count > 1, "{wanted}: {count}");
+}
+
+#[test]
+fn wheels_of_one_name_are_compared_along_their_own_drives() {
+    let (left, right) = (("left", 0.0, 1.0), ("right", 0.0, -1.0));
+    // In roll the left wheel rises, whichever is stated first.
+    assert_same(&axles(&[left, right]), &axles(&[right, left]), "left");
+    let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
+    let rear = [("rear_left", -2.6, 1.0), ("rear_right", -2.6, -1.0)];
+    let both = axles(&[front, rear].concat());
+    assert_same(&both, &axles(&rear), "rear_left camber");
+    // An axle without a name beside one of several.
+    let alone = axles(&[left, right]);
+    assert_same(&both, &alone, "rear roll centre");
+    assert_same(&alone, &both, "rear roll centre");
+}

@@ -302,6 +302,8 @@ fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
     // A spring beside the damper, whatever the measure is called.
     let sprung = format!("{file}\n[springs.coil]\nalong = \"damper\"\nrate = 30000.0\n");
     assert!(tables(&sprung, &["carmaker"]).contains(".L.lSpring = "));
+    let bar = sprung.replace("springs.coil", "springs.anti_roll_bar");
+    assert!(!tables(&bar, &["carmaker"]).contains("lSpring"));
 }
 
 #[test]

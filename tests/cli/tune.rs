@@ -262,22 +262,28 @@ fn a_point_of_several_moves_is_not_held() {
     }
 }
 
-/// As a sweep is given a count of places.
+/// As a sweep is given a count of places, or one number.
 #[test]
 fn a_range_has_two_numbers() {
     let folder = folder();
-    for (stated, given) in [
-        ("by = [-0.03, 0.03]", "by = [-0.03, 0.03, 13]"),
+    let wanted = "2 numbers are wanted here, [from, to], not 3";
+    for (stated, given, said) in [
+        ("by = [-0.03, 0.03]", "by = [-0.03, 0.03, 13]", wanted),
         (
             "over = { bump = [-0.06, 0.06] }",
             "over = { bump = [-0.06, 0.06, 13] }",
+            wanted,
+        ),
+        (
+            "by = [-0.03, 0.03]",
+            "by = 5",
+            "expected 2 numbers [from, to]",
         ),
     ] {
         assert!(FLAT.contains(stated), "{FLAT}");
         let wrong = FLAT.replacen(stated, given, 1);
         let output = tuned(folder.path(), &file("macpherson", DRIVES, &wrong));
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let said = "2 numbers are wanted here, [from, to], not 3";
         assert!(text(&output.stderr).contains(said), "{output:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! What both suspensions have, beside each other.
 
-use crate::characteristics::{Curves, Does, Line, Parameter, Title};
+use crate::characteristics::{Curves, Line, Parameter, Title};
 use crate::commands::compare::side::Side;
 
 /// A number of both.
@@ -45,7 +45,7 @@ impl Comparison {
             differences: of_parameters(sides, [&design; 2]),
         }];
         for (of_a, way) in sides[0].ways.iter().enumerate() {
-            if let Some(of_b) = sides[1].ways.iter().position(|other| other == way) {
+            if let Some(of_b) = sides[0].same_way(sides[1], of_a) {
                 let ways = [(sides[0], of_a), (sides[1], of_b)];
                 let by_wheel = are_unlike_travels(ways);
                 let [a, b] = ways.map(|(side, way)| {
@@ -130,18 +130,16 @@ impl Along<'_> {
     }
 }
 
-/// The derivative of a parameter along a drive; of a wheel that is compared with one without a name, along the wheel's own drive of
-/// travel in place of the first.
+/// The derivative of a parameter along a drive; of a wheel or an axle that is compared with one without a name, along its own drive of
+/// travel.
 fn derivative<'a>(
     side: &Side,
     way: usize,
     parameter: &'a Parameter,
     is_alone: bool,
 ) -> Option<Along<'a>> {
-    let mut travel_of = side.travel_of.iter();
-    let own = travel_of.find(|(wheel, _)| parameter.title.wheel.as_ref() == Some(wheel));
-    let way = match (side.ways[way].does, own) {
-        (Does::Travel, Some((_, own))) if is_alone => *own,
+    let way = match &parameter.title.wheel {
+        Some(wheel) if is_alone => side.own_way(way, wheel),
         _ => way,
     };
     let derivative = parameter.per[way].as_ref()?;

@@ -108,9 +108,11 @@ fn across(sides: [&Side; 2]) -> Option<String> {
 /// Says so where equal changes of two drives are not equal travels of the wheels.
 fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
-    if a.way.does != Does::Travel {
-        return None;
-    }
+    let derivatives = match a.way.does {
+        Does::Travel => ", derivatives are per travel of the wheel",
+        Does::Roll => "",
+        Does::Steer => return None,
+    };
     let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
     let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
     let is_unlike = a.dimension == b.dimension && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
@@ -118,7 +120,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
             "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
-             compared over {} is at equal changes of the drives, derivatives are per travel of the wheel",
+             compared over {} is at equal changes of the drives{derivatives}",
             a.title, b.title, a.way
         )
     })

@@ -1,12 +1,13 @@
 //! One of the two suspensions.
 
+use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{Curves, Does, Parameter, Span, Title, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::mechanism::Unit;
+use crate::mechanism::{Pair, Unit, Wheel};
 use crate::quantities::CENTRE;
 
 /// What is compared of a suspension, with lengths in the unit of the first.
@@ -21,8 +22,10 @@ pub(super) struct Side {
     up: f64,
     /// What the drives do with respect to which the parameters have derivatives.
     pub(super) ways: Vec<Way>,
-    /// The drive of travel of each wheel that has a name, by its place in these.
-    pub(super) travel_of: Vec<(String, usize)>,
+    /// The drive of travel of each wheel, by its place in these.
+    travel_of: Vec<(String, usize)>,
+    /// The same of both wheels of each axle.
+    axles: Vec<(String, Vec<usize>)>,
     pub(super) parameters: Vec<Parameter>,
     /// Over travel, and over steering where a drive steers.
     pub(super) curves: Vec<Curves>,
@@ -45,11 +48,14 @@ impl Side {
         let curves = along.iter().map(|along| curves(mechanism, along, unit));
         let (does, drives): (Vec<Way>, Vec<usize>) =
             Way::of_drives(&mechanism.names).into_iter().unzip();
-        let travel_of = mechanism.names.wheels.iter().filter_map(|wheel| {
-            let place = drives
-                .iter()
-                .position(|drive| Some(*drive) == wheel.travel)?;
-            Some((wheel.name.clone(), place))
+        let wheels = &mechanism.names.wheels;
+        let place = |wheel: &Wheel| drives.iter().position(|drive| Some(*drive) == wheel.travel);
+        let travel_of = wheels.iter();
+        let travel_of = travel_of.filter_map(|wheel| Some((wheel.name.clone(), place(wheel)?)));
+        let axles = Pair::all(wheels).into_iter().map(|pair| {
+            let both = pair.wheels.into_iter();
+            let ways = both.filter_map(|wheel| place(&wheels[wheel]));
+            (pair.name, ways.collect())
         });
         Ok(Self {
             file: file.to_owned(),
@@ -58,6 +64,7 @@ impl Side {
             unit,
             missing: missing.collect(),
             up: mechanism.axes.signs()[2],
+            axles: axles.collect(),
             travel_of: travel_of.collect(),
             ways: does,
             parameters: parameters(mechanism, unit, interrupted),
@@ -68,6 +75,49 @@ impl Side {
     /// Whether a drive steers.
     pub(super) fn steers(&self) -> bool {
         self.ways.iter().any(|way| way.does == Does::Steer)
+    }
+
+    /// The place of what does the same in another suspension: of the drive of travel of a wheel whose name both have, that wheel's.
+    pub(super) fn same_way(&self, other: &Self, way: usize) -> Option<usize> {
+        let place_of = |side: &Self, name: &str| {
+            let mut wheels = side.travel_of.iter();
+            wheels
+                .find(|(wheel, _)| wheel == name)
+                .map(|(_, place)| *place)
+        };
+        let mut wheels = self.travel_of.iter();
+        let share_names = wheels
+            .clone()
+            .any(|(wheel, _)| place_of(other, wheel).is_some());
+        match wheels.find(|(_, place)| *place == way) {
+            Some((wheel, _)) if share_names => place_of(other, wheel),
+            _ => other
+                .ways
+                .iter()
+                .position(|theirs| *theirs == self.ways[way]),
+        }
+    }
+
+    /// The drive of travel that stands for another one at a wheel or an axle of this name: its own, of an axle the one on the same
+    /// side.
+    pub(super) fn own_way(&self, way: usize, name: &str) -> usize {
+        let Way {
+            does: Does::Travel,
+            number,
+        } = self.ways[way]
+        else {
+            return way;
+        };
+        let wheel = self.travel_of.iter().find(|(wheel, _)| wheel == name);
+        let wheel = wheel.map(|(_, place)| slice::from_ref(place));
+        let axle = || self.axles.iter().find(|(axle, _)| axle == name);
+        let own = wheel.or_else(|| axle().map(|(_, places)| places.as_slice()));
+        match own {
+            Some(own) if !own.contains(&way) => {
+                own.get(number - 1).or(own.last()).copied().unwrap_or(way)
+            }
+            _ => way,
+        }
     }
 
     /// How far the wheel of a drive of travel rises per unit of the drive at the design position, with the unit; `None` of other

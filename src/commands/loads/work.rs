@@ -84,10 +84,17 @@ impl<'a> Work<'a> {
             false => ControlFlow::Continue(()),
         };
         // The table has columns of the cases that have an answer somewhere: mostly all have one at the first instant.
+        let mut progress = Progress::new(instants.count(), "instants");
         self.mechanism.move_through(instants, &mut |state| {
+            progress.step();
             start(&mut found, self.cases, &self.outcomes(&state));
             Ok(go_on(found.iter().all(Option::is_some) || is_over()))
         })?;
+        drop(progress);
+        if is_over() {
+            let message = format!("{}: interrupted; nothing was written", self.source);
+            return Err(Failure::Interrupted(message));
+        }
         let mut rows = self.rows(forms, &leading, &found)?;
         let mut first = None;
         let mut progress = Progress::new(instants.count(), "instants");

@@ -10,7 +10,7 @@ use crate::mechanism::{Axle, Description, Measure, is_within};
 use crate::number::{exact, without_rounding};
 
 const SPRING: &str = "lSpring";
-const BAR: &[&str] = &["bar", "stabi"];
+const BAR: &[&str] = &["bar", "stabi", "arb"];
 
 /// The lengths of force elements, each with the words that measures of them have.
 const LENGTHS: [(&str, &[&str]); 3] = [
@@ -65,15 +65,21 @@ pub(super) fn text(
         // Of several wheels, that of this one.
         let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
         let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));
-        // A bar is in [springs] as well.
-        let has_spring = |number: usize, measure: &str| {
-            let mut springs = mechanism.names.vehicle.springs.iter();
-            name == SPRING && !has(BAR, measure) && springs.any(|spring| spring.measure == number)
-        };
         let measures = mechanism.names.measures.iter().enumerate();
         let own = measures.filter(|(_, measure)| is_own(&measure.name));
-        let mut named = own
-            .filter(|(number, Measure { name, .. })| has(words, name) || has_spring(*number, name));
+        let with_word = own.clone().filter(|(_, measure)| has(words, &measure.name));
+        // A bar is in [springs] as well.
+        let has_spring = |number: usize, measure: &Measure| {
+            let springs = mechanism.names.vehicle.springs.iter();
+            let mut springs = springs.filter(|spring| spring.measure == number);
+            springs.any(|spring| {
+                ![&spring.name, &measure.name]
+                    .iter()
+                    .any(|name| has(BAR, name))
+            })
+        };
+        let sprung = own.filter(|(number, measure)| name == SPRING && has_spring(*number, measure));
+        let mut named = with_word.chain(sprung);
         let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
         match named.clone().find(|(_, measure)| is_length(measure)) {
             Some((measure, _)) => row(name, 0.0, &|rates| rates.measures[measure]),

@@ -46,7 +46,8 @@ impl Course {
         let mut of_axles = Vec::new();
         let mut courses = Vec::new();
         for pair in Pair::all(&names.wheels) {
-            let [Some(a), Some(b)] = pair.wheels.map(|wheel| names.wheels[wheel].travel) else {
+            let wheels = left_first(names, pair.wheels);
+            let [Some(a), Some(b)] = wheels.map(|wheel| names.wheels[wheel].travel) else {
                 continue;
             };
             if a == b || names.drives[a].kind != names.drives[b].kind {
@@ -60,13 +61,13 @@ impl Course {
                 title: of_axle("heave"),
                 does: Does::Travel,
                 moved: format!("{first} and {second}, both upwards"),
-                drives: drives(rises.parts(pair.wheels, [1.0, 1.0])),
+                drives: drives(rises.parts(wheels, [1.0, 1.0])),
             });
             courses.push(Self {
                 title: of_axle("roll"),
                 does: Does::Roll,
                 moved: format!("{first} up, {second} down"),
-                drives: drives(rises.parts(pair.wheels, [1.0, -1.0])),
+                drives: drives(rises.parts(wheels, [1.0, -1.0])),
             });
         }
         let vehicle = &names.vehicle;
@@ -83,6 +84,19 @@ impl Course {
         let steer = vehicle.steer.iter();
         courses.extend(steer.map(|drive| Self::of_drive(names, *drive, Does::Steer, 1.0)));
         courses
+    }
+}
+
+/// Both wheels of an axle, the left one before the right one whatever the order in which a listing states them.
+fn left_first(names: &Names, [one, other]: [usize; 2]) -> [usize; 2] {
+    let points_left = |wheel: usize| {
+        let axis = names.wheels[wheel].design;
+        axis.is_none_or(|[inner, centre]| centre.y >= inner.y)
+    };
+    if points_left(one) {
+        [one, other]
+    } else {
+        [other, one]
     }
 }
 

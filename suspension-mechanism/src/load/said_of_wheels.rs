@@ -8,7 +8,7 @@ use toml::Spanned;
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::load::usual_drives::turns;
-use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
+use crate::mechanism::{Axle, Coupling, Names, Suspension, Wheel};
 use crate::number::{number, rounded};
 
 /// How far the wheelbase may be off the distance of the axles, as a part of it.
@@ -20,6 +20,7 @@ const FAR: f64 = 10.0;
 /// Notes on wheels, at the design; `couplings` are those of each.
 pub(super) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
+    names: &Names,
     design: &Design<L, N>,
     couplings: &[Coupling],
 ) -> Vec<String> {
@@ -40,7 +41,7 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
             }),
         ]
     };
-    notes.extend(task.names.wheels.iter().flat_map(of_wheel).flatten());
+    notes.extend(names.wheels.iter().flat_map(of_wheel).flatten());
     let name = task.source.name();
     notes.iter().map(|note| format!("{name}: {note}")).collect()
 }

@@ -1,5 +1,7 @@
 //! Drives that wheels have by their names, where the file does not say which ones move and steer them.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 use suspension_core::Values;
 use toml::Spanned;
@@ -17,20 +19,22 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     design: &Design<L, N>,
 ) -> (Names, Vec<String>) {
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let is_stated = [
-        vehicle.is_some_and(|vehicle| vehicle.travel.is_some()),
-        vehicle.is_some_and(|vehicle| vehicle.steer.is_some()),
+    let stated = [
+        vehicle.and_then(|vehicle| vehicle.travel.as_ref()),
+        vehicle.and_then(|vehicle| vehicle.steer.as_ref()),
     ];
     let points: Vec<_> = design.points.values().collect();
     let size = design.model.size();
     let mut names = task.names.clone();
-    let mut notes = Vec::new();
-    for wheel in &mut names.wheels {
+    let mut unmoved: BTreeMap<usize, Vec<&Wheel>> = BTreeMap::new();
+    for (wheel, of_task) in names.wheels.iter_mut().zip(&task.names.wheels) {
         let rates = |drive: Option<usize>| design.per(drive?);
-        if let (false, Some(rates)) = (is_stated[0], rates(wheel.travel))
+        let is_stated =
+            stated.map(|stated| stated.is_some_and(|stated| stated.get_ref().is_of(&wheel.name)));
+        if let (false, Some(drive), Some(rates)) = (is_stated[0], wheel.travel, rates(wheel.travel))
             && !rises(wheel, &rates)
         {
-            notes.extend(unmoved(task, wheel));
+            unmoved.entry(drive).or_default().push(of_task);
             wheel.travel = None;
         }
         if let (false, Some(rates)) = (is_stated[1], rates(wheel.steer))
@@ -54,7 +58,10 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
             .steer
             .retain(|drive| has(|wheel| wheel.steer, drive));
     }
-    (names, notes)
+    let notes = unmoved
+        .iter()
+        .map(|(drive, wheels)| note(task, *drive, wheels));
+    (names, notes.collect())
 }
 
 fn fastest(rates: &[Vector3<f64>]) -> f64 {
@@ -79,15 +86,21 @@ pub(super) fn turns(
     turn.abs() * size > MOVES * fastest(rates)
 }
 
-fn unmoved(task: &Task<'_>, wheel: &Wheel) -> Option<String> {
-    let drive = &task.names.drives[wheel.travel?].name;
-    let of_wheel = match wheel.name.as_str() {
-        "" => "\"NAME\"".to_owned(),
-        name => format!("{{ {name} = \"NAME\", ... }}"),
+/// What to write where other drives move the wheels up and down.
+fn note(task: &Task<'_>, drive: usize, wheels: &[&Wheel]) -> String {
+    let (file, drive) = (task.source.name(), &task.names.drives[drive].name);
+    let titles: Vec<String> = wheels.iter().map(|wheel| wheel.title("wheel")).collect();
+    let stated = match wheels {
+        [Wheel { name, .. }] if name.is_empty() => "\"NAME\"".to_owned(),
+        wheels => {
+            let each = wheels
+                .iter()
+                .map(|wheel| format!("{} = \"NAME\"", wheel.name));
+            format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
+        }
     };
-    Some(format!(
-        "{}: the drive `{drive}` does not move the {} up or down; write travel = {of_wheel} under [vehicle] where another does",
-        task.source.name(),
-        wheel.title("wheel"),
-    ))
+    format!(
+        "{file}: the drive `{drive}` does not move the {} up or down; write travel = {stated} under [vehicle] where another does",
+        titles.join(" and the ")
+    )
 }

@@ -119,6 +119,7 @@ fn drives(
     let stated = of_each(task, wheels, stated)?;
     for (wheel, stated) in wheels.iter_mut().zip(stated) {
         let Some((wanted, place)) = stated else {
+            *of(wheel) = usual_drive(&known, usual, &wheel.name);
             continue;
         };
         let Some(drive) = known.iter().position(|drive| *drive == wanted) else {

@@ -135,7 +135,7 @@ fn usual_drives_that_do_not_move_a_wheel_are_not_its_own() {
     for (content, is_noted) in [(&alone, true), (&stated, false)] {
         std::fs::write(folder.path().join("a.toml"), content).expect("written");
         let output = run(folder.path(), &["motion", "a.toml"]);
-        let note = "the drive `bump` does not move the rear_left wheel up or down; write travel = { rear_left = \"NAME\", ... }";
+        let note = "the drive `bump` does not move the rear_left wheel up or down; write travel = { rear_left = \"NAME\" } under";
         assert_eq!(text(&output.stderr).contains(note), is_noted, "{output:?}");
     }
     // One wheel ahead of the other is no axle.
