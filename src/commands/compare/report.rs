@@ -14,7 +14,7 @@ use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
 use crate::output::text_table::{TextColumn, laid_out};
-use crate::quantities::{CENTRE, WHEEL_TRAVEL};
+use crate::quantities::{Axis, CENTRE, WHEEL_TRAVEL};
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -92,9 +92,7 @@ fn across(sides: [&Side; 2]) -> Option<String> {
     let side = |side: &Side| {
         let mut centres = side.parameters.iter();
         let is_across = |parameter: &&Parameter| {
-            parameter.title.wheel.is_none()
-                && std::ptr::eq(parameter.quantity, &CENTRE)
-                && parameter.title.of_wheel.ends_with(" y")
+            parameter.title.wheel.is_none() && parameter.is(&CENTRE, Axis::Y)
         };
         let outwards = centres.find(is_across)?.value;
         (outwards != 0.0).then_some(outwards > 0.0)

@@ -3,12 +3,12 @@
 use std::slice;
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Does, Parameter, Span, Title, Way, curves, parameters, ways};
+use crate::characteristics::{Curves, Does, Parameter, Span, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
-use crate::quantities::CENTRE;
+use crate::quantities::{Axis, CENTRE};
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
@@ -126,13 +126,8 @@ impl Side {
         let mut travel_of = self.travel_of.iter();
         let (wheel, _) = travel_of.find(|(_, own)| *own == way)?;
         let is_height = |parameter: &&Parameter| {
-            let Title {
-                wheel: of,
-                of_wheel,
-            } = &parameter.title;
-            std::ptr::eq(parameter.quantity, &CENTRE)
-                && of_wheel.ends_with(" z")
-                && of.as_deref().unwrap_or_default() == wheel
+            let of = parameter.title.wheel.as_deref().unwrap_or_default();
+            parameter.is(&CENTRE, Axis::Z) && of == wheel
         };
         let rise = self.parameters.iter().find(is_height)?.per[way].as_ref()?;
         Some((self.up * rise.value, &rise.symbol))

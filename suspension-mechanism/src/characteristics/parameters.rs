@@ -8,7 +8,7 @@ use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Place, State, Unit};
 use crate::quantities::{
-    self, ACCELERATIONS, Column, Compiled, DRIVES, MARKERS, POSITIONS, Quantity, RESIDUAL,
+    self, ACCELERATIONS, Axis, Column, Compiled, DRIVES, MARKERS, POSITIONS, Quantity, RESIDUAL,
     VELOCITIES, catalogue,
 };
 
@@ -24,6 +24,15 @@ pub struct Parameter {
     pub per: Vec<Option<Derivative>>,
     /// The row of the catalogue.
     pub quantity: &'static Quantity,
+    /// Of a coordinate, along which axis.
+    pub axis: Option<Axis>,
+}
+
+impl Parameter {
+    /// Whether it is the coordinate of a quantity along an axis.
+    pub fn is(&self, quantity: &Quantity, axis: Axis) -> bool {
+        std::ptr::eq(self.quantity, quantity) && self.axis == Some(axis)
+    }
 }
 
 /// A derivative with respect to a drive.
@@ -112,6 +121,7 @@ fn parameter(
         per: per.iter().map(along).collect(),
         symbol,
         quantity: column.quantity,
+        axis: column.axis,
     }
 }
 
