@@ -184,6 +184,11 @@ fn what_is_no_mass_is_refused_with_its_place() {
             "no principal one negative or larger",
         ),
         (
+            "upright = { mass = 1.0, centre = [nan, 1.0, 2.0] }",
+            "",
+            "the centre of mass of `upright` is not finite",
+        ),
+        (
             "tie_rod = 1.0",
             "gravity = 9.81",
             "`gravity` is [x, y, z] in m/s^2",

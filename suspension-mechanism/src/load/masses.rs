@@ -124,9 +124,11 @@ impl Reader<'_> {
             [xx, yy, zz, xy, yz, zx] => Some(Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz)),
             _ => None,
         };
-        let inertia =
-            inertia.filter(|inertia| is_inertia(inertia) && centre.iter().all(|x| x.is_finite()));
-        let inertia = inertia.ok_or_else(|| {
+        if !centre.iter().all(|coordinate| coordinate.is_finite()) {
+            let message = format!("the centre of mass of `{name}` is not finite");
+            return Err(self.task.source.refuse(&stated.centre.span(), message));
+        }
+        let inertia = inertia.filter(is_inertia).ok_or_else(|| {
             let message = format!(
                 "the inertia of `{name}` is [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] in kg m^2, no principal one negative or larger \
                  than the other two together"
