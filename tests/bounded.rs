@@ -4,5 +4,6 @@ mod accuracy;
 mod assemblies;
 mod attempt;
 mod case;
+mod jumps;
 mod pivots;
 mod refusals;

@@ -42,10 +42,7 @@ impl File {
             .filter(|line| !line.trim_start().starts_with("//"));
         let code = lines.collect::<Vec<_>>().join("\n");
         let mut file = Self::default();
-        for statement in code.split_inclusive([';', '{', '}']) {
-            // A list of imports has braces of its own.
-            file.inline.extend(paths(statement));
-        }
+        file.inline.extend(paths(&code));
         for (at, _) in code.match_indices("use ") {
             let before = code[..at].rsplit('\n').next().unwrap_or_default().trim();
             if before.is_empty() || before.starts_with("pub") {

@@ -115,12 +115,16 @@ Of both suspensions at their design positions, those of the files' points: all q
 derivatives with respect to travel and steering, as bump camber, bump steer and motion ratios, and of each curve over
 travel and steering where the two differ most. A difference is B - A. The layouts may be different; quantities have
 the same name in all. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
-toe, are the same in all axes. `per travel` is per unit of the drive, whose values may count downwards, as in SAE axes; where equal
-changes of the drives are not equal travels of the wheels, as of a height and a damper's length, derivatives are `per wheel travel`, by the
-rise of the wheel centre. The curves over travel go upwards in all. Where only one of the files has named wheels, each of them is compared with the wheel of the other. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
+toe, are the same in all axes. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
-The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel, over steer; of a second wheel per travel 2), quantity, unit, at
-(the drive's change where the curves differ most, for people), a, b, difference; angles in degrees.
+`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. Where equal changes of the two drives
+do not move the wheels equally far, as of a height and a damper's length, derivatives are `per wheel travel`: per rise of the wheel
+centre. The curves over travel go upwards in all. Wheels and drives of the same name are compared with each other; where only one of
+the files has named wheels, each of them is compared with the wheel of the other.
+
+The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel, over steer; of a second
+wheel per travel 2), quantity, unit, at (the drive's change where the curves differ most, for people), a, b, difference; angles in
+degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is
 compared), 130 interrupted.

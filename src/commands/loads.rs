@@ -3,8 +3,8 @@
 mod drawing;
 mod found;
 mod report;
+mod run;
 mod table;
-mod work;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -19,7 +19,7 @@ use crate::loads::Structure;
 use crate::output::beside::{in_out, name_of};
 use crate::output::rows::Forms;
 use crate::output::target::Target;
-use work::Work;
+use run::Run;
 
 /// What `suspension loads` is given.
 #[derive(Args, Clone, Debug)]
@@ -76,7 +76,7 @@ impl Arguments {
             return Err(source.refuse(&(0..0), message));
         }
         let structure = Structure::of(loaded.listing());
-        let work = Work {
+        let run = Run {
             source: source.name(),
             mechanism,
             listing: loaded.listing(),
@@ -88,9 +88,9 @@ impl Arguments {
                 .map(|folder| (folder, name_of(&self.file).into_owned())),
         };
         if self.motion {
-            work.in_motion(&forms, interrupted)
+            run.in_motion(&forms, interrupted)
         } else {
-            work.on_grid((&self.drives, self.absolute), &forms, interrupted)
+            run.on_grid((&self.drives, self.absolute), &forms, interrupted)
         }
     }
 

@@ -33,8 +33,8 @@ pub struct Arguments {
     /// The wheel, where the listing names several; without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// Of CarSim's tables: how far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
-    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
+    /// Of CarSim's tables: how far the drive that moves the wheel up and down changes, from the design position, in the
+    /// file's unit: the wheel's travel where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// Write to PATH, or to standard output for `-`; without it to out/NAME_carsim.par or out/NAME_carmaker.txt, NAME being
@@ -161,8 +161,9 @@ CarSim 2021; hold the signs of toe and dive against your version.
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
 rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
 ry, rz rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx camber as seen along the wheel. Lengths that are measured under names with
-the word spring, damper, or bar are lSpring, lDamp, lStabi, that of a spring of [springs] that is no bar lSpring too; a bar along an angle has no lStabi, and a line says so. ValidSide is
-left+right, the right wheel as the left one's mirror image, where the listing has one wheel or both are that, else the wheel's side.
+the word spring, damper, or bar are lSpring, lDamp, lStabi; without a measure named so the length of a spring of [springs] that is no
+bar is lSpring. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, the right wheel as the left one's mirror
+image, where the listing has one wheel or both are that, else the wheel's side.
 
 Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which
 neither form has: its tables are those of heave, both wheel centres rising alike; where drives are no heights, exactly so at the

@@ -9,13 +9,13 @@ mod census;
 mod factors;
 mod family;
 mod generic;
+mod limits;
 mod parallel;
 mod parts;
 mod path;
 mod random;
 mod searched;
 mod tilt;
-mod watch;
 
 use nalgebra::SVector;
 use suspension_core::{Inputs, Newton, Still};
@@ -23,13 +23,13 @@ use suspension_core::{Inputs, Newton, Still};
 pub use census::{PartTally, Tally};
 pub use family::Enumerable;
 pub use generic::Evidence;
-pub use watch::Watch;
+pub use limits::Watch;
 
 use factors::Vector;
 use family::{complex, parts};
+use limits::MOST;
 use random::Random;
 use searched::Searched;
-use watch::MOST;
 
 /// All assemblies of a mechanism at given values of its drives.
 #[derive(Clone, Debug, PartialEq)]

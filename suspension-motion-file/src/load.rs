@@ -8,7 +8,7 @@ use serde::de::{
     value::{MapAccessDeserializer, SeqAccessDeserializer},
 };
 
-use crate::exactly::exactly;
+use crate::number_list::number_list;
 
 /// What acts at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,10 +26,10 @@ pub enum Load {
 #[serde(deny_unknown_fields)]
 pub struct Wrench {
     /// N.
-    #[serde(default, deserialize_with = "exactly")]
+    #[serde(default, deserialize_with = "number_list")]
     pub force: [f64; 3],
     /// N m.
-    #[serde(default, deserialize_with = "exactly")]
+    #[serde(default, deserialize_with = "number_list")]
     pub moment: [f64; 3],
 }
 
@@ -79,10 +79,11 @@ impl<'de> Visitor<'de> for LoadVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
-        let force = exactly(SeqAccessDeserializer::new(entries)).map_err(|error: A::Error| {
-            let mistake = error.to_string();
-            de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
-        })?;
+        let force =
+            number_list(SeqAccessDeserializer::new(entries)).map_err(|error: A::Error| {
+                let mistake = error.to_string();
+                de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
+            })?;
         Ok(Load::At(Wrench {
             force,
             ..Wrench::default()

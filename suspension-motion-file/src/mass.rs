@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
 use toml::Spanned;
 
-use crate::exactly::exactly;
+use crate::number_list::number_list;
 
 /// What is said of a part that moves.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ pub enum Centre {
     /// At a point of the listing.
     Point(String),
     /// At coordinates.
-    At(#[serde(deserialize_with = "exactly")] [f64; 3]),
+    At(#[serde(deserialize_with = "number_list")] [f64; 3]),
 }
 
 impl<'de> Deserialize<'de> for MassTable {

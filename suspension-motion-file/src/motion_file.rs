@@ -11,11 +11,11 @@ use serde::de::{
 };
 use toml::Spanned;
 
-use crate::exactly::exactly;
 use crate::explain::explained;
 use crate::failure::Failure;
 use crate::load::Load;
 use crate::mass::MassTable;
+use crate::number_list::number_list;
 use crate::per_wheel::PerWheel;
 use crate::source::Source;
 use crate::spring::SpringTable;
@@ -192,7 +192,7 @@ pub struct Offset {
     /// The other point.
     pub from: Spanned<String>,
     /// From there to the marker, along x, y, z.
-    #[serde(deserialize_with = "exactly")]
+    #[serde(deserialize_with = "number_list")]
     pub offset: [f64; 3],
 }
 
@@ -252,7 +252,7 @@ impl<'de> Visitor<'de> for PositionVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Position, A::Error> {
-        exactly(SeqAccessDeserializer::new(entries)).map(Position::At)
+        number_list(SeqAccessDeserializer::new(entries)).map(Position::At)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {

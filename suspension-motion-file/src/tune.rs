@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::exactly::{Exactly, exactly};
+use crate::number_list::{NumberList, number_list};
 use crate::table::Table;
 
 /// The table `[tune]`.
@@ -31,7 +31,7 @@ pub struct MoveTable {
     /// In place of points the length of a link.
     pub length: Option<Spanned<String>>,
     /// The least and the greatest that they are moved, or that the length is made longer, in the unit.
-    pub by: Spanned<Exactly<2>>,
+    pub by: Spanned<NumberList<2>>,
 }
 
 /// A direction in the file's axes.
@@ -41,7 +41,7 @@ pub enum Direction {
     /// Along an axis.
     Axis(AxisName),
     /// Of any vector but zero.
-    Vector(#[serde(deserialize_with = "exactly")] [f64; 3]),
+    Vector(#[serde(deserialize_with = "number_list")] [f64; 3]),
 }
 
 /// An axis.
@@ -65,7 +65,7 @@ pub struct TargetTable {
     /// The drive with respect to which its derivative is meant.
     pub per: Option<Spanned<String>>,
     /// Drives with how far they go from the design position; without it the quantity is read there.
-    pub over: Option<Table<Exactly<2>>>,
+    pub over: Option<Table<NumberList<2>>>,
     /// What it is to be.
     pub value: Option<Spanned<Wanted>>,
     /// What it is to differ by from the design position.

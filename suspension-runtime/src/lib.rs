@@ -2,7 +2,7 @@
 //!
 //! [`Listing::parse`] reads what stands inside the braces of `linkage!`; [`Listing::corner`] makes a suspension that
 //! moves of it and of hardpoints, [`Listing::model`] a [`Model`] alone. A model is a list of equations, and an order in which their Jacobian is eliminated, that are walked: it
-//! computes what the code that `linkage!` writes does, to the bit (of a refusal as singular but for the pivot that it says is needed), two to four times as slowly. It implements the
+//! computes what the code that `linkage!` writes does, to the bit, two to four times as slowly; only the size of pivot that a refusal as singular asks for may be another. It implements the
 //! core's [`Linkage`](suspension_core::Linkage) and [`Build`](suspension_core::Build), so that every solver works on
 //! it; names are looked up once, and nothing on the solving path allocates.
 //!

@@ -58,3 +58,22 @@ fn following_a_curve_takes_two_hundred() {
         assert!(steps > 2, "{steps}");
     });
 }
+
+/// Two points on links: few unknowns in a model with room for fifteen.
+#[test]
+fn a_small_listing_takes_the_stack_of_its_models_room_and_two_hundred_kilobytes_to_make() {
+    const ROOM: usize = 15;
+    let text = "fixed: front at [0.2, 0.3, 0.2], rear at [-0.2, 0.3, 0.2];\nfree: hub at [0.0, 0.7, 0.3];\n\
+                hinge arm: front, rear -> hub;\ndrive bump: hub.z;";
+    let size = 200 * 1024 + 100 * ROOM * ROOM;
+    let make = move || {
+        let listing = Listing::parse(text).expect("a listing");
+        let mut corner = listing
+            .corner::<ROOM>(&listing.design().expect("points"))
+            .expect("a corner");
+        let far = corner.drives().with(0, 10.0);
+        assert!(corner.step(1e-3, Signal::still(far)).is_err());
+    };
+    let thread = thread::Builder::new().stack_size(size).spawn(make);
+    thread.expect("a thread").join().expect("no panic");
+}

@@ -54,7 +54,7 @@ impl Comparison {
                         if by_wheel {
                             derivative?.per_rise(side)
                         } else {
-                            derivative.map(|along| (along.value, along.symbol.clone()))
+                            derivative.map(|per| (per.value, per.symbol.clone()))
                         }
                     }
                 });
@@ -114,14 +114,14 @@ fn are_unlike_travels(ways: [(&Side, usize); 2]) -> bool {
 }
 
 /// A derivative of a parameter along a drive.
-struct Along<'a> {
+struct PerDrive<'a> {
     parameter: &'a Parameter,
     way: usize,
     value: f64,
     symbol: &'a String,
 }
 
-impl Along<'_> {
+impl PerDrive<'_> {
     /// The same with respect to the height of the wheel that the drive moves.
     fn per_rise(&self, side: &Side) -> Option<(f64, String)> {
         let (rise, _) = side.rise(self.way)?;
@@ -137,13 +137,13 @@ fn derivative<'a>(
     way: usize,
     parameter: &'a Parameter,
     is_alone: bool,
-) -> Option<Along<'a>> {
+) -> Option<PerDrive<'a>> {
     let way = match &parameter.title.wheel {
         Some(wheel) if is_alone => side.own_way(way, wheel),
         _ => way,
     };
     let derivative = parameter.per[way].as_ref()?;
-    Some(Along {
+    Some(PerDrive {
         parameter,
         way,
         value: derivative.value,

@@ -59,14 +59,8 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
             true => "an angle",
             false => "a length",
         };
-        let compared = match a.way.does {
-            Does::Travel => {
-                "no curves along them are compared, and derivatives are per travel of the wheel"
-            }
-            Does::Roll | Does::Steer => "nothing along them is compared",
-        };
         format!(
-            "`{}` of A is {}, `{}` of B {}: {compared}",
+            "`{}` of A is {}, `{}` of B {}: no curves along them are compared",
             a.title,
             what(a),
             b.title,
@@ -106,11 +100,9 @@ fn across(sides: [&Side; 2]) -> Option<String> {
 /// Says so where equal changes of two drives are not equal travels of the wheels.
 fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
     let mut lines = pairs(a, b).into_iter();
-    let derivatives = match a.way.does {
-        Does::Travel => ", derivatives are per travel of the wheel",
-        Does::Roll => "",
-        Does::Steer => return None,
-    };
+    if a.way.does == Does::Steer {
+        return None;
+    }
     let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
     let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
     let is_unlike = a.dimension == b.dimension && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
@@ -118,7 +110,7 @@ fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
         let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
         format!(
             "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
-             compared over {} is at equal changes of the drives{derivatives}",
+             compared over {} is at equal changes of the drives, not of the wheels",
             a.title, b.title, a.way
         )
     })

@@ -62,28 +62,11 @@ pub(super) fn text(
     }
     let mut angles = Vec::new();
     for (name, words) in LENGTHS {
-        // Of several wheels, that of this one.
-        let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
-        let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));
-        let measures = mechanism.names.measures.iter().enumerate();
-        let own = measures.filter(|(_, measure)| is_own(&measure.name));
-        let with_word = own.clone().filter(|(_, measure)| has(words, &measure.name));
-        // A bar is in [springs] as well.
-        let has_spring = |number: usize, measure: &Measure| {
-            let springs = mechanism.names.vehicle.springs.iter();
-            let mut springs = springs.filter(|spring| spring.measure == number);
-            springs.any(|spring| {
-                ![&spring.name, &measure.name]
-                    .iter()
-                    .any(|name| has(BAR, name))
-            })
-        };
-        let sprung = own.filter(|(number, measure)| name == SPRING && has_spring(*number, measure));
-        let mut named = with_word.chain(sprung);
+        let mut of_element = measures_of(mechanism, wheel, (name, words));
         let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
-        match named.clone().find(|(_, measure)| is_length(measure)) {
+        match of_element.clone().find(|(_, measure)| is_length(measure)) {
             Some((measure, _)) => row(name, 0.0, &|rates| rates.measures[measure]),
-            None => angles.extend(named.next().map(|(_, measure)| (name, &measure.name))),
+            None => angles.extend(of_element.next().map(|(_, measure)| (name, &measure.name))),
         }
     }
     for (name, measure) in angles {
@@ -93,4 +76,29 @@ pub(super) fn text(
         );
     }
     text
+}
+
+/// The measures of a wheel that may be a force element's: those with one of its words, and as springs those of [springs] that are no
+/// bars.
+fn measures_of<'a>(
+    mechanism: &'a Description,
+    wheel: &'a Wheel,
+    (element, words): (&'a str, &'a [&'a str]),
+) -> impl Iterator<Item = (usize, &'a Measure)> + Clone {
+    let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));
+    // Of several wheels, that of this one.
+    let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
+    let measures = mechanism.names.measures.iter().enumerate();
+    let own = measures.filter(move |(_, measure)| is_own(&measure.name));
+    let with_word = own
+        .clone()
+        .filter(move |(_, measure)| has(words, &measure.name));
+    let is_sprung = move |number: usize, measure: &Measure| {
+        let mut springs = mechanism.names.vehicle.springs.iter();
+        let names = |name: &str| !has(BAR, name) && !has(BAR, &measure.name);
+        springs.any(|spring| spring.measure == number && names(&spring.name))
+    };
+    let sprung =
+        own.filter(move |(number, measure)| element == SPRING && is_sprung(*number, measure));
+    with_word.chain(sprung)
 }

@@ -6,8 +6,8 @@ use suspension_core::Listing;
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Line, Member};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
+use crate::assemblies::limits::MOST;
 use crate::assemblies::path::{End, FAR};
-use crate::assemblies::watch::MOST;
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
 /// are lost.

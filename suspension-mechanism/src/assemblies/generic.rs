@@ -5,11 +5,11 @@ use suspension_core::Listing;
 
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Family, Line, Member};
+use crate::assemblies::limits::Watch;
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
-use crate::assemblies::watch::Watch;
 
 /// Random starts before the first loop.
 const STARTS: usize = 200;

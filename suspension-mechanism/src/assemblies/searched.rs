@@ -8,10 +8,10 @@ use crate::assemblies::census::{PartTally, census};
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Enumerable, Family, Member};
 use crate::assemblies::generic::Generic;
+use crate::assemblies::limits::{MOST, Watch};
 use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
-use crate::assemblies::watch::{MOST, Watch};
 
 /// A part, and what is known of it with general lengths.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {

@@ -5,7 +5,7 @@ use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::side_view;
-use crate::quantities::on_ground::{moving, of_moving_in_side_view};
+use crate::quantities::on_ground::{moving, of_moving};
 use crate::quantities::readings::of_each_wheel;
 use crate::quantities::wheel::Moving;
 
@@ -26,8 +26,9 @@ fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
 /// The angle of the path in bump from the vertical in the side view.
 pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
     let on_ground = torque == Torque::Carrier;
-    of_moving_in_side_view(
+    of_moving(
         names,
+        |rolling| side_view(names, rolling),
         Dimension::Angle,
         on_ground,
         move |moving: &Moving<N>| {

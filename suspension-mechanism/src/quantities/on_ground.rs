@@ -8,7 +8,7 @@ use crate::mechanism::Names;
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::{side_view, travel};
+use crate::quantities::of_axle::travel;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
@@ -60,40 +60,16 @@ fn of_kingpin_at<N: Number>(
     })
 }
 
-/// A number of each carrier as a drive that steers moves it; `on_ground` where the wheel radius is needed.
-pub(super) fn of_steering<N: Number>(
+/// A number of each carrier as it moves; `on_ground` where the wheel radius is needed.
+pub(super) fn of_moving<N: Number>(
     names: &Names,
+    along: impl Fn(Rolling) -> Along,
     dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        moving(rolling, Along::Steer, dimension, on_ground, value.clone())
-    })
-}
-
-/// The same in travel.
-pub(super) fn of_travel<N: Number>(
-    names: &Names,
-    dimension: Dimension,
-    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
-) -> Vec<Reading<N>> {
-    of_each_wheel(names, &|rolling| {
-        let along = travel(names, rolling);
-        moving(rolling, along, dimension, false, value.clone())
-    })
-}
-
-/// The same in the side view: in travel, or in heave where one wheel of an axle moves the other.
-pub(super) fn of_moving_in_side_view<N: Number>(
-    names: &Names,
-    dimension: Dimension,
-    on_ground: bool,
-    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
-) -> Vec<Reading<N>> {
-    of_each_wheel(names, &|rolling| {
-        let along = side_view(names, rolling);
-        moving(rolling, along, dimension, on_ground, value.clone())
+        moving(rolling, along(rolling), dimension, on_ground, value.clone())
     })
 }
 

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{AxisName, Direction, Exactly, MoveTable};
+use crate::file::{AxisName, Direction, MoveTable, NumberList};
 use crate::kinematics::Changes;
 use crate::load::tuning::naming::Naming;
 use crate::quantities::Axis;
@@ -25,7 +25,7 @@ impl Moves<'_> {
         stated: &Spanned<MoveTable>,
     ) -> Result<Move, Failure> {
         let table = stated.get_ref();
-        let Exactly(by) = *table.by.get_ref();
+        let NumberList(by) = *table.by.get_ref();
         if !(by[0] < by[1] && by.iter().all(|end| end.is_finite())) {
             let message =
                 "`by` is [least, greatest], how far it may be moved, as [-0.010, 0.010] in metres";

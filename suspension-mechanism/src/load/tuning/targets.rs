@@ -4,7 +4,7 @@ use toml::Spanned;
 
 use crate::characteristics::columns;
 use crate::failure::Failure;
-use crate::file::{Dimension, Exactly, TargetTable, Wanted, in_order};
+use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
 use crate::mechanism::{Axis, From, Grid, evenly_spaced};
 use crate::quantities::{Column, catalogue};
@@ -125,7 +125,7 @@ impl Targets<'_> {
     /// A drive, evenly from place to place.
     fn axis(
         &self,
-        (drive, ends): (&Spanned<String>, &Spanned<Exactly<2>>),
+        (drive, ends): (&Spanned<String>, &Spanned<NumberList<2>>),
         places: usize,
     ) -> Result<Axis, Failure> {
         let number = self.0.drive(drive)?;
@@ -135,8 +135,8 @@ impl Targets<'_> {
         Ok(Axis::of(number, evenly_spaced(ends, places)))
     }
 
-    fn ends(&self, stated: &Spanned<Exactly<2>>) -> Result<[f64; 2], Failure> {
-        let Exactly(ends) = *stated.get_ref();
+    fn ends(&self, stated: &Spanned<NumberList<2>>) -> Result<[f64; 2], Failure> {
+        let NumberList(ends) = *stated.get_ref();
         let is_range = ends[0] < ends[1] && ends.iter().all(|end| end.is_finite());
         is_range.then_some(ends).ok_or_else(|| {
             let message = "a drive goes [from, to], from the design position, as [-0.060, 0.060]";

@@ -3,9 +3,9 @@
 use suspension_core::wheel::{caster, kingpin_angle};
 
 use crate::file::Dimension;
-use crate::quantities::on_ground::of_steering;
+use crate::quantities::on_ground::of_moving;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::wheel::Moving;
+use crate::quantities::wheel::{Along, Moving};
 
 catalogue! {
     VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
@@ -14,7 +14,7 @@ catalogue! {
         definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as kingpin",
         shown: Shown::InTables,
-        read: |names| of_steering(names, Dimension::Angle, false, |moving| {
+        read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {
             kingpin_angle(&moving.screw().direction, &moving.axis)
         }),
     }
@@ -24,7 +24,7 @@ catalogue! {
         definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as caster",
         shown: Shown::InTables,
-        read: |names| of_steering(names, Dimension::Angle, false, |moving| {
+        read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {
             caster(&moving.screw().direction)
         }),
     }
@@ -34,7 +34,7 @@ catalogue! {
         definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as scrub_radius",
         shown: Shown::InTables,
-        read: |names| of_steering(names, Dimension::Length, true, |moving| {
+        read: |names| of_moving(names, |_| Along::Steer, Dimension::Length, true, |moving| {
             moving.screw().inboard_of(&moving.contact, &moving.heading)
         }),
     }
@@ -44,7 +44,7 @@ catalogue! {
         definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as mechanical_trail",
         shown: Shown::InTables,
-        read: |names| of_steering(names, Dimension::Length, true, |moving| {
+        read: |names| of_moving(names, |_| Along::Steer, Dimension::Length, true, |moving| {
             moving.screw().ahead_of(&moving.contact, &moving.heading)
         }),
     }
@@ -55,6 +55,6 @@ catalogue! {
                      ball joint of the kingpin",
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
-        read: |names| of_steering(names, Dimension::LengthPerAngle, false, Moving::pitch),
+        read: |names| of_moving(names, |_| Along::Steer, Dimension::LengthPerAngle, false, Moving::pitch),
     }
 }

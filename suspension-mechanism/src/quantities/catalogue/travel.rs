@@ -10,9 +10,7 @@ use crate::quantities::axis::Axis;
 use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::number::Number;
 use crate::quantities::of_axle::{side_view, travel};
-use crate::quantities::on_ground::{
-    of_independent, of_moving_in_side_view, of_moving_place, of_travel,
-};
+use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
 use crate::quantities::quantity::{Quantity, Shown};
 
 catalogue! {
@@ -58,7 +56,7 @@ catalogue! {
         definition: "from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_travel(names, Dimension::Length, |moving| {
+        read: |names| of_moving(names, |rolling| travel(names, rolling), Dimension::Length, false, |moving| {
             moving.front_view().arm
         }),
     }
@@ -81,7 +79,7 @@ catalogue! {
         definition: "from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving_in_side_view(names, Dimension::Length, false, |moving| {
+        read: |names| of_moving(names, |rolling| side_view(names, rolling), Dimension::Length, false, |moving| {
             moving.side_view().arm
         }),
     }

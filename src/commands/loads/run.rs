@@ -25,7 +25,7 @@ use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
 /// The cases of a file and what they load.
-pub(super) struct Work<'a> {
+pub(super) struct Run<'a> {
     pub(super) source: &'a str,
     pub(super) mechanism: &'a dyn Kinematics,
     pub(super) listing: &'a Listing,
@@ -35,7 +35,7 @@ pub(super) struct Work<'a> {
     pub(super) drawings: Option<(&'a Path, String)>,
 }
 
-impl<'a> Work<'a> {
+impl<'a> Run<'a> {
     /// Loads the mechanism at each place of a grid.
     pub(super) fn on_grid(
         &self,

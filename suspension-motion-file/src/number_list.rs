@@ -7,16 +7,16 @@ use serde::{Deserialize, Deserializer};
 
 /// As many numbers as there are to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exactly<const N: usize>(pub [f64; N]);
+pub struct NumberList<const N: usize>(pub [f64; N]);
 
-impl<'de, const N: usize> Deserialize<'de> for Exactly<N> {
+impl<'de, const N: usize> Deserialize<'de> for NumberList<N> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_seq(List).map(Self)
     }
 }
 
 /// The numbers alone, for fields.
-pub(crate) fn exactly<'de, D, const N: usize>(deserializer: D) -> Result<[f64; N], D::Error>
+pub(crate) fn number_list<'de, D, const N: usize>(deserializer: D) -> Result<[f64; N], D::Error>
 where
     D: Deserializer<'de>,
 {
