@@ -194,7 +194,13 @@ fn what_cannot_be_tabled_is_refused() {
     let no_wheel = "statements = \"fixed: a at [0.0, 0.0, 0.0]; free: p at [0.0, 0.4, 0.3]; link rod: a -> p; drive x: p.x; drive bump: p.z;\"\n\
                     unit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nx = 0.0\nbump = 0.3\n";
     std::fs::write(folder.path().join("b.toml"), no_wheel).expect("written");
+    let steered = CORNER.replace("0.3 }", "0.3, travel = \"steer\" }");
+    std::fs::write(folder.path().join("c.toml"), steered).expect("written");
     for (arguments, expected) in [
+        (
+            vec!["c.toml", "--as", "carmaker"],
+            "travel of the wheel is `steer`, which does not move it up or down: is it another drive?",
+        ),
         (
             vec!["a.toml", "--as", "carsim", "--wheel", "left"],
             "the listing has one wheel, without a name; leave it out",

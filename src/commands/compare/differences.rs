@@ -170,19 +170,33 @@ fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Differ
     both.into_iter().filter_map(difference).collect()
 }
 
-/// The curves of both along drives that do the same.
+/// The curves of both along what is called alike, or, where nothing that does the same is, along drives that do the same.
 pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
-    let pair = |curves: &'a Curves| {
-        let of = |other: &&Curves| other.way == curves.way;
-        Some([curves, b.curves.iter().find(of)?])
-    };
+    let pair = |curves: &'a Curves| Some([curves, counterpart(curves, a, b)?]);
     a.curves.iter().filter_map(pair).collect()
 }
 
-/// The curves of a side along drives that do what none of the other does.
+/// The curves of a side that have no counterpart in the other.
 pub(super) fn unmatched<'a>(side: &'a Side, other: &Side) -> Vec<&'a Curves> {
-    let is_alone = |curves: &&Curves| other.curves.iter().all(|theirs| theirs.way != curves.way);
+    let is_alone = |curves: &&Curves| counterpart(curves, side, other).is_none();
     side.curves.iter().filter(is_alone).collect()
+}
+
+fn counterpart<'b>(curves: &Curves, own: &Side, other: &'b Side) -> Option<&'b Curves> {
+    let does = curves.way.does;
+    let theirs = || {
+        other
+            .curves
+            .iter()
+            .filter(move |theirs| theirs.way.does == does)
+    };
+    let called = |title: &str| theirs().find(|theirs| theirs.title == title);
+    let mut ours = own.curves.iter().filter(|ours| ours.way.does == does);
+    if ours.any(|ours| called(&ours.title).is_some()) {
+        called(&curves.title)
+    } else {
+        theirs().find(|theirs| theirs.way == curves.way)
+    }
 }
 
 /// The lines of the same name and unit.

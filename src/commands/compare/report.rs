@@ -72,8 +72,8 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let across = across(sides);
     let alone = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
-        curves.map(move |Curves { title, way, .. }| {
-            format!("{name} has no drive of {way} to compare `{title}` with: nothing along it is compared")
+        curves.map(move |Curves { title, .. }| {
+            format!("{name} has nothing like `{title}`: no curves over it are compared")
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));

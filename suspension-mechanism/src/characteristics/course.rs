@@ -60,13 +60,13 @@ impl Course {
             courses.push(Self {
                 title: of_axle("heave"),
                 does: Does::Travel,
-                moved: format!("{first} and {second}, both upwards"),
+                moved: format!("change of {first} and {second}, both upwards"),
                 drives: drives(rises.parts(wheels, [1.0, 1.0])),
             });
             courses.push(Self {
                 title: of_axle("roll"),
                 does: Does::Roll,
-                moved: format!("{first} up, {second} down"),
+                moved: format!("change of {first} upwards and of {second} downwards"),
                 drives: drives(rises.parts(wheels, [1.0, -1.0])),
             });
         }

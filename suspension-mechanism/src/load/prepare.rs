@@ -43,7 +43,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(&task, design, listing));
     }
-    notes.extend(said_of_wheels::notes(&task, &names, design, &couplings));
+    notes.extend(said_of_wheels::notes(&task, design, &couplings));
     notes.extend(of_drives);
     if request.to != Start::Design {
         notes.extend(short_of_stop(&task, request.instants));

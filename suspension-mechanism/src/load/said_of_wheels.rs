@@ -5,10 +5,11 @@ use suspension_core::Values;
 use suspension_motion_file::Torque;
 use toml::Spanned;
 
+use crate::file::PerWheel;
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::load::usual_drives::turns;
-use crate::mechanism::{Axle, Coupling, Names, Suspension, Wheel};
+use crate::load::usual_drives::{rises, turns};
+use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
 use crate::number::{number, rounded};
 
 /// How far the wheelbase may be off the distance of the axles, as a part of it.
@@ -20,7 +21,6 @@ const FAR: f64 = 10.0;
 /// Notes on wheels, at the design; `couplings` are those of each.
 pub(super) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
-    names: &Names,
     design: &Design<L, N>,
     couplings: &[Coupling],
 ) -> Vec<String> {
@@ -28,20 +28,23 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
     let of_car = wheelbase(task, &points).into_iter();
     let mut notes: Vec<String> = of_car.chain(drive_torque(task, couplings)).collect();
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let names_travel = vehicle.is_some_and(|vehicle| vehicle.travel.is_some());
-    let names_steer = vehicle.is_some_and(|vehicle| vehicle.steer.is_some());
     let of_wheel = |wheel: &Wheel| {
-        let travel = wheel.travel.filter(|_| names_travel);
-        let steer = wheel.steer.filter(|_| names_steer);
+        let is_stated = |stated: Option<&Spanned<PerWheel<String>>>| {
+            stated.is_some_and(|stated| stated.get_ref().is_of(&wheel.name))
+        };
+        let travel = vehicle.and_then(|vehicle| vehicle.travel.as_ref());
+        let steer = vehicle.and_then(|vehicle| vehicle.steer.as_ref());
+        let travel = wheel.travel.filter(|_| is_stated(travel));
+        let steer = wheel.steer.filter(|_| is_stated(steer));
         [
-            travel.and_then(|drive| crossed(task, (wheel, drive), &design.per(drive)?)),
+            travel.and_then(|drive| unlifted(task, (wheel, drive), &design.per(drive)?)),
             steer.and_then(|drive| {
                 let size = design.model.size();
                 unsteered(task, (wheel, drive), (&points, &design.per(drive)?), size)
             }),
         ]
     };
-    notes.extend(names.wheels.iter().flat_map(of_wheel).flatten());
+    notes.extend(task.names.wheels.iter().flat_map(of_wheel).flatten());
     let name = task.source.name();
     notes.iter().map(|note| format!("{name}: {note}")).collect()
 }
@@ -65,8 +68,8 @@ fn wheelbase(task: &Task<'_>, points: &[Vector3<f64>]) -> Option<String> {
     })
 }
 
-/// A drive moves another wheel up and down than the one that it is said to move.
-fn crossed(
+/// A drive moves another wheel up and down than the one that it is said to move, or none.
+fn unlifted(
     task: &Task<'_>,
     (wheel, drive): (&Wheel, usize),
     rates: &[Vector3<f64>],
@@ -82,6 +85,12 @@ fn crossed(
             wheel.title("wheel"),
             most.title("wheel")
         )
+    })
+    .or_else(|| {
+        (!rises(wheel, rates)).then(|| {
+            let (wheel, drive) = (wheel.title("wheel"), &names.drives[drive].name);
+            format!("travel of the {wheel} is `{drive}`, which does not move it up or down: is it another drive?")
+        })
     })
 }
 

@@ -13,7 +13,8 @@ use crate::mechanism::{Names, Suspension, Wheel};
 /// The least that a wheel moves up or down, or is turned times the suspension's size, against the fastest point.
 const MOVES: f64 = 1e-6;
 
-/// The names without such drives as do not move the wheel up or down, or do not turn it; of the first, notes.
+/// The names without drives of travel that do not move the wheel up or down, and without the usual ones of steering that do not turn
+/// it; with notes on usual drives of travel.
 pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -31,10 +32,12 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
         let rates = |drive: Option<usize>| design.per(drive?);
         let is_stated =
             stated.map(|stated| stated.is_some_and(|stated| stated.get_ref().is_of(&wheel.name)));
-        if let (false, Some(drive), Some(rates)) = (is_stated[0], wheel.travel, rates(wheel.travel))
+        if let (Some(drive), Some(rates)) = (wheel.travel, rates(wheel.travel))
             && !rises(wheel, &rates)
         {
-            unmoved.entry(drive).or_default().push(of_task);
+            if !is_stated[0] {
+                unmoved.entry(drive).or_default().push(of_task);
+            }
             wheel.travel = None;
         }
         if let (false, Some(rates)) = (is_stated[1], rates(wheel.steer))
@@ -68,7 +71,8 @@ fn fastest(rates: &[Vector3<f64>]) -> f64 {
     rates.iter().map(|rate| rate.norm()).fold(0.0, f64::max)
 }
 
-fn rises(wheel: &Wheel, rates: &[Vector3<f64>]) -> bool {
+/// Whether a drive moves a wheel up or down.
+pub(super) fn rises(wheel: &Wheel, rates: &[Vector3<f64>]) -> bool {
     let [_, centre] = wheel.points.axis;
     rates[centre].z.abs() > MOVES * fastest(rates)
 }

@@ -27,9 +27,7 @@ fn a_drive_that_only_one_of_the_files_has_is_named() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
     assert!(
-        report.contains(
-            "B has no drive of steer to compare `steer` with: nothing along it is compared"
-        ),
+        report.contains("B has nothing like `steer`: no curves over it are compared"),
         "{report}"
     );
 }
@@ -176,6 +174,17 @@ fn wheels_of_one_name_are_compared_along_their_own_drives() {
     let rear = [("rear_left", -2.6, 1.0), ("rear_right", -2.6, -1.0)];
     let both = axles(&[front, rear].concat());
     assert_same(&both, &axles(&rear), "rear_left camber");
+    // Axles are compared by their names, whichever is stated first.
+    let exchanged = axles(&[rear, front].concat());
+    let (_folder, output) = compare(&both, &exchanged, &["--csv", "-"]);
+    let over = |([of, quantity, _], _): &&([String; 3], [f64; 4])| {
+        of.starts_with("over") && quantity.ends_with("camber angle")
+    };
+    let rows = rows(&output);
+    assert_eq!(rows.iter().filter(over).count(), 8, "{rows:?}");
+    for (names, [_, a, b, difference]) in rows.iter().filter(over) {
+        assert!(difference.abs() < 1e-9, "{names:?}: {a} {b}");
+    }
     // An axle without a name beside one of several.
     let alone = axles(&[left, right]);
     assert_same(&both, &alone, "rear roll centre");
