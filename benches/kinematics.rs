@@ -7,7 +7,7 @@
 //! - `step`: the next `position`, `velocity`, `acceleration` at a fixed cost, each including the
 //!   ones before it, and all of them with Newton's method `to_tolerance`;
 //! - `certificate`: the proof of a root (`certify`), and what is made once for it (`certifier`);
-//! - `lanes1`, `lanes4`, `lanes8`: the same in lanes, the time of a whole call.
+//! - `lanes1`, `lanes4`, `lanes8`: the same in lanes, the time of a whole call; `lanes8_avx2` without instructions of 512 bits.
 //!
 //! Each call of a kernel or an iteration gets another instant of the motion, and each step
 //! follows the last, so that no two in a row work on the same numbers.

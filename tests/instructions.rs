@@ -1,8 +1,7 @@
 //! The instructions that a step of fixed cost executes: one number, whatever the data.
 //!
 //! Counted by valgrind in the release build, as it is shipped: only there the compiler has made
-//! of the code what will run. The example is one of the core, so that its few dependencies are
-//! all there is to build.
+//! of the code what will run.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -10,9 +9,18 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const STEPS: usize = 1000;
+const EXAMPLE: &str = "steps_of_fixed_cost";
+/// What the example steps. `avx2` is one lane of `Lanes`; on a processor without these instructions as `five_link/f64`.
+const STEPPED: [&str; 5] = [
+    "attia2003/f64",
+    "attia2003/f32",
+    "five_link/f64",
+    "five_link/f32",
+    "five_link/f64/avx2",
+];
 /// What is counted, and after what the count is written. Valgrind keeps one option a pattern, so
 /// that these must differ.
-const COUNTED: &str = "*bounded_steps*counted_step*";
+const COUNTED: &str = "*steps_of_fixed_cost*counted_step*";
 const WRITTEN_AFTER: &str = "*counted_step*";
 
 #[test]
@@ -21,15 +29,13 @@ fn one_number_for_a_thousand_different_steps() {
         return;
     }
     let program = release_build();
-    for linkage in ["attia2003", "five_link"] {
-        for number in ["f64", "f32"] {
-            let counts = counts(&program, &format!("{linkage}/{number}"));
-            assert_eq!(counts.len(), STEPS);
-            let different: BTreeSet<u64> = counts.into_iter().collect();
-            println!("{linkage}/{number}: {different:?} instructions");
-            assert_eq!(different.len(), 1, "{linkage}/{number}: {different:?}");
-            assert!(different.iter().all(|count| *count > STEPS as u64));
-        }
+    for stepped in STEPPED {
+        let counts = counts(&program, stepped);
+        assert_eq!(counts.len(), STEPS);
+        let different: BTreeSet<u64> = counts.into_iter().collect();
+        println!("{stepped}: {different:?} instructions");
+        assert_eq!(different.len(), 1, "{stepped}: {different:?}");
+        assert!(different.iter().all(|count| *count > STEPS as u64));
     }
 }
 
@@ -55,7 +61,7 @@ fn release_build() -> PathBuf {
         .expect("a folder of the target's");
     let built = Command::new(env!("CARGO"))
         .args(["build", "--quiet", "--locked", "--release"])
-        .args(["--package", "suspension-core", "--example", "bounded_steps"])
+        .args(["--package", "suspension-lanes", "--example", EXAMPLE])
         .arg("--target-dir")
         .arg(target)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -64,11 +70,11 @@ fn release_build() -> PathBuf {
         .status()
         .expect("cargo runs");
     assert!(built.success());
-    target.join("release/examples/bounded_steps")
+    target.join("release/examples").join(EXAMPLE)
 }
 
 /// The instructions of each step.
-fn counts(program: &Path, linkage: &str) -> Vec<u64> {
+fn counts(program: &Path, stepped: &str) -> Vec<u64> {
     let folder = tempfile::tempdir().expect("a folder");
     let output = Command::new("valgrind")
         .args(["--quiet", "--tool=callgrind", "--collect-atstart=no"])
@@ -79,7 +85,7 @@ fn counts(program: &Path, linkage: &str) -> Vec<u64> {
             folder.path().join("out").display()
         ))
         .arg(program)
-        .arg(linkage)
+        .arg(stepped)
         .output()
         .expect("valgrind runs");
     let complaint = String::from_utf8_lossy(&output.stderr);

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use criterion::Criterion;
 use suspension_core::{Build, Listing};
-use suspension_lanes::{Lane, Lanes};
+use suspension_lanes::{Instructions, Lane, Lanes};
 
 use super::case::{Case, OUTPUTS, STEP};
 
@@ -16,15 +16,18 @@ fn time(lane: usize, step: u32) -> f64 {
 }
 
 macro_rules! follow {
-    ($criterion:ident, $case:ident, $lanes:literal) => {
-        let mut group = $criterion.benchmark_group(concat!("lanes", $lanes));
+    ($criterion:ident, $case:ident, $group:literal, $lanes:literal, $instructions:expr) => {
+        let mut group = $criterion.benchmark_group($group);
         let all: Vec<[_; $lanes]> = (1..=STEPS)
             .map(|step| std::array::from_fn(|lane| $case.inputs(time(lane, step)).drives))
             .collect();
         let starts: [_; $lanes] = std::array::from_fn(|lane| $case.motion(time(lane, 0)));
         for (name, outputs) in OUTPUTS {
             group.bench_function(format!("{name}/{}", $case.name), |bencher| {
-                let from_start = || Lanes::<G, T, 15, $lanes>::new([$case.model; $lanes], &starts);
+                let from_start = || {
+                    let models = [$case.model; $lanes];
+                    Lanes::<G, T, 15, $lanes>::with($instructions, models, &starts)
+                };
                 let mut lanes = from_start();
                 let mut ahead = all.iter();
                 bencher.iter(|| {
@@ -47,7 +50,8 @@ pub(crate) fn bench<G: Listing<15> + 'static, T: Lane>(criterion: &mut Criterion
 where
     G::Model<T>: Build<15>,
 {
-    follow!(criterion, case, 1);
-    follow!(criterion, case, 4);
-    follow!(criterion, case, 8);
+    follow!(criterion, case, "lanes1", 1, Instructions::best());
+    follow!(criterion, case, "lanes4", 4, Instructions::best());
+    follow!(criterion, case, "lanes8", 8, Instructions::best());
+    follow!(criterion, case, "lanes8_avx2", 8, Instructions::Avx2);
 }

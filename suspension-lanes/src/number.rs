@@ -5,12 +5,15 @@
 use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4};
+use fearless_simd::{Simd, SimdFloat, f32x4, f32x8, f64x4, f64x8};
 use num_traits::{One, Zero};
 use suspension_core::Scalar;
 
 /// Proof that the processor has certain instructions.
 pub trait Token: Simd {
+    /// The size of a vector register.
+    const REGISTER_BITS: u32;
+
     /// The proof, taken for granted.
     ///
     /// # Safety
@@ -20,9 +23,11 @@ pub trait Token: Simd {
 }
 
 macro_rules! token {
-    ($token:ident) => {
+    ($token:ident, $bits:literal) => {
         #[cfg(target_arch = "x86_64")]
         impl Token for fearless_simd::$token {
+            const REGISTER_BITS: u32 = $bits;
+
             #[inline(always)]
             unsafe fn assumed() -> Self {
                 // SAFETY: the caller's.
@@ -32,8 +37,8 @@ macro_rules! token {
     };
 }
 
-token!(Avx2);
-token!(Avx512);
+token!(Avx2, 256);
+token!(Avx512, 512);
 
 /// Lanes of `f32` or `f64`, and one alone.
 pub(crate) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
@@ -112,6 +117,7 @@ macro_rules! vector {
 vector!(f32x4, f32);
 vector!(f32x8, f32);
 vector!(f64x4, f64);
+vector!(f64x8, f64);
 
 /// One number that rounds `a + b c` once: fast only in code for processors that do.
 #[derive(Clone, Copy, Debug)]

@@ -79,16 +79,23 @@ fn one_lane(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
         note: "bounded, instructions chosen at run time; geometry read at run time; tested against the residual",
     };
     let start = |motion| Lanes::<Listing, f64, 15, 1>::new([mechanism.model], &[motion]);
-    let mut last = mechanism.starts[0].motion;
-    let mut lane = start(last);
+    let mut lane = start(mechanism.starts[0].motion);
+    watch.part(&method, "position", |start| {
+        lane.set_motion(0, &start.motion);
+        let [settled] = lane.step(Outputs::Position, &[start.inputs.drives], STEP);
+        settled.expect("a regular motion");
+        lane.motion(0).position
+    });
+    let mut last = f64::NAN;
     watch.step(&method, |motion, inputs| {
         // A round begins anew.
-        if motion.position != last.position {
+        if motion.position[0] != last {
             lane = start(*motion);
         }
         let [settled] = lane.step(Outputs::Acceleration, &[inputs.drives], STEP);
         settled.expect("a regular motion");
-        last = lane.motion(0);
-        last
+        let next = lane.motion(0);
+        last = next.position[0];
+        next
     });
 }
