@@ -4,7 +4,7 @@
 mod assembled;
 mod at_a_lock;
 mod back_ends;
-mod committed;
+mod compiled;
 #[path = "../counting/mod.rs"]
 mod counting;
 mod layouts;

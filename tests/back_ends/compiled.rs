@@ -1,0 +1,50 @@
+//! Random listings that are also compiled: as many as the build script has written.
+
+use suspension_core::{Build, Values};
+use suspension_runtime::{Listing, Model};
+
+use crate::back_ends::{hardpoints, near};
+use crate::twins::{Twins, same_parts};
+
+macro_rules! listings {
+    ($($name:ident: $seed:literal, $n:literal in $m:literal, $text:literal { $($statements:tt)* })*) => {
+        $(suspension_core::linkage! { mod $name { $($statements)* } })*
+
+        /// A function each, so that no stack holds them all.
+        mod compare {
+            use super::*;
+
+            $(pub(super) fn $name() {
+                println!(stringify!($name));
+                let listing = Listing::parse($text).expect("a listing");
+                same_parts(&super::$name::Listing, &listing);
+                let mut random = fastrand::Rng::with_seed($seed);
+                let points = hardpoints(&listing, &mut random);
+                let design = super::$name::Points::from_values(points.iter().copied());
+                let walked = Model::<f64, $m>::of(
+                    listing.fitted().expect("room"),
+                    &Values::from_values(points),
+                );
+                match (super::$name::Model::of(super::$name::Listing, &design), walked) {
+                    (Ok(written), Ok(walked)) => {
+                        let twins = Twins::<_, _, $n, $m> { written, walked };
+                        for _ in 0..20 {
+                            let points = [0.05, 2.0, 30.0];
+                            let points = points.map(|by| near(&design, by, &mut random));
+                            twins.compare_functions(&points);
+                            twins.with_lengths_of(&points[0]);
+                        }
+                    }
+                    (refused, also) => assert_eq!(refused.err(), also.err()),
+                }
+            })*
+        }
+
+        #[test]
+        fn random_listings_are_walked_as_they_are_written() {
+            $(compare::$name();)*
+        }
+    };
+}
+
+include!(concat!(env!("OUT_DIR"), "/random_listings.rs"));
