@@ -1,0 +1,93 @@
+//! What a motion file states of wheels, read and checked.
+
+use std::ops::Range;
+
+use suspension_listing::did_you_mean::unknown;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::PerWheel;
+use crate::load::task::Task;
+use crate::mechanism::{Wheel, is_within};
+
+/// What is stated, with its place in the file.
+pub(super) type Stated<T> = Option<(T, Range<usize>)>;
+
+/// What is stated of each wheel.
+pub(super) fn of_each<T: Clone>(
+    task: &Task<'_>,
+    wheels: &[Wheel],
+    stated: &Spanned<PerWheel<T>>,
+) -> Result<Vec<Stated<T>>, Failure> {
+    let of_some = match stated.get_ref() {
+        PerWheel::All(all) => return Ok(vec![Some((all.clone(), stated.span())); wheels.len()]),
+        PerWheel::Of(some) => some,
+    };
+    let names: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
+    let mut keys = of_some.keys();
+    if let Some(wanted) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
+        let message = if names == [""] {
+            format!(
+                "unknown wheel `{wanted}`; the listing names no wheels: write what stands behind `=` alone"
+            )
+        } else {
+            unknown("wheel", wanted, &names)
+        };
+        return Err(task.source.refuse(&stated.span(), message));
+    }
+    // Of several that a wheel's name has, the longest.
+    let of_wheel = |name: &&str| {
+        let within = of_some.iter().filter(|(key, _)| is_within(key, name));
+        let longest = within.max_by_key(|(key, _)| key.split('_').count());
+        longest.map(|(_, value)| (value.get_ref().clone(), value.span()))
+    };
+    Ok(names.iter().map(of_wheel).collect())
+}
+
+/// What is stated of each wheel, where anything is.
+pub(super) fn optional<T: Clone>(
+    task: &Task<'_>,
+    wheels: &[Wheel],
+    stated: &Option<Spanned<PerWheel<T>>>,
+) -> Result<Vec<Stated<T>>, Failure> {
+    match stated {
+        Some(stated) => of_each(task, wheels, stated),
+        None => Ok(vec![None; wheels.len()]),
+    }
+}
+
+/// A length in the unit of the file.
+pub(super) fn length(
+    task: &Task<'_>,
+    name: &str,
+    stated: Option<&Spanned<f64>>,
+) -> Result<Option<f64>, Failure> {
+    checked_length(
+        task,
+        name,
+        stated.map(|stated| (*stated.get_ref(), stated.span())),
+    )
+}
+
+pub(super) fn checked_length(
+    task: &Task<'_>,
+    name: &str,
+    stated: Stated<f64>,
+) -> Result<Option<f64>, Failure> {
+    let is_length = |length: f64| length > 0.0 && length.is_finite();
+    checked(task, stated, is_length, || {
+        format!("{name} is not a positive finite number; give it in the unit of the file")
+    })
+}
+
+pub(super) fn checked(
+    task: &Task<'_>,
+    stated: Stated<f64>,
+    will_do: impl Fn(f64) -> bool,
+    message: impl Fn() -> String,
+) -> Result<Option<f64>, Failure> {
+    match stated {
+        Some((number, place)) if !will_do(number) => Err(task.source.refuse(&place, message())),
+        _ => Ok(stated.map(|(number, _)| number)),
+    }
+}
