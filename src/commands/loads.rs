@@ -2,6 +2,7 @@
 
 mod drawing;
 mod found;
+mod leading;
 mod report;
 mod run;
 mod table;
@@ -41,8 +42,8 @@ pub struct Arguments {
     /// Load the mechanism at each instant of the file's motion, its masses moving as they do there.
     #[arg(long, conflicts_with_all = ["drives", "absolute"])]
     motion: bool,
-    /// Write a row for each place as comma-separated values to PATH, or to standard output for `-`; on a grid without it
-    /// to out/NAME_loads.csv, NAME being the motion file's.
+    /// Write a row for each place as comma-separated values to PATH, or to standard output for `-`; without it those of a
+    /// grid to out/NAME_loads.csv, of a motion to out/NAME_loads_motion.csv, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
     /// Draw each case at the first place, with the forces along the links, as PATH/NAME_CASE.svg, NAME being the motion file's.
@@ -95,7 +96,12 @@ impl Arguments {
     }
 
     fn forms(&self) -> Forms {
-        let beside = || in_out(&self.file, "_loads.csv");
+        let ending = if self.motion {
+            "_loads_motion.csv"
+        } else {
+            "_loads.csv"
+        };
+        let beside = || in_out(&self.file, ending);
         let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
         let csv = self.csv.clone().or_else(|| is_grid.then(beside));
         Forms {
@@ -145,8 +151,8 @@ at its middle, and of one whose angle is driven or held. A moment about an angle
 passes it on: a torsion bar's on its arm. What the two bushes of a hinge bear along its axis rigid parts leave open: each is
 given half of it. Where two bodies share two points, likewise only the sum along their line is determined.
 
-Over a grid of drives, or a motion, the least and the greatest are printed, and a row for each place is written: the time of
-a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,
+Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
+drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives, then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N,
 braking_tie_rod_N, braking_upright_lower_ball_x_N.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or

@@ -2,6 +2,7 @@
 
 mod cases;
 mod moments;
+mod places;
 
 use std::collections::BTreeMap;
 
@@ -208,7 +209,7 @@ fn a_report_has_a_table_of_each_kind_for_each_case() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
     for expected in [
-        "a.toml: load case braking, one place; axes of ISO 8855",
+        "a.toml: load case braking at bump = 0.3 m, steer = 0.34 m; axes of ISO 8855",
         "a.toml: load case cornering",
         "drive  bears\n",
         "measure  bears\n",

@@ -1,5 +1,7 @@
 //! What a load case does over all places.
 
+use std::rc::Rc;
+
 use nalgebra::Vector3;
 
 use crate::loads::{Case, Outcome};
@@ -11,33 +13,68 @@ pub(super) struct Found<'a> {
     pub(super) first: Outcome,
     /// How many places there are.
     pub(super) places: usize,
+    /// The numbers of the first place; which of them are others elsewhere.
+    pub(super) place: Rc<[f64]>,
+    pub(super) varies: Vec<bool>,
     /// The least and the greatest of what each drive, each measure and each link bears, and of the size of each joint's force.
-    pub(super) ranges: Vec<[f64; 2]>,
+    pub(super) ranges: Vec<[Extreme; 2]>,
     /// The largest [`Outcome::amplification`].
-    pub(super) amplification: f64,
+    pub(super) amplification: Extreme,
+}
+
+/// The least or the greatest of a number, and the place where it is that.
+#[derive(Clone)]
+pub(super) struct Extreme {
+    pub(super) value: f64,
+    pub(super) place: Rc<[f64]>,
 }
 
 impl<'a> Found<'a> {
     /// A case of which no place is counted yet.
-    pub(super) fn new(case: &'a Case, first: Outcome) -> Self {
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+    pub(super) fn new(case: &'a Case, first: Outcome, place: &Rc<[f64]>) -> Self {
+        let extreme = |value| Extreme {
+            value,
+            place: place.clone(),
+        };
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY].map(extreme);
         Self {
             case,
             places: 0,
-            ranges: sizes(&first).map(|_| nothing).collect(),
-            amplification: 0.0,
+            place: place.clone(),
+            varies: vec![false; place.len()],
+            ranges: sizes(&first).map(|_| nothing.clone()).collect(),
+            amplification: extreme(0.0),
             first,
         }
     }
 
     /// Counts a place.
-    pub(super) fn add(&mut self, outcome: &Outcome) {
+    pub(super) fn add(&mut self, outcome: &Outcome, place: &Rc<[f64]>) {
         self.places += 1;
-        self.amplification = self.amplification.max(outcome.amplification());
-        for ([least, greatest], size) in self.ranges.iter_mut().zip(sizes(outcome)) {
-            *least = least.min(size);
-            *greatest = greatest.max(size);
+        for ((varies, first), here) in self.varies.iter_mut().zip(&*self.place).zip(&**place) {
+            *varies |= first != here;
         }
+        let amplification = outcome.amplification();
+        if amplification > self.amplification.value {
+            self.amplification.set(amplification, place);
+        }
+        for ([least, greatest], size) in self.ranges.iter_mut().zip(sizes(outcome)) {
+            if size < least.value {
+                least.set(size, place);
+            }
+            if size > greatest.value {
+                greatest.set(size, place);
+            }
+        }
+    }
+}
+
+impl Extreme {
+    fn set(&mut self, value: f64, place: &Rc<[f64]>) {
+        *self = Self {
+            value,
+            place: place.clone(),
+        };
     }
 }
 

@@ -2,7 +2,8 @@
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
-use crate::commands::loads::found::Found;
+use crate::commands::loads::found::{Extreme, Found};
+use crate::commands::loads::leading::Leading;
 use crate::loads::Structure;
 use crate::mechanism::{Description, Drive, Measure};
 use crate::number::fixed;
@@ -16,37 +17,22 @@ pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
     pub(super) structure: &'a Structure<'a>,
+    pub(super) leading: &'a Leading,
 }
 
 impl Report<'_> {
     /// A case at all places that have an answer.
     pub(super) fn text(&self, found: &Found<'_>) -> String {
         let Self {
-            file,
             mechanism,
             structure,
+            ..
         } = self;
-        let (case, first, names) = (found.case, &found.first, &mechanism.names);
-        let (places, between) = match found.places {
-            1 => ("one place".to_owned(), "  "),
-            several => (format!("least and greatest of {several} places"), " to "),
-        };
-        let axes = mechanism.axes.in_words();
-        let mut out = format!(
-            "{file}: load case {}, {places}; axes of {axes}\n\n",
-            case.name
-        );
+        let (first, names) = (&found.first, &mechanism.names);
+        let mut out = self.heading(found);
         let mut ranges = found.ranges.iter();
-        let mut line = |name: &str, unit| {
-            let range = ranges.next();
-            let numbers = range.map_or(&[][..], |range| &range[..found.places.min(2)]);
-            Line {
-                name: name.to_owned(),
-                numbers: numbers.to_vec(),
-                unit,
-            }
-        };
-        let mut table = |headings, lines: Vec<Line>| table(&mut out, between, headings, &lines);
+        let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
+        let mut table = |headings, lines: Vec<Line>| out.push_str(&table(headings, &lines));
         let drives = names.drives.iter();
         let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
         table(["drive", "bears"], drives.collect());
@@ -74,28 +60,82 @@ impl Report<'_> {
             _ => "size of the force",
         };
         table(["joint", heading], joints.collect());
-        out.push_str(&near_a_lock(found.amplification));
+        out.push_str(&self.near_a_lock(found));
         out
     }
-}
 
-/// A note where forces inside are so large that a lock must be near.
-fn near_a_lock(most: f64) -> String {
-    /// Arms and rockers make forces several times as large as the load.
-    const MANY: f64 = 100.0;
-    if most < MANY {
-        return String::new();
+    /// The case, its place or how many there are, and what they have in common.
+    fn heading(&self, found: &Found<'_>) -> String {
+        let common = self
+            .leading
+            .in_words(&found.place, |number| !found.varies[number]);
+        let places = match found.places {
+            1 => format!(" at {common}"),
+            several if common.is_empty() => format!(", least and greatest of {several} places"),
+            several => format!(", least and greatest of {several} places with {common}"),
+        };
+        let axes = self.mechanism.axes.in_words();
+        let (file, case) = (self.file, &found.case.name);
+        format!("{file}: load case {case}{places}; axes of {axes}\n\n")
     }
-    format!(
-        "The largest force inside is {most:.0} times the largest load: the mechanism is near a position where it locks.\n\n"
-    )
+
+    /// What a part bears: its number at one place, or the least and the greatest of several, with their places where they differ.
+    fn line(
+        &self,
+        name: &str,
+        unit: &'static str,
+        range: Option<&[Extreme; 2]>,
+        found: &Found<'_>,
+    ) -> Line {
+        let extremes = range.map_or(&[][..], |range| &range[..found.places.min(2)]);
+        let numbers = extremes.iter().map(|extreme| extreme.value);
+        let is_the_same =
+            |[least, greatest]: &[Extreme; 2]| shown(least.value) == shown(greatest.value);
+        let places = match range {
+            Some(range) if !is_the_same(range) => self.places(range, found),
+            _ => Default::default(),
+        };
+        Line {
+            name: name.to_owned(),
+            numbers: numbers.collect(),
+            unit,
+            places,
+        }
+    }
+
+    fn places(&self, range: &[Extreme; 2], found: &Found<'_>) -> [String; 2] {
+        range.each_ref().map(|extreme| {
+            self.leading
+                .in_words(&extreme.place, |number| found.varies[number])
+        })
+    }
+
+    /// A note where forces inside are so large that a lock must be near.
+    fn near_a_lock(&self, found: &Found<'_>) -> String {
+        /// Arms and rockers make forces several times as large as the load.
+        const MANY: f64 = 100.0;
+        let Extreme { value: most, place } = &found.amplification;
+        if *most < MANY {
+            return String::new();
+        }
+        let place = self.leading.in_words(place, |_| true);
+        format!(
+            "The largest force inside is {most:.0} times the largest load, at {place}: the mechanism is near a position where it locks.\n\n"
+        )
+    }
 }
 
-/// A name with numbers in a unit: the value at one place, or the least and the greatest of several.
+/// A name with numbers in a unit: the value at one place, or the least and the greatest of several with their places.
 struct Line {
     name: String,
     numbers: Vec<f64>,
     unit: &'static str,
+    places: [String; 2],
+}
+
+/// A force for people.
+fn shown(force: f64) -> String {
+    fixed(force, DECIMALS)
 }
 
 /// The unit of what a measure bears.
@@ -114,20 +154,30 @@ pub(super) fn unit_of(drive: &Drive) -> &'static str {
     }
 }
 
-/// Lines under a heading, with decimal points below each other and their numbers apart by what is between them.
-fn table(out: &mut String, between: &str, [what, heading]: [&str; 2], lines: &[Line]) {
+/// Lines under a heading, with decimal points below each other; the least and the greatest with their places.
+fn table([what, heading]: [&str; 2], lines: &[Line]) -> String {
+    let several = lines.first().is_some_and(|line| line.numbers.len() == 2);
+    let between = if several { " to " } else { "  " };
     let column = |number: usize| {
-        let numbers = lines.iter().map(|line| line.numbers[number]);
-        TextColumn::numbers(numbers.map(|number| fixed(number, DECIMALS)))
+        let numbers = lines.iter().map(|line| shown(line.numbers[number]));
+        TextColumn::numbers(numbers)
     };
     let numbers = 0..lines.first().map_or(0, |line| line.numbers.len());
     let numbers = numbers.map(column);
     let Some(numbers) = numbers.reduce(|column, next| column.then(between, next)) else {
-        return;
+        return String::new();
     };
     let names = TextColumn::left(lines.iter().map(|line| &line.name));
     let units = TextColumn::left(lines.iter().map(|line| line.unit));
     let numbers = numbers.then(" ", units).under(heading);
-    out.push_str(&laid_out(0, [names.under(what), numbers]));
-    out.push('\n');
+    let mut columns = vec![names.under(what), numbers];
+    if lines
+        .iter()
+        .any(|line| line.places != [const { String::new() }; 2])
+    {
+        let places = |end: usize| TextColumn::left(lines.iter().map(move |line| &line.places[end]));
+        columns.push(places(0).under("least at"));
+        columns.push(places(1).under("greatest at"));
+    }
+    laid_out(0, columns) + "\n"
 }

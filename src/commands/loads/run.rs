@@ -2,14 +2,16 @@
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_runtime::Listing;
 
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
+use crate::commands::loads::leading::Leading;
 use crate::commands::loads::report::Report;
-use crate::commands::loads::table::{Leading, headings, row};
+use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::grid::{Swept, grid};
@@ -50,11 +52,12 @@ impl<'a> Run<'a> {
         let mut read = |place: &dyn Place| {
             progress.step();
             let state = place.state();
-            let outcomes = self.outcomes(&state);
-            start(&mut found, self.cases, &outcomes);
-            count(&mut found, &outcomes);
-            let drawn = self.drawings.is_some().then(|| state.clone());
-            (leading.read(&state), outcomes, drawn)
+            let (at, outcomes): (Rc<[f64]>, _) =
+                (leading.read(&state).into(), self.outcomes(&state));
+            start(&mut found, self.cases, &outcomes, &at);
+            count(&mut found, &outcomes, &at);
+            let drawn = self.drawings.is_some().then_some(state);
+            (at, outcomes, drawn)
         };
         let visited = self
             .mechanism
@@ -63,13 +66,13 @@ impl<'a> Run<'a> {
         let is_any = visited.places.iter().any(Option::is_some);
         let mut rows = self.rows(forms, &leading, &found)?;
         let mut first = None;
-        for (leading, outcomes, drawn) in visited.places.into_iter().flatten() {
+        for (at, outcomes, drawn) in visited.places.into_iter().flatten() {
             if let Some(rows) = &mut rows {
-                rows.add(&row(leading, &found, &outcomes))?;
+                rows.add(&row(&at, &found, &outcomes))?;
             }
             first = first.or_else(|| Some((drawn?, outcomes)));
         }
-        self.finish(forms, rows, first, &found)?;
+        self.finish((forms, &leading), rows, first, &found)?;
         self.ended(failure, &found, is_any)
     }
 
@@ -87,7 +90,8 @@ impl<'a> Run<'a> {
         let mut progress = Progress::new(instants.count(), "instants");
         self.mechanism.move_through(instants, &mut |state| {
             progress.step();
-            start(&mut found, self.cases, &self.outcomes(&state));
+            let at = leading.read(&state).into();
+            start(&mut found, self.cases, &self.outcomes(&state), &at);
             Ok(go_on(found.iter().all(Option::is_some) || is_over()))
         })?;
         drop(progress);
@@ -100,16 +104,16 @@ impl<'a> Run<'a> {
         let mut progress = Progress::new(instants.count(), "instants");
         let end = self.mechanism.move_through(instants, &mut |state| {
             progress.step();
-            let outcomes = self.outcomes(&state);
-            count(&mut found, &outcomes);
+            let (at, outcomes) = (leading.read(&state).into(), self.outcomes(&state));
+            count(&mut found, &outcomes, &at);
             if let Some(rows) = &mut rows {
-                rows.add(&row(leading.read(&state), &found, &outcomes))?;
+                rows.add(&row(&at, &found, &outcomes))?;
             }
             first.get_or_insert((state, outcomes));
             Ok(go_on(is_over()))
         })?;
         let is_any = first.is_some();
-        self.finish(forms, rows, first, &found)?;
+        self.finish((forms, &leading), rows, first, &found)?;
         let failure = end.failure(self.source, "the rows up to there were written");
         self.ended(failure, &found, is_any)
     }
@@ -142,7 +146,7 @@ impl<'a> Run<'a> {
     /// Ends the table, draws the cases at the `first` place, and prints what each does.
     fn finish(
         &self,
-        forms: &Forms,
+        (forms, leading): (&Forms, &Leading),
         rows: Option<Rows>,
         first: Option<(State, Vec<Option<Outcome>>)>,
         found: &[Option<Found<'_>>],
@@ -167,6 +171,7 @@ impl<'a> Run<'a> {
             file: self.source,
             mechanism: self.mechanism,
             structure: self.structure,
+            leading,
         };
         let mut found = found.iter().flatten();
         found.try_for_each(|found| print(&report.text(found)))
@@ -206,19 +211,24 @@ impl<'a> Run<'a> {
 }
 
 /// Begins cases that have their first answer.
-fn start<'a>(found: &mut [Option<Found<'a>>], cases: &'a [Case], outcomes: &[Option<Outcome>]) {
+fn start<'a>(
+    found: &mut [Option<Found<'a>>],
+    cases: &'a [Case],
+    outcomes: &[Option<Outcome>],
+    at: &Rc<[f64]>,
+) {
     for ((found, case), outcome) in found.iter_mut().zip(cases).zip(outcomes) {
         if let (None, Some(outcome)) = (&found, outcome) {
-            *found = Some(Found::new(case, outcome.clone()));
+            *found = Some(Found::new(case, outcome.clone(), at));
         }
     }
 }
 
 /// Counts a place in each case.
-fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>]) {
+fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: &Rc<[f64]>) {
     for (found, outcome) in found.iter_mut().zip(outcomes) {
         if let (Some(found), Some(outcome)) = (found, outcome) {
-            found.add(outcome);
+            found.add(outcome, at);
         }
     }
 }

@@ -1,38 +1,11 @@
 //! The table of loads: a row a place.
 
 use crate::commands::loads::found::{Found, along};
+use crate::commands::loads::leading::Leading;
 use crate::commands::loads::report::{unit_in, unit_of};
 use crate::kinematics::Kinematics;
 use crate::loads::{Outcome, Structure};
-use crate::mechanism::{State, Unit};
 use crate::output::heading::Heading;
-use crate::quantities::{self, Column, Quantity, Reader, catalogue};
-
-/// The quantities that stand first in each row.
-pub(super) struct Leading {
-    columns: Vec<Column>,
-    unit: Unit,
-}
-
-impl Leading {
-    /// The columns of some quantities of the catalogue.
-    pub(super) fn of(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
-        let mut columns = quantities::columns(catalogue(), &mechanism.names);
-        columns.retain(|column| quantities.iter().any(|quantity| column.is(quantity)));
-        Self {
-            columns,
-            unit: mechanism.unit,
-        }
-    }
-
-    /// The numbers of a state, in the file's units.
-    pub(super) fn read(&self, state: &State) -> Vec<f64> {
-        let reader = Reader::of(state);
-        let read =
-            |column: &Column| column.read(&reader).value * column.dimension.in_file(self.unit);
-        self.columns.iter().map(read).collect()
-    }
-}
 
 /// The headings of the leading quantities and of each case.
 pub(super) fn headings(
@@ -43,29 +16,28 @@ pub(super) fn headings(
 ) -> Vec<Heading> {
     let found = found.iter().flatten();
     let names = found.flat_map(|found| names(mechanism, structure, found));
-    let columns = leading.columns.iter();
-    let leading = columns.map(|column| column.csv_name(mechanism.unit));
     let heading = |name| Heading {
         name,
         counts: false,
     };
-    leading.chain(names).map(heading).collect()
+    leading.names().chain(names).map(heading).collect()
 }
 
-/// A row: the leading numbers, then those of each case that has an answer anywhere, NaN where it has none here.
+/// A row: the numbers of the place, then those of each case that has an answer anywhere, NaN where it has none here.
 pub(super) fn row(
-    mut leading: Vec<f64>,
+    place: &[f64],
     found: &[Option<Found<'_>>],
     outcomes: &[Option<Outcome>],
 ) -> Vec<f64> {
+    let mut row = place.to_vec();
     for (found, outcome) in found.iter().zip(outcomes) {
         match (found, outcome) {
-            (Some(_), Some(outcome)) => leading.extend(numbers(outcome)),
-            (Some(found), None) => leading.extend(numbers(&found.first).map(|_| f64::NAN)),
+            (Some(_), Some(outcome)) => row.extend(numbers(outcome)),
+            (Some(found), None) => row.extend(numbers(&found.first).map(|_| f64::NAN)),
             (None, _) => {}
         }
     }
-    leading
+    row
 }
 
 /// The names of the columns of a case.
