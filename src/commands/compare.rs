@@ -1,6 +1,9 @@
 //! `suspension compare`: two suspensions beside each other.
 
+mod by_wheel;
+mod comparison;
 mod differences;
+mod over;
 mod page;
 mod report;
 mod side;
@@ -16,7 +19,7 @@ use crate::file::Source;
 use crate::load::{Loaded, load};
 use crate::output::files::{announce, print, refuse_input, write_file};
 use crate::output::target::Target;
-use differences::Comparison;
+use comparison::Comparison;
 use side::Side;
 
 /// What `suspension compare` is given.
@@ -118,12 +121,14 @@ the same name in all. Positions and drives are in the axes and the unit of A; qu
 toe, are the same in all axes. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
 `per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. Where equal changes of the two drives
-do not move the wheels equally far, as of a height and a damper's length, derivatives are `per wheel travel`: per rise of the wheel
-centre. The curves over travel go upwards in all. Wheels and drives of the same name are compared with each other; where only one of
+do not move the wheels equally far, as of a height and a damper's length or an angle, derivatives are `per wheel travel`: per rise of
+the wheel centre, and curves are `over wheel travel`, motion ratios among them: of each file, between the 61 places of its drive,
+the cubic through the four nearest. The curves over travel go upwards in all. Wheels and drives of the same name are compared with each other; where only one of
 the files has named wheels, each of them is compared with the wheel of the other.
 
-The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel, over steer; of a second
-wheel per travel 2), quantity, unit, at (the drive's change where the curves differ most, for people), a, b, difference; angles in
+The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel, over wheel travel, over roll,
+over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the wheel's travel, where the
+curves differ most, for people), a, b, difference; angles in
 degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is

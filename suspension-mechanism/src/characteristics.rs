@@ -11,7 +11,7 @@ mod title;
 mod way;
 
 pub use along::{Along, no_steering, ways};
-pub use curves::{Curves, Line, curves};
+pub use curves::{Curves, Line, Sort, curves};
 pub use grid_table::GridTable;
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};
 pub use span::Span;

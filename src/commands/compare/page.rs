@@ -3,19 +3,16 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Line};
-use crate::commands::compare::differences::{
-    Comparison, Difference, Part, pairs, same_ways, title_of_both,
-};
+use crate::commands::compare::comparison::Comparison;
+use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
 use crate::commands::compare::report::{heading, legend, notes};
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
 
 /// The page as HTML.
-pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
+pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
-    let ways = same_ways(sides).into_iter();
-    let ways = ways.filter(|[a, b]| a.dimension == b.dimension);
     let body = html! {
         p { "A: " code { (a) } }
         p { "B: " code { (b) } }
@@ -27,7 +24,8 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison) -> String {
             h2 { (heading(part)) }
             (table(part))
         }
-        @for [a, b] in ways {
+        @for over in &comparison.over {
+            @let [a, b] = &over.curves;
             (charts(&format!("Over {}", a.title), &both(sides, a, b)))
         }
     };

@@ -2,19 +2,20 @@
 
 use std::fmt::Write;
 
-use crate::characteristics::{Curves, Does, Line, Parameter};
-use crate::commands::compare::differences::{
-    ALIKE, Comparison, Difference, Part, pairs, same_ways, unmatched,
-};
+use crate::characteristics::{Curves, Parameter};
+use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
+use crate::commands::compare::comparison::Comparison;
+use crate::commands::compare::differences::{Difference, Part, same_ways, unmatched};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::file::Dimension;
+use crate::mechanism::Unit;
 use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
 use crate::output::text_table::{TextColumn, laid_out};
-use crate::quantities::{Axis, CENTRE, WHEEL_TRAVEL};
+use crate::quantities::{Axis, CENTRE};
 
 /// Which file is which, a line each.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
@@ -35,7 +36,7 @@ pub(super) fn heading(part: &Part) -> String {
 }
 
 /// The comparison for people.
-pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
+pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");
     for note in notes(sides) {
@@ -49,25 +50,11 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison) -> String {
     out
 }
 
-/// What of the drives cannot be compared, a sentence each.
+/// What of the drives cannot be compared, or not at equal changes, a sentence each.
 pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
-    let unlike = same_ways(sides)
-        .into_iter()
-        .filter(|[a, b]| a.dimension != b.dimension);
-    let unlike = unlike.map(|[a, b]| {
-        let what = |curves: &Curves| match curves.dimension == Dimension::Angle {
-            true => "an angle",
-            false => "a length",
-        };
-        format!(
-            "`{}` of A is {}, `{}` of B {}: no curves along them are compared",
-            a.title,
-            what(a),
-            b.title,
-            what(b)
-        )
-    });
-    let unlike_travel = same_ways(sides).into_iter().filter_map(unlike_travel);
+    let unit = sides[0].unit;
+    let unlike = same_ways(sides).into_iter();
+    let unlike = unlike.filter_map(|both| unlike_drives(both, unit));
     let [a, b] = sides;
     let across = across(sides);
     let alone = |side, other, name| {
@@ -77,8 +64,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));
-    let notes = unlike.chain(unlike_travel).chain(alone);
-    notes.chain(across).collect()
+    unlike.chain(alone).chain(across).collect()
 }
 
 /// Says so where a wheel on the left is compared with one on the right.
@@ -97,31 +83,38 @@ fn across(sides: [&Side; 2]) -> Option<String> {
     })
 }
 
-/// Says so where equal changes of two drives are not equal travels of the wheels.
-fn unlike_travel([a, b]: [&Curves; 2]) -> Option<String> {
-    let mut lines = pairs(a, b).into_iter();
-    if a.way.does == Does::Steer {
-        return None;
+/// Says so where drives are of different kinds, or equal changes of them are not equal travels of the wheels.
+fn unlike_drives(both: [&Curves; 2], unit: Unit) -> Option<String> {
+    let [a, b] = both;
+    let titles = both.map(|curves| &curves.title);
+    let is_by_wheel = are_unlike(both) && by_wheel(both, unit).is_some();
+    let by_wheel = "the curves are compared over the travel of the wheel, as far as both go";
+    if a.dimension != b.dimension {
+        let [what_a, what_b] = both.map(|curves| match curves.dimension {
+            Dimension::Angle => "an angle",
+            _ => "a length",
+        });
+        let [a, b] = titles;
+        let compared = match is_by_wheel {
+            true => by_wheel,
+            false => "no curves along them are compared",
+        };
+        return Some(format!(
+            "`{a}` of A is {what_a}, `{b}` of B {what_b}: {compared}"
+        ));
     }
-    let [of_a, of_b] = lines.find(|[line, _]| line.title.of_wheel == WHEEL_TRAVEL.title)?;
-    let [rise_a, rise_b] = [rise(a, of_a)?, rise(b, of_b)?];
-    let is_unlike = a.dimension == b.dimension && (rise_b - rise_a).abs() > ALIKE * rise_a.abs();
-    is_unlike.then(|| {
-        let (rise_a, rise_b) = (in_digits(rise_a), in_digits(rise_b));
-        format!(
-            "on average over the curve the wheel rises by {rise_a} per unit of `{}` of A and by {rise_b} of `{}` of B: what is \
-             compared over {} is at equal changes of the drives, not of the wheels",
-            a.title, b.title, a.way
-        )
-    })
-}
-
-/// How far the wheel rises per change of the drive, over all of the curve.
-fn rise(curves: &Curves, line: &Line) -> Option<f64> {
-    let points = curves.points(line);
-    let mut known = points.iter().filter(|(_, value)| value.is_finite());
-    let (first, last) = (known.next()?, known.next_back()?);
-    Some((last.1 - first.1) / (last.0 - first.0))
+    let [rise_a, rise_b] = rises(both).filter(|_| are_unlike(both))?.map(in_digits);
+    let compared = match is_by_wheel {
+        true => by_wheel.to_owned(),
+        false => format!(
+            "what is compared over {} is at equal changes of the drives, not of the wheels",
+            a.way
+        ),
+    };
+    let [a, b] = titles;
+    Some(format!(
+        "on average over the curve the wheel rises by {rise_a} per unit of `{a}` of A and by {rise_b} of `{b}` of B: {compared}"
+    ))
 }
 
 /// The differences; the last column, where the curves differ most, is of curves alone.
@@ -149,7 +142,7 @@ fn columns(part: &Part) -> Vec<TextColumn> {
 }
 
 /// The comparison as comma-separated values.
-pub(super) fn table(comparison: &Comparison, target: &Target) -> Result<(), Failure> {
+pub(super) fn table(comparison: &Comparison<'_>, target: &Target) -> Result<(), Failure> {
     let names = ["of", "quantity", "unit", "at", "a", "b", "difference"];
     let headings = names.map(|name| Heading {
         name: name.to_owned(),

@@ -11,6 +11,7 @@ use crate::quantities::{
 };
 
 /// The curves along a drive.
+#[derive(Clone)]
 pub struct Curves {
     /// What moves: see [`Along`].
     pub title: String,
@@ -27,6 +28,7 @@ pub struct Curves {
 }
 
 /// A quantity along a drive, for people.
+#[derive(Clone)]
 pub struct Line {
     /// What it is called, and of which wheel.
     pub title: Title,
@@ -34,6 +36,21 @@ pub struct Line {
     pub symbol: String,
     /// At each of the drive's changes; `None` where the mechanism is out of reach, or there is no such number.
     pub values: Vec<Option<f64>>,
+    /// The derivatives of these, with respect to the drive in the file's unit; `None` where there is none.
+    pub rates: Vec<Option<f64>>,
+    /// What kind of number it is.
+    pub sort: Sort,
+}
+
+/// What a line is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// A quantity.
+    Quantity,
+    /// What a measure of the listing reads.
+    Measure,
+    /// The derivative of that with respect to the drive.
+    MotionRatio,
 }
 
 impl Curves {
@@ -76,16 +93,19 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     for column in columns_of_curves(mechanism) {
         let (scale, symbol) = converted(column.dimension);
         let title = Title::of(&column);
-        if column.is(&MEASURES) {
-            let scale =
-                scale / (of_drive.conversion(mechanism.unit, unit) * of_drive.in_file(unit));
+        let per = scale / (of_drive.conversion(mechanism.unit, unit) * of_drive.in_file(unit));
+        let rates = values(&|_, states| Some(rate(&column, along, states)? * per));
+        let is_measure = column.is(&MEASURES);
+        if is_measure {
             lines.push(Line {
                 title: Title {
                     wheel: None,
                     of_wheel: format!("motion ratio: {title} per {}", along.title),
                 },
                 symbol: symbol_per(&symbol, of_drive, unit),
-                values: values(&|_, per| Some(rate(&column, along, per)? * scale)),
+                rates: vec![None; rates.len()],
+                values: rates.clone(),
+                sort: Sort::MotionRatio,
             });
         }
         let values = values(&|state, _| Some(column.value(state) * scale));
@@ -96,6 +116,12 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
             title,
             symbol,
             values,
+            rates,
+            sort: if is_measure {
+                Sort::Measure
+            } else {
+                Sort::Quantity
+            },
         });
     }
     let count = |line: &Line| line.values.iter().flatten().count();

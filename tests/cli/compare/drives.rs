@@ -3,6 +3,7 @@
 use super::super::program::{CORNER, text};
 use super::{arm, compare, rows};
 
+/// Without a wheel nothing tells how a length and an angle move it alike.
 #[test]
 fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
     let angle = arm("m", 1.0, 0.4)
@@ -12,7 +13,7 @@ fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
     assert!(
-        report.contains("`bump` of A is a length, `bump` of B an angle"),
+        report.contains("`bump` of A is a length, `bump` of B an angle: no curves"),
         "{report}"
     );
     assert!(
@@ -70,31 +71,61 @@ fn travel_goes_upwards_whatever_the_drive_counts() {
     assert!(count > 10, "{count}");
 }
 
+/// One suspension, led by the height of its wheel and by its damper: over the travel of the wheel there is no difference.
 #[test]
-fn travel_by_a_damper_is_not_that_of_the_wheel() {
+fn travel_by_a_damper_is_compared_over_that_of_the_wheel() {
     let up = led_by("wheel_centre.z", 301.0);
     let by_damper = led_by("length(low -> top)", 451.691_266_242_773_4);
     let (_folder, output) = compare(&up, &by_damper, &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
-    let said = "the wheel rises by 1 per unit of `bump` of A and by 0.6";
-    assert!(report.contains(said), "{report}");
-    assert!(report.contains("of `bump upwards` of B"), "{report}");
-    // It is one suspension: per travel of the wheel there is no difference.
-    let (_folder, output) = compare(&up, &by_damper, &["--csv", "-"]);
-    let rows = rows(&output);
-    let by_wheel = || rows.iter().filter(|([of, ..], _)| of == "per wheel travel");
-    let camber = by_wheel().find(|([_, quantity, _], _)| quantity == "camber angle");
-    assert!(camber.is_some_and(|(_, [_, a, ..])| a.abs() > 0.01));
-    for (names, [_, a, b, difference]) in by_wheel() {
-        assert!(
-            difference.abs() < 1e-9 * (1.0 + a.abs()),
-            "{names:?}: {a} {b}"
-        );
+    for said in [
+        "the wheel rises by 1 per unit of `bump` of A and by 0.6",
+        "of `bump upwards` of B: the curves are compared over the travel of the wheel, as far as both go",
+        "Largest difference over wheel travel, at a wheel travel (mm)",
+    ] {
+        assert!(report.contains(said), "{said}: {report}");
     }
-    assert!(report.contains(
-        "what is compared over travel is at equal changes of the drives, not of the wheels"
-    ));
+    let output = compare(&up, &by_damper, &["--csv", "-"]).1;
+    let rows = rows(&output);
+    for (of, tolerance) in [("per wheel travel", 1e-9), ("over wheel travel", 1e-7)] {
+        let by_wheel = || rows.iter().filter(|([part, ..], _)| part == of);
+        let camber = by_wheel().find(|([_, quantity, _], _)| quantity == "camber angle");
+        assert!(camber.is_some_and(|(_, [_, a, ..])| a.abs() > 0.01));
+        for (names, [_, a, b, difference]) in by_wheel() {
+            assert!(
+                difference.abs() < tolerance * (1.0 + a.abs()),
+                "{names:?}: {a} {b}"
+            );
+        }
+    }
+    let ratio = "motion ratio: damper per wheel travel";
+    assert!(
+        rows.iter()
+            .any(|([_, quantity, unit], _)| quantity == ratio && unit == "mm/mm")
+    );
+    assert!(!rows.iter().any(|([of, ..], _)| of == "over travel"));
+}
+
+/// A length and an angle have no equal changes, but both lift the wheel.
+#[test]
+fn travel_by_an_angle_is_compared_over_that_of_the_wheel() {
+    let height = led_by("wheel_centre.z", 301.0);
+    let angle = led_by("angle(pin -> wheel_centre, z)", 90.787);
+    let (folder, output) = compare(&height, &angle, &["--html", "a.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    let said = "`bump` of A is a length, `bump upwards` of B an angle: the curves are compared over the travel of the wheel";
+    assert!(report.contains(said), "{report}");
+    let heading = "Largest difference over wheel travel, at a wheel travel (mm)\n";
+    let (_, over) = report.split_once(heading).expect(heading);
+    let mut lines = over.lines();
+    let camber = lines.find(|line| line.trim_start().starts_with("camber angle "));
+    let camber = camber.expect("camber").split_whitespace().nth(4);
+    let difference: f64 = camber.expect("a difference").parse().expect("a number");
+    assert!(difference.abs() < 1e-6, "{report}");
+    let page = std::fs::read_to_string(folder.path().join("a.html")).expect("a page");
+    assert!(page.contains("Over wheel travel") && page.contains("wheel travel (mm)"));
 }
 
 /// The catalogue's axle is its corner, left and right.

@@ -1,0 +1,124 @@
+//! All that is compared: the design positions, derivatives there, and curves.
+
+use crate::characteristics::Parameter;
+use crate::commands::compare::differences::{
+    ALIKE, Difference, Part, both, same_ways, title_of_both,
+};
+use crate::commands::compare::over::Over;
+use crate::commands::compare::side::Side;
+
+/// All that both have.
+pub(super) struct Comparison<'a> {
+    pub(super) parts: Vec<Part>,
+    pub(super) over: Vec<Over<'a>>,
+}
+
+impl<'a> Comparison<'a> {
+    /// Of both sides.
+    pub(super) fn of(sides: [&'a Side; 2]) -> Self {
+        let design =
+            |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
+        let mut parts = vec![Part {
+            of: "design".to_owned(),
+            across: None,
+            differences: of_parameters(sides, [&design; 2]),
+        }];
+        for (of_a, way) in sides[0].ways.iter().enumerate() {
+            if let Some(of_b) = sides[0].same_way(sides[1], of_a) {
+                let ways = [(sides[0], of_a), (sides[1], of_b)];
+                let by_wheel = are_unlike_travels(ways);
+                let [a, b] = ways.map(|(side, way)| {
+                    move |parameter: &Parameter, is_alone| {
+                        let derivative = derivative(side, way, parameter, is_alone);
+                        if by_wheel {
+                            derivative?.per_rise(side)
+                        } else {
+                            derivative.map(|per| (per.value, per.symbol.clone()))
+                        }
+                    }
+                });
+                parts.push(Part {
+                    of: if by_wheel {
+                        format!("per wheel {way}")
+                    } else {
+                        format!("per {way}")
+                    },
+                    across: None,
+                    differences: of_parameters(sides, [&a, &b]),
+                });
+            }
+        }
+        let unit = sides[0].unit;
+        let over = same_ways(sides).into_iter();
+        let over: Vec<Over<'_>> = over.filter_map(|both| Over::of(both, unit)).collect();
+        parts.extend(over.iter().map(|over| over.part(unit)));
+        parts.retain(|part| !part.differences.is_empty());
+        Self { parts, over }
+    }
+}
+
+/// Whether equal changes of two drives of travel are not equal travels of the wheels.
+fn are_unlike_travels(ways: [(&Side, usize); 2]) -> bool {
+    let [a, b] = ways.map(|(side, way)| side.rise(way));
+    let (Some((a, of_a)), Some((b, of_b))) = (a, b) else {
+        return false;
+    };
+    of_a != of_b || (b - a).abs() > ALIKE * a.abs()
+}
+
+/// A derivative of a parameter along a drive.
+struct PerDrive<'a> {
+    parameter: &'a Parameter,
+    way: usize,
+    value: f64,
+    symbol: &'a String,
+}
+
+impl PerDrive<'_> {
+    /// The same with respect to the height of the wheel that the drive moves.
+    fn per_rise(&self, side: &Side) -> Option<(f64, String)> {
+        let (rise, _) = side.rise(self.way)?;
+        let symbol = format!("{}/{}", self.parameter.symbol, side.unit.symbol());
+        Some((self.value / rise, symbol))
+    }
+}
+
+/// The derivative of a parameter along a drive; of a wheel or an axle that is compared with one without a name, along its own drive of
+/// travel.
+fn derivative<'a>(
+    side: &Side,
+    way: usize,
+    parameter: &'a Parameter,
+    is_alone: bool,
+) -> Option<PerDrive<'a>> {
+    let way = match &parameter.title.wheel {
+        Some(wheel) if is_alone => side.own_way(way, wheel),
+        _ => way,
+    };
+    let derivative = parameter.per[way].as_ref()?;
+    Some(PerDrive {
+        parameter,
+        way,
+        value: derivative.value,
+        symbol: &derivative.symbol,
+    })
+}
+
+/// Reads a number of a parameter, with its unit; with whether only one of the two that are compared names its wheel.
+type Read<'a> = dyn Fn(&Parameter, bool) -> Option<(f64, String)> + 'a;
+
+/// The numbers that parameters of the same name and unit have.
+fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
+    let difference = |[a, b]: [&Parameter; 2]| {
+        let is_alone = a.title.wheel != b.title.wheel;
+        let ((value, symbol), (other, of_other)) = (of_a(a, is_alone)?, of_b(b, is_alone)?);
+        (symbol == of_other && value.is_finite() && other.is_finite()).then(|| Difference {
+            quantity: title_of_both([&a.title, &b.title]),
+            symbol,
+            at: None,
+            values: [value, other],
+        })
+    };
+    let both = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    both.into_iter().filter_map(difference).collect()
+}
