@@ -184,7 +184,7 @@ fn one_place_is_told_in_the_singular() {
         "{message}"
     );
     assert!(
-        message.trim_end().ends_with("; the other one was written"),
+        message.trim_end().ends_with("; the other one was solved"),
         "{message}"
     );
 }

@@ -113,8 +113,12 @@ impl<'a> Run<'a> {
             Ok(go_on(is_over()))
         })?;
         let is_any = first.is_some();
+        let done = match rows {
+            Some(_) => "the rows up to there were written",
+            None => "nothing was written",
+        };
         self.finish((forms, &leading), rows, first, &found)?;
-        let failure = end.failure(self.source, "the rows up to there were written");
+        let failure = end.failure(self.source, done);
         self.ended(failure, &found, is_any)
     }
 

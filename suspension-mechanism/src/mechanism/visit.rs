@@ -28,9 +28,9 @@ impl<R> Visited<R> {
     pub fn failure(&self, source: &str) -> Option<Failure> {
         let (all, missing) = self.counts();
         let written = match all - missing {
-            0 => "none was written".to_owned(),
-            1 => "the other one was written".to_owned(),
-            others => format!("the {others} others were written"),
+            0 => "none was solved".to_owned(),
+            1 => "the other one was solved".to_owned(),
+            others => format!("the {others} others were solved"),
         };
         if self.end.interrupted {
             let are = if missing == 1 { "is" } else { "are" };
