@@ -20,40 +20,56 @@ impl<'a> Comparison<'a> {
             |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
         let mut parts = vec![Part {
             of: "design".to_owned(),
+            moved: None,
             across: None,
             differences: of_parameters(sides, [&design; 2]),
         }];
-        for (of_a, way) in sides[0].ways.iter().enumerate() {
-            if let Some(of_b) = sides[0].same_way(sides[1], of_a) {
-                let ways = [(sides[0], of_a), (sides[1], of_b)];
-                let by_wheel = are_unlike_travels(ways);
-                let [a, b] = ways.map(|(side, way)| {
-                    move |parameter: &Parameter, is_alone| {
-                        let derivative = derivative(side, way, parameter, is_alone);
-                        if by_wheel {
-                            derivative?.per_rise(side)
-                        } else {
-                            derivative.map(|per| (per.value, per.symbol.clone()))
-                        }
-                    }
-                });
-                parts.push(Part {
-                    of: if by_wheel {
-                        format!("per wheel {way}")
-                    } else {
-                        format!("per {way}")
-                    },
-                    across: None,
-                    differences: of_parameters(sides, [&a, &b]),
-                });
-            }
-        }
+        parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
         let unit = sides[0].unit;
         let over = same_ways(sides).into_iter();
         let over: Vec<Over<'_>> = over.filter_map(|both| Over::of(both, unit)).collect();
         parts.extend(over.iter().map(|over| over.part(unit)));
         parts.retain(|part| !part.differences.is_empty());
         Self { parts, over }
+    }
+}
+
+/// The derivatives along what a drive of the first does, where one of the second does the same.
+fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
+    let ways = [of_a, sides[0].same_way(sides[1], of_a)?];
+    let by_wheel = are_unlike_travels([(sides[0], ways[0]), (sides[1], ways[1])]);
+    let [a, b] = [0, 1].map(|number| {
+        let (side, way) = (sides[number], ways[number]);
+        move |parameter: &Parameter, is_alone| {
+            let derivative = derivative(side, way, parameter, is_alone);
+            if by_wheel {
+                derivative?.per_rise(side)
+            } else {
+                derivative.map(|per| (per.value, per.symbol.clone()))
+            }
+        }
+    });
+    let way = sides[0].ways[of_a];
+    let of = if by_wheel {
+        format!("per wheel {way}")
+    } else {
+        format!("per {way}")
+    };
+    Some(Part {
+        of,
+        moved: Some(moved(sides, ways)),
+        across: None,
+        differences: of_parameters(sides, [&a, &b]),
+    })
+}
+
+/// Which wheels or drives move, in words.
+fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
+    let [of_a, of_b] = [a.moved(of_a, b), b.moved(of_b, a)];
+    if of_a == of_b {
+        of_a
+    } else {
+        format!("{of_a} of A, {of_b} of B")
     }
 }
 

@@ -24,6 +24,8 @@ impl Difference {
 pub(super) struct Part {
     /// As `per travel`.
     pub(super) of: String,
+    /// Of derivatives: the drives or the wheels that they move, in words.
+    pub(super) moved: Option<String>,
     /// Of curves: what `at` is, with its unit.
     pub(super) across: Option<String>,
     pub(super) differences: Vec<Difference>,

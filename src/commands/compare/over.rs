@@ -41,6 +41,7 @@ impl<'a> Over<'a> {
         let differences = differences.filter_map(|pair| largest(a, pair));
         Part {
             of: self.of.clone(),
+            moved: None,
             across: Some(a.across(unit)),
             differences: differences.collect(),
         }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::characteristics::{Curves, Parameter};
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
 use crate::commands::compare::comparison::Comparison;
-use crate::commands::compare::differences::{Difference, Part, same_ways, unmatched};
+use crate::commands::compare::differences::{Difference, Part, both, same_ways, unmatched};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -31,7 +31,11 @@ pub(super) fn heading(part: &Part) -> String {
     match (part.of.as_str(), &part.across) {
         (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
         ("design", None) => "At the design position".to_owned(),
-        (of, None) => format!("At the design position, {of}"),
+        (of, None) => {
+            let moved = part.moved.as_ref();
+            let moved = moved.map_or_else(String::new, |moved| format!(" ({moved})"));
+            format!("At the design position, {of}{moved}")
+        }
     }
 }
 
@@ -55,8 +59,8 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let unit = sides[0].unit;
     let unlike = same_ways(sides).into_iter();
     let unlike = unlike.filter_map(|both| unlike_drives(both, unit));
-    let [a, b] = sides;
     let across = across(sides);
+    let [a, b] = sides;
     let alone = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
         curves.map(move |Curves { title, .. }| {
@@ -68,18 +72,25 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
 }
 
 /// Says so where a wheel on the left is compared with one on the right.
-fn across(sides: [&Side; 2]) -> Option<String> {
-    let side = |side: &Side| {
-        let mut centres = side.parameters.iter();
-        let is_across = |parameter: &&Parameter| {
-            parameter.title.wheel.is_none() && parameter.is(&CENTRE, Axis::Y)
-        };
-        let outwards = centres.find(is_across)?.value;
-        (outwards != 0.0).then_some(outwards > 0.0)
-    };
-    let [a, b] = sides.map(side);
-    (a? != b?).then(|| {
-        "the wheels are on opposite sides of the vehicle: what is along y, and what steering does, has the other sign".to_owned()
+fn across([a, b]: [&Side; 2]) -> Option<String> {
+    let centres = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    let across = centres.into_iter().filter(|[a, b]| {
+        let is_across = |parameter: &Parameter| parameter.is(&CENTRE, Axis::Y);
+        is_across(a) && is_across(b) && a.value * b.value < 0.0
+    });
+    let wheels = across.map(|[a, b]| match (&a.title.wheel, &b.title.wheel) {
+        (Some(wheel), None) => format!("`{wheel}` of A and the wheel of B"),
+        (None, Some(wheel)) => format!("the wheel of A and `{wheel}` of B"),
+        (Some(wheel), Some(_)) => format!("`{wheel}` of A and of B"),
+        (None, None) => "the wheels".to_owned(),
+    });
+    let wheels: Vec<String> = wheels.collect();
+    (!wheels.is_empty()).then(|| {
+        format!(
+            "{} are on opposite sides of the vehicle: what is along y, the pitch of the virtual steering axis, and what steering does \
+             have the other sign",
+            wheels.join(", ")
+        )
     })
 }
 

@@ -22,6 +22,8 @@ pub(super) struct Side {
     up: f64,
     /// What the drives do with respect to which the parameters have derivatives.
     pub(super) ways: Vec<Way>,
+    /// The names of these drives.
+    drives: Vec<String>,
     /// The drive of travel of each wheel, by its place in these.
     travel_of: Vec<(String, usize)>,
     /// The same of both wheels of each axle.
@@ -57,6 +59,8 @@ impl Side {
             let ways = both.filter_map(|wheel| place(&wheels[wheel]));
             (pair.name, ways.collect())
         });
+        let named = drives.iter();
+        let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
@@ -67,6 +71,7 @@ impl Side {
             axles: axles.collect(),
             travel_of: travel_of.collect(),
             ways: does,
+            drives: named.collect(),
             parameters: parameters(mechanism, unit, interrupted),
             curves: curves.collect(),
         })
@@ -117,6 +122,20 @@ impl Side {
                 own.get(number - 1).or(own.last()).copied().unwrap_or(way)
             }
             _ => way,
+        }
+    }
+
+    /// What a drive moves, in words: the wheels whose travel it is by their names, else its own name; beside a suspension whose wheel
+    /// has no name, that each wheel moves by its own.
+    pub(super) fn moved(&self, way: usize, other: &Self) -> String {
+        let named = |side: &Self| side.travel_of.iter().any(|(wheel, _)| !wheel.is_empty());
+        let own = self.travel_of.iter().filter(|(_, own)| *own == way);
+        let own: Vec<&str> = own.map(|(wheel, _)| wheel.as_str()).collect();
+        match own.as_slice() {
+            [] | [""] => self.drives[way].clone(),
+            _ if !named(other) => "each wheel by its own drive".to_owned(),
+            [wheel] => format!("wheel {wheel}"),
+            wheels => format!("wheels {}", wheels.join(", ")),
         }
     }
 

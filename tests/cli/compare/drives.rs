@@ -221,3 +221,59 @@ fn wheels_of_one_name_are_compared_along_their_own_drives() {
     assert_same(&both, &alone, "rear roll centre");
     assert_same(&alone, &both, "rear roll centre");
 }
+
+/// The headings of derivatives, each with what moves.
+#[test]
+fn what_moves_is_named_above_derivatives() {
+    let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
+    let [left, right] = [("left", 0.0, 1.0), ("right", 0.0, -1.0)];
+    let (four, two) = (axles(&front), axles(&[left, right]));
+    let damper = led_by("length(low -> top)", 451.691_266_242_773_4);
+    for (a, b, expected) in [
+        (
+            &four,
+            &two,
+            "per travel 2 (wheel front_right of A, wheel right of B)",
+        ),
+        (&two, &two, "per travel 2 (wheel right)"),
+        (&damper, &damper, "per travel (bump)"),
+        (
+            &axles(&[("", 0.0, 1.0)]),
+            &two,
+            "per travel (_bump of A, each wheel by its own drive of B)",
+        ),
+    ] {
+        let (_folder, output) = compare(a, b, &[]);
+        let report = text(&output.stdout);
+        let expected = format!("\nAt the design position, {expected}\n");
+        assert!(report.contains(&expected), "{expected}: {output:?}");
+    }
+}
+
+#[test]
+fn wheels_on_opposite_sides_are_named() {
+    let corner = |side| axles(&[("", 0.0, side)]);
+    let both = axles(&[("left", 0.0, 1.0), ("right", 0.0, -1.0)]);
+    for (a, b, expected) in [
+        (&corner(1.0), &corner(-1.0), "\nthe wheels are on opposite"),
+        (
+            &corner(1.0),
+            &both,
+            "\nthe wheel of A and `right` of B are on opposite",
+        ),
+        (
+            &both,
+            &corner(-1.0),
+            "\n`left` of A and the wheel of B are on opposite",
+        ),
+    ] {
+        let (_folder, output) = compare(a, b, &[]);
+        let report = text(&output.stdout);
+        assert!(report.contains(expected), "{expected}: {output:?}");
+    }
+    let (_folder, output) = compare(&both, &both, &[]);
+    assert!(
+        !text(&output.stdout).contains("opposite sides"),
+        "{output:?}"
+    );
+}
