@@ -1,5 +1,6 @@
 //! `suspension sheet`: the kinematics of a suspension on one page.
 
+mod derivatives;
 mod page;
 
 use std::path::PathBuf;
@@ -126,7 +127,8 @@ fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Ve
 const NOTES: &str = "\
 One HTML page without anything from elsewhere, which any browser shows and prints: drawings at the design
 position, that of the file's points, and faintly at both ends of the travel; all quantities there with their definitions and their
-derivatives with respect to travel and steering, bump camber, bump steer and motion ratios among them; curves over
+derivatives with respect to the drives of travel and steering, bump camber, bump steer and motion ratios among them, and where a
+drive of travel is no height, as a damper's length or an angle, `per wheel travel`: per rise of the wheel centre; curves over
 travel, or over heave and roll of an axle, and over steering; and all points. The [vehicle] table of the file (suspension motion --help) names the drives of
 travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 

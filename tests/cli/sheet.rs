@@ -150,3 +150,40 @@ fn a_travel_in_another_unit_is_remarked() {
         assert_eq!(note, expected, "{said}");
     }
 }
+
+/// An arm of 0.5 m on the y axis whose hub is the wheel's centre, with a spring upright above the hub: led by the hub's height, by
+/// the spring's length or by an angle it has the same bump camber, in degrees per metre that the wheel rises.
+#[test]
+fn derivatives_are_per_travel_of_the_wheel_too() {
+    let page = |drive: &str, value: f64| {
+        let folder = folder();
+        let file = format!(
+            "unit = \"m\"\nangle = \"deg\"\nstatements = \"\"\"\n\
+             fixed: front at [0.2, 0.3, 0.3], rear at [-0.2, 0.3, 0.3], top at [0.0, 0.75, 0.8];\n\
+             free: hub at [0.0, 0.8, 0.3];\nhinge arm: front, rear -> hub;\n\
+             point axle: arm at [0.0, 0.7, 0.3];\ndrive lift: {drive};\nmeasure spring: length(hub -> top);\nwheel: axle -> hub;\n\"\"\"\n\
+             time = {{ instants = [0.0] }}\ndrives.lift = {value:?}\nvehicle.travel = \"lift\"\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        text(&output.stdout).to_owned()
+    };
+    let column = "per wheel travel (lift)";
+    let by_height = page("hub.z", 0.3);
+    assert!(!by_height.contains(column), "that is the drive already");
+    let camber = cells(&by_height, "camber angle")[2..4].to_vec();
+    let expected = (-1.0 / 0.5_f64).to_degrees();
+    assert_eq!(camber, [format!("{expected:.3}").as_str(), "deg/m"]);
+    let length = 0.5_f64.hypot(0.05);
+    for (drive, value) in [
+        ("length(hub -> top)", length),
+        ("angle(front -> hub, z)", 90.0),
+    ] {
+        let page = page(drive, value);
+        assert!(page.contains(column), "{drive}: {page}");
+        assert_eq!(cells(&page, "camber angle")[4..6], camber, "{drive}");
+        let height = cells(&page, "wheel centre z")[4..6].to_vec();
+        assert_eq!(height, ["1", "m/m"], "{drive}");
+    }
+}

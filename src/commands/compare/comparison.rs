@@ -41,12 +41,7 @@ fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     let [a, b] = [0, 1].map(|number| {
         let (side, way) = (sides[number], ways[number]);
         move |parameter: &Parameter, is_alone| {
-            let derivative = derivative(side, way, parameter, is_alone);
-            if by_wheel {
-                derivative?.per_rise(side)
-            } else {
-                derivative.map(|per| (per.value, per.symbol.clone()))
-            }
+            derivative(side, (way, by_wheel), parameter, is_alone)
         }
     });
     let way = sides[0].ways[of_a];
@@ -76,48 +71,30 @@ fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
 /// Whether equal changes of two drives of travel are not equal travels of the wheels.
 fn are_unlike_travels(ways: [(&Side, usize); 2]) -> bool {
     let [a, b] = ways.map(|(side, way)| side.rise(way));
-    let (Some((a, of_a)), Some((b, of_b))) = (a, b) else {
+    let (Some(a), Some(b)) = (a, b) else {
         return false;
     };
-    of_a != of_b || (b - a).abs() > ALIKE * a.abs()
+    a.symbol != b.symbol || (b.value - a.value).abs() > ALIKE * a.value.abs()
 }
 
-/// A derivative of a parameter along a drive.
-struct PerDrive<'a> {
-    parameter: &'a Parameter,
-    way: usize,
-    value: f64,
-    symbol: &'a String,
-}
-
-impl PerDrive<'_> {
-    /// The same with respect to the height of the wheel that the drive moves.
-    fn per_rise(&self, side: &Side) -> Option<(f64, String)> {
-        let (rise, _) = side.rise(self.way)?;
-        let symbol = format!("{}/{}", self.parameter.symbol, side.unit.symbol());
-        Some((self.value / rise, symbol))
-    }
-}
-
-/// The derivative of a parameter along a drive; of a wheel or an axle that is compared with one without a name, along its own drive of
-/// travel.
-fn derivative<'a>(
+/// The derivative of a parameter along a drive, or with respect to the height of its wheel; of a wheel or an axle that is compared with one
+/// without a name, along its own drive of travel.
+fn derivative(
     side: &Side,
-    way: usize,
-    parameter: &'a Parameter,
+    (way, by_wheel): (usize, bool),
+    parameter: &Parameter,
     is_alone: bool,
-) -> Option<PerDrive<'a>> {
+) -> Option<(f64, String)> {
     let way = match &parameter.title.wheel {
         Some(wheel) if is_alone => side.own_way(way, wheel),
         _ => way,
     };
-    let derivative = parameter.per[way].as_ref()?;
-    Some(PerDrive {
-        parameter,
-        way,
-        value: derivative.value,
-        symbol: &derivative.symbol,
-    })
+    let derivative = if by_wheel {
+        parameter.per_rise(way, side.rise(way)?, side.unit)
+    } else {
+        parameter.per[way].clone()
+    };
+    derivative.map(|derivative| (derivative.value, derivative.symbol))
 }
 
 /// Reads a number of a parameter, with its unit; with whether only one of the two that are compared names its wheel.

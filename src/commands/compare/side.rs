@@ -3,12 +3,11 @@
 use std::slice;
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Does, Parameter, Span, Way, curves, parameters, ways};
+use crate::characteristics::{Curves, Does, Parameter, Rise, Span, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
-use crate::quantities::{Axis, CENTRE};
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
@@ -18,12 +17,12 @@ pub(super) struct Side {
     pub(super) converted: Option<String>,
     /// The unit of lengths here.
     pub(super) unit: Unit,
-    /// 1 where the z axis points upwards, -1 where it points downwards.
-    up: f64,
     /// What the drives do with respect to which the parameters have derivatives.
     pub(super) ways: Vec<Way>,
     /// The names of these drives.
     drives: Vec<String>,
+    /// How far their wheels rise.
+    rises: Vec<Option<Rise>>,
     /// The drive of travel of each wheel, by its place in these.
     travel_of: Vec<(String, usize)>,
     /// The same of both wheels of each axle.
@@ -61,18 +60,19 @@ impl Side {
         });
         let named = drives.iter();
         let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
+        let parameters = parameters(mechanism, unit, interrupted);
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
             converted,
             unit,
             missing: missing.collect(),
-            up: mechanism.axes.signs()[2],
+            rises: Rise::of_drives(mechanism, &parameters, unit),
             axles: axles.collect(),
             travel_of: travel_of.collect(),
             ways: does,
             drives: named.collect(),
-            parameters: parameters(mechanism, unit, interrupted),
+            parameters,
             curves: curves.collect(),
         })
     }
@@ -139,16 +139,8 @@ impl Side {
         }
     }
 
-    /// How far the wheel of a drive of travel rises per unit of the drive at the design position, with the unit; `None` of other
-    /// drives.
-    pub(super) fn rise(&self, way: usize) -> Option<(f64, &str)> {
-        let mut travel_of = self.travel_of.iter();
-        let (wheel, _) = travel_of.find(|(_, own)| *own == way)?;
-        let is_height = |parameter: &&Parameter| {
-            let of = parameter.title.wheel.as_deref().unwrap_or_default();
-            parameter.is(&CENTRE, Axis::Z) && of == wheel
-        };
-        let rise = self.parameters.iter().find(is_height)?.per[way].as_ref()?;
-        Some((self.up * rise.value, &rise.symbol))
+    /// How far the wheel of a drive of travel rises per unit of the drive at the design position; `None` of other drives.
+    pub(super) fn rise(&self, way: usize) -> Option<&Rise> {
+        self.rises[way].as_ref()
     }
 }

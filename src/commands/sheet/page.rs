@@ -3,7 +3,8 @@
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
-use crate::characteristics::{Curves, Derivative, Line, Parameter, Way};
+use crate::characteristics::{Curves, Derivative, Line, Parameter};
+use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
@@ -88,24 +89,23 @@ impl Page<'_> {
     fn table(&self) -> Markup {
         /// With derivatives by more drives the columns are closer to each other.
         const MOST_ROOMY: usize = 3;
-        let names = &self.mechanism.names;
-        let ways = Way::of_drives(names);
+        let derivatives = Derivatives::of(self.mechanism, &self.parameters);
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
-        let cells = self.cells(&groups, ways.len());
+        let cells = self.cells(&groups, &derivatives);
         let has_names = self
             .parameters
             .iter()
             .any(|parameter| parameter.title.wheel.is_some());
-        let columns = 2 * (1 + ways.len()) + 1 + usize::from(has_names);
+        let columns = 2 * (1 + derivatives.len()) + 1 + usize::from(has_names);
         let mut cells = cells.into_iter();
         html! {
-            table.wide[ways.len() > MOST_ROOMY] {
+            table.wide[derivatives.len() > MOST_ROOMY] {
                 thead {
                     tr {
                         th { "quantity" }
                         @if has_names { th { "wheel" } }
                         th.number { "value" } th { "unit" }
-                        @for (_, drive) in &ways { th.number { "per " (names.drives[*drive].name) } th { "unit" } }
+                        @for per in &derivatives { th.number { (per.heading) } th { "unit" } }
                     }
                 }
                 @for (number, group) in groups.iter().enumerate() {
@@ -153,23 +153,23 @@ impl Page<'_> {
     }
 
     /// The numbers of each row, with their units.
-    fn cells(&self, groups: &[Vec<&Parameter>], ways: usize) -> Vec<Vec<Markup>> {
+    fn cells(&self, groups: &[Vec<&Parameter>], derivatives: &[Derivatives]) -> Vec<Vec<Markup>> {
         let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
-        let with_units = |numbers: Vec<Markup>, units: Vec<&str>| {
+        let with_units = |numbers: Vec<Markup>, units: Vec<String>| {
             let cells = numbers.into_iter().zip(units);
             cells
                 .map(|(number, unit)| html! { (number) td.unit { (unit) } })
                 .collect::<Vec<_>>()
         };
         let values = numbers(parameters.iter().map(|parameter| Some(parameter.value)));
-        let units = parameters.iter().map(|parameter| parameter.symbol.as_str());
+        let units = parameters.iter().map(|parameter| parameter.symbol.clone());
         let mut columns = vec![with_units(values, units.collect())];
-        for way in 0..ways {
-            let derivatives = parameters
-                .iter()
-                .map(|parameter| parameter.per[way].as_ref());
-            let values = numbers(derivatives.clone().map(|per| Some(per?.value)));
-            columns.push(with_units(values, derivatives.map(symbol).collect()));
+        for per in derivatives {
+            let each = parameters.iter();
+            let each = each.map(|parameter| per.derivative(parameter, self.mechanism.unit));
+            let each: Vec<Option<Derivative>> = each.collect();
+            let values = numbers(each.iter().map(|per| Some(per.as_ref()?.value)));
+            columns.push(with_units(values, each.into_iter().map(symbol).collect()));
         }
         let row = |row: usize| columns.iter().map(|column| column[row].clone()).collect();
         (0..parameters.len()).map(row).collect()
@@ -190,9 +190,9 @@ fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {
 }
 
 /// The unit of a derivative that there is.
-fn symbol(derivative: Option<&Derivative>) -> &str {
+fn symbol(derivative: Option<Derivative>) -> String {
     let derivative = derivative.filter(|derivative| derivative.value.is_finite());
-    derivative.map_or("", |derivative| &derivative.symbol)
+    derivative.map_or_else(String::new, |derivative| derivative.symbol)
 }
 
 /// What a quantity is, behind the name by which commands and files know it.

@@ -36,6 +36,7 @@ impl Parameter {
 }
 
 /// A derivative with respect to a drive.
+#[derive(Clone, Debug)]
 pub struct Derivative {
     /// Its value.
     pub value: f64,

@@ -1,0 +1,46 @@
+//! Which derivatives the page has.
+
+use crate::characteristics::{Derivative, Parameter, Rise, Way};
+use crate::mechanism::{Description, Unit};
+
+/// Derivatives of all quantities with respect to a drive, or to the height of the wheel that it moves.
+pub(super) struct Derivatives {
+    /// With respect to what, in words.
+    pub(super) heading: String,
+    way: usize,
+    /// Of those with respect to the height of the wheel.
+    rise: Option<Rise>,
+}
+
+impl Derivatives {
+    /// Those with respect to the drives of travel and steering; where a drive of travel is no height of its wheel, beside them those with
+    /// respect to this height.
+    pub(super) fn of(mechanism: &Description, parameters: &[Parameter]) -> Vec<Self> {
+        let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
+        let rises = Rise::of_drives(mechanism, parameters, mechanism.unit);
+        let both = ways.zip(rises).flat_map(|((way, (_, drive)), rise)| {
+            let name = &mechanism.names.drives[drive].name;
+            let per_drive = Self {
+                heading: format!("per {name}"),
+                way,
+                rise: None,
+            };
+            let rise = rise.filter(|rise| !rise.is_height);
+            let per_rise = rise.map(|rise| Self {
+                heading: format!("per wheel travel ({name})"),
+                way,
+                rise: Some(rise),
+            });
+            [Some(per_drive), per_rise].into_iter().flatten()
+        });
+        both.collect()
+    }
+
+    /// That of a quantity, with lengths in `unit`.
+    pub(super) fn derivative(&self, parameter: &Parameter, unit: Unit) -> Option<Derivative> {
+        match &self.rise {
+            Some(rise) => parameter.per_rise(self.way, rise, unit),
+            None => parameter.per[self.way].clone(),
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Derivatives with respect to the travel of the wheel, whatever drives it.
+
+use crate::characteristics::parameters::{Derivative, Parameter, symbol_per};
+use crate::characteristics::way::Way;
+use crate::file::Dimension;
+use crate::mechanism::{Description, Unit};
+use crate::quantities::{Axis, CENTRE};
+
+/// How far the wheel of a drive of travel rises per unit of the drive, at the design position.
+#[derive(Clone, Debug)]
+pub struct Rise {
+    /// The height, upwards.
+    pub value: f64,
+    /// Its unit.
+    pub symbol: String,
+    /// Whether the drive is a height of the wheel already, upwards or downwards.
+    pub is_height: bool,
+}
+
+impl Rise {
+    /// That of each of the drives of [`Way::of_drives`], from parameters with lengths in `unit`; `None` of drives that move no wheel up and
+    /// down.
+    pub fn of_drives(
+        mechanism: &Description,
+        parameters: &[Parameter],
+        unit: Unit,
+    ) -> Vec<Option<Self>> {
+        let [.., up] = mechanism.axes.signs();
+        let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
+        let rise = |(way, (_, drive)): (usize, (Way, usize))| {
+            let mut wheels = mechanism.names.wheels.iter();
+            let wheel = wheels.find(|wheel| wheel.travel == Some(drive))?;
+            let is_height = |parameter: &&Parameter| {
+                let of = parameter.title.wheel.as_deref().unwrap_or_default();
+                parameter.is(&CENTRE, Axis::Z) && of == wheel.name
+            };
+            let height = parameters.iter().find(is_height)?;
+            let per = height.per[way].as_ref()?;
+            Some(Self::of(per, up, unit))
+        };
+        ways.map(rise).collect()
+    }
+
+    fn of(height: &Derivative, up: f64, unit: Unit) -> Self {
+        const ROUNDING: f64 = 1e-9;
+        let Derivative { value, symbol } = height;
+        let is_length = *symbol == symbol_per(unit.symbol(), Dimension::Length, unit);
+        Self {
+            value: up * value,
+            symbol: symbol.clone(),
+            is_height: is_length && (value.abs() - 1.0).abs() < ROUNDING,
+        }
+    }
+}
+
+impl Parameter {
+    /// The derivative along a drive of travel with respect to the height of the wheel that it moves.
+    pub fn per_rise(&self, way: usize, rise: &Rise, unit: Unit) -> Option<Derivative> {
+        Some(Derivative {
+            value: self.per[way].as_ref()?.value / rise.value,
+            symbol: symbol_per(&self.symbol, Dimension::Length, unit),
+        })
+    }
+}
