@@ -21,7 +21,7 @@ use crate::{checked, parse};
 
 pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, MOST_BYTES};
 pub use crate::mistake::Mistake;
-pub use limits::{MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS};
+pub use limits::{MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS, too_many};
 
 /// All that is wrong with a text, one line each.
 #[derive(Clone, Debug, PartialEq, Eq)]

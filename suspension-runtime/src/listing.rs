@@ -75,9 +75,7 @@ impl Listing {
             return Ok(listing);
         };
         let (count, most, what) = (exceeded.count, exceeded.most, exceeded.what);
-        Err(refuse(format!(
-            "{count} {what}; at most {most} are allowed in a listing read at run time"
-        )))
+        Err(refuse(text::too_many(count, most, what, "")))
     }
 
     /// The listing with another order of elimination; unchanged where that is too large.

@@ -1,10 +1,10 @@
 //! How large a text may be that is read at run time: enough for any corner of a vehicle, and little enough that
 //! no text takes long or much memory.
 
-use syn::Error;
+use syn::{Error, Ident};
 
 use crate::lexed::MOST_BYTES;
-use crate::listing::Listing;
+use crate::listing::{Listing, Rank, Rigid, Statement};
 use crate::mistake::Mistake;
 
 /// The most statements beside those that declare points.
@@ -50,7 +50,7 @@ pub(super) fn listing(listing: &Listing) -> syn::Result<()> {
     ];
     for (count, most, what) in counts {
         if count > most {
-            return Err(too_many(listing, count, most, what));
+            return Err(refused(listing, &too_many(count, most, what, "")));
         }
     }
     unknowns(listing, 3 * listing.free.len())
@@ -59,13 +59,62 @@ pub(super) fn listing(listing: &Listing) -> syn::Result<()> {
 /// Refuses a system that is too large.
 pub(super) fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
     if count > MOST_UNKNOWNS {
-        return Err(too_many(listing, count, MOST_UNKNOWNS, "unknowns"));
+        let savings = savings(listing);
+        let message = too_many(count, MOST_UNKNOWNS, "unknowns", &savings);
+        return Err(refused(listing, &message));
     }
     Ok(())
 }
 
-fn too_many(listing: &Listing, count: usize, most: usize, what: &str) -> Error {
-    let message =
-        format!("{count} {what}; at most {most} are allowed in a listing read at run time");
+/// That a listing has too many of something, and what to do, first what is to be `tried` if anything.
+pub fn too_many(count: usize, most: usize, what: &str, tried: &str) -> String {
+    format!(
+        "{count} {what}; at most {most} are allowed in a listing read at run time: {tried}state parts that do not meet, as two \
+         corners or two axles, in listings of their own, or write it with `linkage!`, which has no such limit"
+    )
+}
+
+fn refused(listing: &Listing, message: &str) -> Error {
     Error::new(listing.free_span, message)
+}
+
+/// Which free points need no unknowns as markers, in words; nothing where none is known.
+fn savings(listing: &Listing) -> String {
+    let bodies = listing.statements.iter();
+    let mut bodies = bodies.filter_map(|body| Some((body.named()?.0, spared(listing, &**body))));
+    let Some((body, points)) = bodies.find(|(_, points)| !points.is_empty()) else {
+        return String::new();
+    };
+    let names: Vec<String> = points.iter().map(|point| format!("`{point}`")).collect();
+    let (need, them) = match points.len() {
+        1 => ("needs", "it"),
+        _ => ("need", "them"),
+    };
+    format!(
+        "{} {need} none where `point {}: {} at [x, y, z];` states {them}, and not `free` and the body; or ",
+        names.join(", "),
+        points[0],
+        body.name
+    )
+}
+
+/// The free points of a body that no other statement holds or moves, or needs for a marker, beside three that hold the body.
+fn spared<'a>(listing: &'a Listing, body: &'a dyn Statement) -> Vec<&'a Ident> {
+    const HELD: usize = 3;
+    let Some(Rigid::Body(points)) = body.rigid() else {
+        return Vec::new();
+    };
+    let is_free = |point: &&Ident| listing.free.iter().any(|free| free.named.name == **point);
+    let needs = |other: &dyn Statement, point: &Ident| {
+        let is_read = other.rank() >= Rank::Reading && other.carriers().is_none();
+        !is_read && other.operands().contains(&point)
+    };
+    let is_alone = |point: &&Ident| {
+        let others = listing.statements.iter();
+        others.filter(|other| needs(&***other, point)).count() == 1
+    };
+    let alone = points.iter().filter(is_free).filter(is_alone);
+    let alone: Vec<&Ident> = alone.collect();
+    let kept = HELD.saturating_sub(points.len() - alone.len());
+    alone.into_iter().skip(kept).collect()
 }
