@@ -130,14 +130,24 @@ impl Options {
     }
 }
 
-/// Ends with help, or a mistake in the options; 1 where help that was asked for cannot be written.
+/// Ends with help, or a mistake in the options; where help that was asked for cannot be written, as where a result cannot.
 fn end(told: &clap::Error) -> ! {
-    let is_written = told
-        .print()
-        .and_then(|()| std::io::stdout().flush())
-        .is_ok();
-    let is_lost = !is_written && !told.use_stderr();
-    std::process::exit(if is_lost { 1 } else { told.exit_code() })
+    let written = told.print().and_then(|()| std::io::stdout().flush());
+    let code = match written {
+        Err(error) if !told.use_stderr() => {
+            code_of(&Failure::writing("standard output", &error)).into()
+        }
+        _ => told.exit_code(),
+    };
+    std::process::exit(code)
+}
+
+/// Says why the program fails; gives its exit code.
+fn code_of(failure: &Failure) -> u8 {
+    if !matches!(failure, Failure::ReaderGone) {
+        tell(failure);
+    }
+    failure.exit_code()
 }
 
 /// Does a job of a program; an interrupt sets the flag that it looks at. Says why where it fails.
@@ -147,12 +157,7 @@ pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> Exi
     }
     match job(interrupt::flag()) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            if !matches!(failure, Failure::ReaderGone) {
-                tell(&failure);
-            }
-            ExitCode::from(failure.exit_code())
-        }
+        Err(failure) => ExitCode::from(code_of(&failure)),
     }
 }
 

@@ -54,8 +54,27 @@ fn a_full_standard_error_costs_no_result() {
 fn help_that_cannot_be_written_is_a_failure() {
     let full = std::fs::File::create("/dev/full").expect("a full device");
     let mut command = command(Path::new("."));
-    let status = command.args(["motion", "--help"]).stdout(full).status();
-    assert_eq!(status.expect("the program runs").code(), Some(1));
+    let output = command.args(["motion", "--help"]).stdout(full).output();
+    let output = output.expect("the program runs");
+    assert_eq!(output.status.code(), Some(1));
+    let message = "standard output: cannot be written: No space left on device";
+    assert!(text(&output.stderr).starts_with(message), "{output:?}");
+}
+
+/// As of results.
+#[test]
+fn help_to_a_reader_that_has_gone_is_no_failure() {
+    let mut child = command(Path::new("."))
+        .args(["motion", "--help"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the program ends");
+    // The text may have been written before the reader went.
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
 }
 
 /// A motion that takes seconds, ended by a signal after a part of one.
