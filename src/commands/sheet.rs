@@ -9,12 +9,12 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 use suspension_runtime::Listing;
 
-use crate::characteristics::{Along, Span, curves, no_steering, parameters, ways};
+use crate::characteristics::{Along, Curves, Rise, Span, curves, no_steering, parameters, ways};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
-use crate::mechanism::State;
+use crate::mechanism::{State, Unit, evenly_spaced};
 use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
@@ -83,6 +83,8 @@ impl Arguments {
         let ways = ways(mechanism, name, spans, unit, interrupted)?;
         let failures = ways.iter().filter_map(|along| along.visited.failure(name));
         let failures: Vec<Failure> = failures.collect();
+        let parameters = parameters(mechanism, unit, interrupted);
+        let rises = Rise::of_drives(mechanism, &parameters, unit);
         let page = Page {
             file: name,
             mechanism,
@@ -93,14 +95,38 @@ impl Arguments {
                 .drives_in_words(&mechanism.design, unit, None),
             motion_ends,
             missing: failures.iter().map(Failure::to_string).collect(),
-            parameters: parameters(mechanism, unit, interrupted),
-            curves: ways
-                .iter()
-                .map(|along| curves(mechanism, along, unit))
-                .collect(),
+            curves: all_curves(mechanism, &ways, &rises),
+            parameters,
+            rises,
         };
         Ok((page.html(), failures.into_iter().next()))
     }
+}
+
+/// The curves along all that moves; where drives of travel are no heights of the wheels, then those over the travel of the wheel too.
+fn all_curves(mechanism: &dyn Kinematics, ways: &[Along], rises: &[Option<Rise>]) -> Vec<Curves> {
+    let unit = mechanism.unit;
+    let is_no_height = |(drive, _): &(usize, f64)| {
+        let mut rises = rises.iter().flatten();
+        rises.any(|rise| rise.drive == *drive && !rise.is_height)
+    };
+    let each = ways.iter().flat_map(|along| {
+        let curves = curves(mechanism, along, unit);
+        let is_over_wheel = along.drives.iter().any(is_no_height);
+        let over_wheel = is_over_wheel.then(|| over_wheel(&curves, unit)).flatten();
+        [Some(curves), over_wheel].into_iter().flatten()
+    });
+    each.collect()
+}
+
+/// Curves over the travel of the first wheel that rises all along.
+fn over_wheel(curves: &Curves, unit: Unit) -> Option<Curves> {
+    let mut wheels = curves.lines.iter().filter(|line| line.is_wheel_travel());
+    let wheel = wheels.find(|line| line.is_rising())?;
+    let travels = evenly_spaced(wheel.ends()?, curves.changes.len());
+    let over = curves.over_travel_of(wheel, travels, unit);
+    let title = format!("{} ({})", over.title, curves.title);
+    Some(Curves { title, ..over })
 }
 
 /// Width and height of a drawing as shown.
@@ -129,7 +155,7 @@ One HTML page without anything from elsewhere, which any browser shows and print
 position, that of the file's points, and faintly at both ends of the travel; all quantities there with their definitions and their
 derivatives with respect to the drives of travel and steering, bump camber, bump steer and motion ratios among them, and where a
 drive of travel is no height, as a damper's length or an angle, `per wheel travel`: per rise of the wheel centre; curves over
-travel, or over heave and roll of an axle, and over steering; and all points. The [vehicle] table of the file (suspension motion --help) names the drives of
+travel, or over heave and roll of an axle, also over the travel of the wheel where the drive is no height, and over steering; and all points. The [vehicle] table of the file (suspension motion --help) names the drives of
 travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a

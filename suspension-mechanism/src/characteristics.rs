@@ -5,6 +5,7 @@ mod along;
 mod course;
 mod curves;
 mod grid_table;
+mod over_wheel;
 mod parameters;
 mod rise;
 mod span;

@@ -172,6 +172,7 @@ fn derivatives_are_per_travel_of_the_wheel_too() {
     let column = "per wheel travel (lift)";
     let by_height = page("hub.z", 0.3);
     assert!(!by_height.contains(column), "that is the drive already");
+    assert!(!by_height.contains("Over wheel travel"));
     let camber = cells(&by_height, "camber angle")[2..4].to_vec();
     let expected = (-1.0 / 0.5_f64).to_degrees();
     assert_eq!(camber, [format!("{expected:.3}").as_str(), "deg/m"]);
@@ -181,7 +182,9 @@ fn derivatives_are_per_travel_of_the_wheel_too() {
         ("angle(front -> hub, z)", 90.0),
     ] {
         let page = page(drive, value);
-        assert!(page.contains(column), "{drive}: {page}");
+        for expected in [column, "Over wheel travel (lift", "spring per wheel travel"] {
+            assert!(page.contains(expected), "{drive}, {expected}: {page}");
+        }
         assert_eq!(cells(&page, "camber angle")[4..6], camber, "{drive}");
         let height = cells(&page, "wheel centre z")[4..6].to_vec();
         assert_eq!(height, ["1", "m/m"], "{drive}");

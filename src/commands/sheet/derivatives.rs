@@ -15,9 +15,8 @@ pub(super) struct Derivatives {
 impl Derivatives {
     /// Those with respect to the drives of travel and steering; where a drive of travel is no height of its wheel, beside them those with
     /// respect to this height.
-    pub(super) fn of(mechanism: &Description, parameters: &[Parameter]) -> Vec<Self> {
+    pub(super) fn of(mechanism: &Description, rises: &[Option<Rise>]) -> Vec<Self> {
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
-        let rises = Rise::of_drives(mechanism, parameters, mechanism.unit);
         let both = ways.zip(rises).flat_map(|((way, (_, drive)), rise)| {
             let name = &mechanism.names.drives[drive].name;
             let per_drive = Self {
@@ -25,11 +24,11 @@ impl Derivatives {
                 way,
                 rise: None,
             };
-            let rise = rise.filter(|rise| !rise.is_height);
+            let rise = rise.as_ref().filter(|rise| !rise.is_height);
             let per_rise = rise.map(|rise| Self {
                 heading: format!("per wheel travel ({name})"),
                 way,
-                rise: Some(rise),
+                rise: Some(rise.clone()),
             });
             [Some(per_drive), per_rise].into_iter().flatten()
         });

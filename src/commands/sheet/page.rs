@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
-use crate::characteristics::{Curves, Derivative, Line, Parameter};
+use crate::characteristics::{Curves, Derivative, Line, Parameter, Rise};
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::page::{charts, numbers, page};
@@ -24,6 +24,8 @@ pub(super) struct Page<'a> {
     /// What could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
+    /// How far wheels rise per unit of the drives that the parameters have derivatives for.
+    pub(super) rises: Vec<Option<Rise>>,
     pub(super) curves: Vec<Curves>,
 }
 
@@ -89,7 +91,7 @@ impl Page<'_> {
     fn table(&self) -> Markup {
         /// With derivatives by more drives the columns are closer to each other.
         const MOST_ROOMY: usize = 3;
-        let derivatives = Derivatives::of(self.mechanism, &self.parameters);
+        let derivatives = Derivatives::of(self.mechanism, &self.rises);
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
         let cells = self.cells(&groups, &derivatives);
         let has_names = self

@@ -9,6 +9,8 @@ use crate::quantities::{Axis, CENTRE};
 /// How far the wheel of a drive of travel rises per unit of the drive, at the design position.
 #[derive(Clone, Debug)]
 pub struct Rise {
+    /// The number of the drive.
+    pub drive: usize,
     /// The height, upwards.
     pub value: f64,
     /// Its unit.
@@ -36,16 +38,17 @@ impl Rise {
             };
             let height = parameters.iter().find(is_height)?;
             let per = height.per[way].as_ref()?;
-            Some(Self::of(per, up, unit))
+            Some(Self::of(per, drive, up, unit))
         };
         ways.map(rise).collect()
     }
 
-    fn of(height: &Derivative, up: f64, unit: Unit) -> Self {
+    fn of(height: &Derivative, drive: usize, up: f64, unit: Unit) -> Self {
         const ROUNDING: f64 = 1e-9;
         let Derivative { value, symbol } = height;
         let is_length = *symbol == symbol_per(unit.symbol(), Dimension::Length, unit);
         Self {
+            drive,
             value: up * value,
             symbol: symbol.clone(),
             is_height: is_length && (value.abs() - 1.0).abs() < ROUNDING,
