@@ -120,16 +120,18 @@ travel and steering where the two differ most. A difference is B - A. The layout
 the same name in all. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
 toe, are the same in all axes. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
-`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. Where equal changes of the two drives
-do not move the wheels equally far, as of a height and a damper's length or an angle, derivatives are `per wheel travel`: per rise of
-the wheel centre, and curves are `over wheel travel`, motion ratios among them: of each file, between the 61 places of its drive,
-the cubic through the four nearest. The curves over travel go upwards in all. Wheels and drives of the same name are compared with each other; where only one of
-the files has named wheels, each of them is compared with the wheel of the other.
+`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel go upwards in all.
+Wheels and drives of the same name are compared with each other; where only one of the files has named wheels, each of them is
+compared with the wheel of the other.
 
-The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel, over wheel travel, over roll,
-over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the wheel's travel, where the
-curves differ most, for people), a, b, difference; angles in
-degrees.
+Where equal changes of the two drives do not move the wheels equally far, as of a height and a damper's length or an angle,
+derivatives are `per wheel travel`: per rise of the wheel centre; and curves are `over wheel travel`, motion ratios among them: of
+each file, between the 61 places of its drive, the cubic through the four nearest. Roll is compared over the travel of the wheel that
+rises; how far the other one falls is among what is compared.
+
+The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel or over wheel travel, over
+roll or over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the
+wheel's travel, where the curves differ most, for people), a, b, difference; angles in degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is
 compared), 130 interrupted.
