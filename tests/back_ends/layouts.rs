@@ -1,6 +1,7 @@
 //! The catalogue's layouts over their travel: links, bodies and slides by plain geometry, and for each layout what
 //! follows from its kind without the solver.
 
+mod double_wishbone_coilover;
 mod double_wishbone_rocker;
 mod five_link_rack;
 mod integral_link;
