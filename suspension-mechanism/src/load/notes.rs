@@ -186,7 +186,10 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
     let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
     (upwards.z < 0.0).then(|| {
         let kingpin = wheel.stated("kingpin");
-        format!("the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle")
+        format!(
+            "the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle, or look at the \
+             axes and the signs of z if `{to}` is to be the upper end"
+        )
     })
 }
 
