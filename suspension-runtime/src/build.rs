@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::plan::Measure;
 use crate::readout::{coordinate, measured, sum};
 use crate::site::Site;
-use crate::size::{Few, Points, Room, Size};
+use crate::size::{Few, Points, Room, Size, Unknowns};
 use crate::table::Table;
 
 impl<'l, T: Real, const N: usize> Model<'l, T, N>
@@ -26,24 +26,8 @@ where
     ) -> Result<Self, GeometryError> {
         let plan = listing.plan();
         let chassis = design.as_slice().iter().take(plan.chassis.into());
-        let model = Self {
-            listing,
-            fixed: Few::<_, N>::from_values(chassis.copied()),
-            size: T::zero(),
-            distances: [Distance::default(); N],
-            frames: Default::default(),
-            carried: Default::default(),
-            lines: Default::default(),
-            planes: Default::default(),
-            stretches: Default::default(),
-            products: Default::default(),
-            turns: Default::default(),
-            scales: Default::default(),
-            held: Default::default(),
-            markers: Default::default(),
-            cluster_frames: Default::default(),
-            linked: Default::default(),
-        };
+        let fixed = Few::<_, N>::from_values(chassis.copied());
+        let model = Self::of_chassis(listing, fixed);
         parts::finite(model.points_of(design))?;
         let frames = model.frames_at(design)?;
         let cluster_frames = model.cluster_frames_at(design)?;
@@ -74,7 +58,7 @@ where
     }
 
     fn frames_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Frame<T>, N>, GeometryError> {
-        fill(self.plan().bodies.iter().map(|body| {
+        fill(self.forms().bodies.iter().map(|body| {
             let [.., third] = body.frame;
             let third = usize::from(self.point(third));
             parts::frame(third, self.frame_of(body.frame, design))
@@ -95,18 +79,16 @@ where
     fn distances_at(
         &self,
         design: &Points<Vector3<T>, N>,
-    ) -> Result<[Distance<T>; N], GeometryError> {
-        let mut distances = [Distance::default(); N];
-        for (place, distance) in distances.iter_mut().zip(&self.plan().distances) {
-            let [from, to] =
-                [distance.span.from, distance.span.to].map(|site| design.get(self.point(site)));
-            *place = parts::distance(distance.length.into(), from, to)?;
-        }
-        Ok(distances)
+    ) -> Result<Unknowns<Distance<T>, N>, GeometryError> {
+        fill(self.forms().distances.iter().map(|distance| {
+            let ends = [distance.span.from, distance.span.to];
+            let [from, to] = ends.map(|site| design.get(self.point(site)));
+            parts::distance(distance.length.into(), from, to)
+        }))
     }
 
     fn lines_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<OnLine<T>, N>, GeometryError> {
-        fill(self.plan().lines.iter().map(|line| {
+        fill(self.forms().lines.iter().map(|line| {
             let [to] = line.ends;
             let [from, to] = [line.from, to].map(|site| self.point(site));
             parts::line(to.into(), (design.get(to) - design.get(from)).norm())
@@ -117,7 +99,7 @@ where
         &self,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<InPlane<T>, N>, GeometryError> {
-        fill(self.plan().planes.iter().map(|plane| {
+        fill(self.forms().planes.iter().map(|plane| {
             let [second, third] = plane.ends;
             let frame = self.frame_of([plane.from, second, third], design);
             parts::plane(self.point(third).into(), frame)
@@ -128,7 +110,7 @@ where
         &self,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Stretch<T>, N>, GeometryError> {
-        fill(self.plan().stretches.iter().map(|stretch| {
+        fill(self.forms().stretches.iter().map(|stretch| {
             let [from, to] = [stretch.span.from, stretch.span.to].map(|site| self.point(site));
             parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
         }))
@@ -138,7 +120,7 @@ where
         &self,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Product<T>, N>, GeometryError> {
-        fill(self.plan().products.iter().map(|product| {
+        fill(self.forms().products.iter().map(|product| {
             let points = product.lines.map(|line| line.map(|site| self.point(site)));
             let [_, [_, end]] = points;
             let lines = points.map(|[from, to]| design.get(to) - design.get(from));
@@ -147,7 +129,7 @@ where
     }
 
     fn turns_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Turn<T>, N>, GeometryError> {
-        fill(self.plan().turns.iter().map(|turn| {
+        fill(self.forms().turns.iter().map(|turn| {
             let points = turn.lines.map(|line| line.map(|site| self.point(site)));
             let [.., [_, end]] = points;
             let lines = points.map(|[from, to]| design.get(to) - design.get(from));
@@ -159,7 +141,7 @@ where
         &self,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
-        fill(self.plan().scales.iter().map(|scale| {
+        fill(self.forms().scales.iter().map(|scale| {
             let length = |line: &[Site; 2]| {
                 let [from, to] = line.map(|site| design.get(self.point(site)));
                 (to - from).norm()
@@ -175,7 +157,7 @@ where
     }
 
     fn held_at(&self, design: &Points<Vector3<T>, N>) -> Few<Held<T>, N> {
-        let sums = self.plan().held().map(|linear| {
+        let sums = self.forms().held().map(|linear| {
             let terms = linear.terms.iter();
             let values = terms.map(|term| term.value(&design.get(self.point(term.site))));
             let sum = values.reduce(|sum, value| sum + value);
@@ -189,7 +171,7 @@ where
         design: &Points<Vector3<T>, N>,
         frames: &Few<Frame<T>, N>,
     ) -> Result<Few<Carried<T>, N>, GeometryError> {
-        let bodies = self.plan().bodies.iter().zip(frames.as_slice());
+        let bodies = self.forms().bodies.iter().zip(frames.as_slice());
         fill(bodies.flat_map(|(body, frame)| {
             body.carried.iter().map(move |carried| {
                 let point = self.point(carried.point);
@@ -223,25 +205,24 @@ where
         }))
     }
 
-    pub(crate) fn marked(self, points: &Points<Vector3<T>, N>) -> Result<Self, GeometryError> {
+    pub(crate) fn marked(mut self, points: &Points<Vector3<T>, N>) -> Result<Self, GeometryError> {
         parts::finite(self.points_of(points))?;
-        let markers = self.markers_at(points)?;
-        Ok(Self { markers, ..self })
+        self.markers = self.markers_at(points)?;
+        Ok(self)
     }
 
-    /// With `size` brought up to the other constants.
+    /// With `size` brought up to the other self.
     pub(crate) fn sized(self) -> Self {
-        let distances = self.distances.iter().take(self.plan().distances.len());
-        let lines = self.lines.as_slice().iter().take(self.plan().lines.len());
-        let planes = self.planes.as_slice().iter();
-        let planes = planes.take(self.plan().planes.len());
-        let stretches = self.stretches.as_slice().iter();
-        let stretches = stretches.take(self.plan().stretches.len());
+        let forms = self.forms();
+        let distances = forms.distances.all(self.distances.as_slice().iter());
+        let lines = forms.lines.all(self.lines.as_slice().iter());
+        let planes = forms.planes.all(self.planes.as_slice().iter());
+        let stretches = forms.stretches.all(self.stretches.as_slice().iter());
         let lengths = distances
-            .map(Distance::length)
-            .chain(lines.map(OnLine::length))
-            .chain(planes.map(InPlane::length))
-            .chain(stretches.map(Stretch::length));
+            .map(|(_, distance)| distance.length())
+            .chain(lines.map(|(_, line)| line.length()))
+            .chain(planes.map(|(_, plane)| plane.length()))
+            .chain(stretches.map(|(_, stretch)| stretch.length()));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
     }
@@ -255,9 +236,9 @@ where
                 Measure::Sum(terms) => sum(terms, |place| points.get(place)),
                 Measure::Angle { axis, line } => {
                     let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
-                    let of = drive.angle_of.map(usize::from);
-                    let distance = of.and_then(|distance| self.distances.get(distance));
-                    let length = distance.map_or(T::zero(), Distance::length);
+                    let of = drive.angle_of;
+                    let distance = of.map(|distance| self.distances.get(distance));
+                    let length = distance.map_or(T::zero(), |distance| distance.length());
                     parts::angle(to - from, length)
                 }
                 Measure::Between { .. } => {

@@ -13,13 +13,12 @@ use suspension_core::constraint::{Carried, Frame};
 use suspension_core::generated::dot;
 use suspension_core::{Real, Scalar, Signal, Values};
 
-use crate::equations::{put, put_three};
-use crate::form::Prescribed;
+use crate::form::{Prescribed, Walked};
 use crate::model::Model;
 use crate::plan::Length;
 use crate::site::{Site, Sites};
 use crate::size::{Few, Points, Room, Size};
-use crate::table::{Table, index};
+use crate::table::{Table, index, put, put_three};
 
 pub use rates::AlongDrive;
 
@@ -99,7 +98,7 @@ where
     }
 
     fn sites(&self) -> Sites<'_, T, Few<Vector3<T>, N>> {
-        Sites::new(&self.free, &self.chassis)
+        Sites::new(self.free.as_slice(), &self.chassis)
     }
 
     fn frame(&self, sites: [Site; 3]) -> Frame<T> {
@@ -158,38 +157,39 @@ where
                 put(rows, distance, -*by);
             }
         }
-        for linear in &plan.linear {
+        for linear in plan.forms.linear.iter() {
             if let (Prescribed::Drive(drive), Some(sum)) = (linear.prescribed, linear.sum(&moved)) {
                 put(rows, linear.row, sum - self.coordinates.value.get(drive));
             }
         }
-        for (line, constant) in plan.lines.iter().zip(model.lines.as_slice()) {
+        for (line, constant) in plan.forms.lines.iter().zip(model.lines.as_slice()) {
             if let Some(off) = line.left_where_moved(constant, &at, &moved) {
                 put_three(rows, line.row, off);
             }
         }
-        for (plane, constant) in plan.planes.iter().zip(model.planes.as_slice()) {
+        for (plane, constant) in plan.forms.planes.iter().zip(model.planes.as_slice()) {
             if let Some(off) = plane.left_where_moved(constant, &at, &moved) {
                 put_three(rows, plane.row, off);
             }
         }
-        for (stretch, constant) in plan.stretches.iter().zip(model.stretches.as_slice()) {
+        for (stretch, constant) in plan.forms.stretches.iter().zip(model.stretches.as_slice()) {
             if let (Some(d), Some(by)) = (stretch.span.vector(&at), stretch.span.vector(&moved)) {
                 put(rows, stretch.span.row, dot(constant.gradient(d), by));
             }
         }
-        for (product, constant) in plan.products.iter().zip(model.products.as_slice()) {
+        for (product, constant) in plan.forms.products.iter().zip(model.products.as_slice()) {
             if let Some([d, e]) = product.vectors(&at) {
                 let [of_d, of_e] = product.lengths;
                 let longer = self.given.longer(of_d, d) + self.given.longer(of_e, e);
                 put(rows, product.row, -longer * dot(d, constant.gradient(e)));
             }
         }
-        for bilinear in &plan.bilinear {
+        for bilinear in plan.forms.bilinear.iter() {
             let constant = model.scales.get(bilinear.constant);
-            let off = bilinear.curvature(&constant, &at, &moved);
-            let of_scale = self.of_scale(bilinear, &at);
-            put(rows, bilinear.row, off + of_scale.unwrap_or_else(T::zero));
+            bilinear.curvature(&constant, [&at, &moved], rows);
+            if let Some(off) = rows.get_mut(usize::from(bilinear.row)) {
+                *off += self.of_scale(bilinear, &at).unwrap_or_else(T::zero);
+            }
         }
         result
     }
@@ -201,7 +201,7 @@ where
 {
     /// Whether a link keeps a length, and no body.
     fn is_of_link(&self, length: usize) -> bool {
-        let mut bodies = self.plan().bodies.iter();
+        let mut bodies = self.forms().bodies.iter();
         let place = index(length);
         let is_of_body = bodies.any(|body| {
             let mut reaches = body.carried.iter().flat_map(|carried| carried.reaches);
@@ -215,7 +215,7 @@ where
         let Length::Distance(distance) = self.plan().lengths.get(length)? else {
             return None;
         };
-        let distance = self.plan().distances.get(usize::from(*distance))?;
+        let distance = self.forms().distances.get(usize::from(*distance))?;
         Some(distance.span.row)
     }
 

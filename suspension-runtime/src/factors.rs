@@ -7,6 +7,7 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::Scalar;
 use suspension_core::constraint::Carried;
 
+use crate::form::{Walked, walk};
 use crate::model::Model;
 use crate::plan::{Plan, ZERO};
 use crate::site::Sites;
@@ -68,44 +69,14 @@ where
     #[inline(always)]
     fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
-        let sites = Sites::new(q, fixed);
+        let sites = Sites::new(q.as_slice(), fixed);
         // What fills in starts at a zero that a subtraction leaves no trace of, its sign included.
         for &number in &plan.elimination.filled {
             *numbers.place(number) = -T::zero();
         }
-        for (distance, constant) in plan.distances.iter().zip(&model.distances) {
-            distance.write(constant, &sites, numbers);
-        }
-        let mut constants = model.carried.as_slice().iter();
-        for body in &plan.bodies {
-            let Some(frame) = body.frame(&sites) else {
-                continue;
-            };
-            for (carried, constant) in body.carried.iter().zip(&mut constants) {
-                carried.write(constant, &frame, numbers);
-            }
-        }
-        for linear in &plan.linear {
-            linear.write(numbers);
-        }
-        for (line, constant) in plan.lines.iter().zip(model.lines.as_slice()) {
-            line.write(constant, &sites, numbers);
-        }
-        for (plane, constant) in plan.planes.iter().zip(model.planes.as_slice()) {
-            plane.write(constant, &sites, numbers);
-        }
-        for (stretch, constant) in plan.stretches.iter().zip(model.stretches.as_slice()) {
-            stretch.write(constant, &sites, numbers);
-        }
-        for (product, constant) in plan.products.iter().zip(model.products.as_slice()) {
-            product.write(constant, &sites, numbers);
-        }
-        for (turn, constant) in plan.turns.iter().zip(model.turns.as_slice()) {
-            turn.write(constant, &sites, numbers);
-        }
-        for bilinear in &plan.bilinear {
-            bilinear.write(&model.scales.get(bilinear.constant), &sites, numbers);
-        }
+        walk!(&plan.forms, all(), model, |form, constant| {
+            form.gradient(constant, &sites, numbers)
+        });
         *numbers.place(ZERO) = T::zero();
     }
 
@@ -113,9 +84,9 @@ where
     #[inline(always)]
     fn reduce(&mut self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
-        let sites = Sites::new(q, fixed);
+        let sites = Sites::new(q.as_slice(), fixed);
         for carrier in &plan.elimination.carriers {
-            let body = plan.bodies.get(usize::from(carrier.body));
+            let body = plan.forms.bodies.get(usize::from(carrier.body));
             let Some(frame) = body.and_then(|body| body.frame(&sites)) else {
                 continue;
             };

@@ -18,7 +18,7 @@ where
         let plan = self.plan();
         let mut q = *q;
         let mut carried = self.carried.as_slice().iter();
-        for (body, frame) in plan.bodies.iter().zip(self.frames.as_slice()) {
+        for (body, frame) in self.forms().bodies.iter().zip(self.frames.as_slice()) {
             let points = body.carried.iter().map(|carried| carried.point);
             let shape = points.zip(carried.by_ref());
             let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
@@ -37,30 +37,7 @@ where
             let shape = shape.map(|(site, constant)| (site, constant.position(frame)));
             fit::<T, N>(&mut q, fixed, cluster.frame, frame, shape);
         }
-        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
-            let sites = Sites::new(&q, fixed);
-            let at = |site| sites.get(site).unwrap_or_default();
-            let ends = line.ends.map(at);
-            let distances = constant.distances(at(line.point), at(line.from), ends);
-            line.put(distances, &mut q);
-        }
-        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
-            let sites = Sites::new(&q, fixed);
-            let at = |site| sites.get(site).unwrap_or_default();
-            let ends = plane.ends.map(at);
-            let distances = constant.distances(at(plane.point), at(plane.from), ends);
-            plane.put(distances, &mut q);
-        }
-        self.put_turned(&mut q, fixed);
-        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let length = stretch
-                .span
-                .vector(&Sites::new(&q, fixed))
-                .map(|d| constant.reach(d));
-            if let Some((place, length)) = q.get_mut(usize::from(stretch.length)).zip(length) {
-                *place = length;
-            }
-        }
+        self.put_scalars(&mut q, fixed);
         q
     }
 }
@@ -78,7 +55,7 @@ fn fit<T: Real, const N: usize>(
     let mut sites = [None; N];
     let (mut shape, mut guess) = ([Vector3::zeros(); N], [Vector3::zeros(); N]);
     let mut count = 0;
-    let at = Sites::new(q, fixed);
+    let at = Sites::new(q.as_slice(), fixed);
     let corners = of_frame.into_iter().zip(frame.points());
     let places = sites.iter_mut().zip(&mut shape).zip(&mut guess);
     for (((site_place, shape_place), guess_place), (site, position)) in

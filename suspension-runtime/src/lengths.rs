@@ -19,10 +19,7 @@ where
     pub(crate) fn lengths_now(&self) -> Lengths<T, N> {
         let of = |lengths: [T; 3], index| lengths.get(usize::from(index)).copied();
         let value = |length: &Length| match *length {
-            Length::Distance(distance) => {
-                let distance = self.distances.get(usize::from(distance));
-                distance.map(Distance::length)
-            }
+            Length::Distance(distance) => Some(self.distances.get(distance).length()),
             Length::Edge { body, edge } => of(self.frames.get(body).lengths(), edge),
             Length::Reach {
                 body,
@@ -40,19 +37,18 @@ where
     pub(crate) fn relengthened(self, lengths: &Lengths<T, N>) -> Result<Self, GeometryError> {
         let plan = self.plan();
         parts::positive(lengths.values().take(plan.lengths.len()))?;
-        let bodies = plan.bodies.iter().map(|body| (body.frame, body.edges));
+        let bodies = self.forms().bodies.iter();
+        let bodies = bodies.map(|body| (body.frame, body.edges));
         let clusters = plan.clusters.iter();
         let clusters = clusters.map(|cluster| (cluster.frame, cluster.edges));
         let frames = fill(bodies.map(|(frame, edges)| self.frame_with(lengths, frame, edges)))?;
         let cluster_frames =
             fill(clusters.map(|(frame, edges)| self.frame_with(lengths, frame, edges)))?;
-        let mut distances = self.distances;
-        for (place, distance) in distances.iter_mut().zip(&plan.distances) {
-            *place = Distance::new(lengths.get(distance.length));
-        }
         let carried = self.carried_with(lengths, &frames)?;
+        let distances = self.forms().distances.iter();
+        let distances = distances.map(|distance| Distance::new(lengths.get(distance.length)));
         let model = Self {
-            distances,
+            distances: Values::from_values(distances),
             carried,
             lines: self.lines_with(lengths, &frames, &carried)?,
             products: self.products_with(lengths, &frames, &carried)?,
@@ -83,7 +79,7 @@ where
         frames: &Few<Frame<T>, N>,
         carried: &Few<Carried<T>, N>,
     ) -> Result<Few<OnLine<T>, N>, GeometryError> {
-        fill(self.plan().lines.iter().map(|line| {
+        fill(self.forms().lines.iter().map(|line| {
             let [to] = line.ends;
             let length = self.kept(lengths, frames, carried, (line.length, [line.from, to]));
             parts::line(self.point(to).into(), length)
@@ -96,7 +92,7 @@ where
         frames: &Few<Frame<T>, N>,
         carried: &Few<Carried<T>, N>,
     ) -> Result<Few<Product<T>, N>, GeometryError> {
-        let products = self.plan().products.iter().zip(self.products.as_slice());
+        let products = self.forms().products.iter().zip(self.products.as_slice());
         fill(products.map(|(product, now)| {
             let ([first, second], [a, b]) = (product.lengths, product.lines);
             let kept = |line| self.kept(lengths, frames, carried, line);
@@ -115,7 +111,7 @@ where
         frames: &Few<Frame<T>, N>,
         carried: &Few<Carried<T>, N>,
     ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
-        let scales = self.plan().scales.iter().zip(self.scales.as_slice());
+        let scales = self.forms().scales.iter().zip(self.scales.as_slice());
         fill(
             scales.map(|(scale, now)| match (scale.kept, scale.lines.as_slice()) {
                 (Some(kept), &[line]) => {
@@ -157,7 +153,7 @@ where
         lengths: &Lengths<T, N>,
         frames: &Few<Frame<T>, N>,
     ) -> Result<Few<Carried<T>, N>, GeometryError> {
-        let bodies = self.plan().bodies.iter().zip(frames.as_slice());
+        let bodies = self.forms().bodies.iter().zip(frames.as_slice());
         let points = bodies.flat_map(|(body, frame)| {
             let carried = body.carried.iter();
             carried.map(move |carried| (carried, frame))

@@ -57,7 +57,6 @@ mod model;
 mod names;
 mod part_forces;
 mod plan;
-mod rates;
 mod readout;
 mod site;
 mod size;

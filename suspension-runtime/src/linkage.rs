@@ -121,8 +121,7 @@ where
         drive_rate: &Self::Drives,
     ) -> SVector<T, N> {
         let mut rates = zeros();
-        let (inputs, of_drive) = (&self.plan().driven, |drive| drive_rate.get(drive));
-        self.input_rates_to(rows(&mut rates), inputs, q, fixed, fixed_rate, of_drive);
+        self.input_rates_to(rows(&mut rates), q, fixed, fixed_rate, Some(drive_rate));
         rates
     }
 
@@ -134,8 +133,7 @@ where
         fixed_rate: &Self::Fixed,
     ) -> SVector<T, N> {
         let mut rates = zeros();
-        let (inputs, none) = (&self.plan().undriven, |_| T::zero());
-        self.input_rates_to(rows(&mut rates), inputs, q, fixed, fixed_rate, none);
+        self.input_rates_to(rows(&mut rates), q, fixed, fixed_rate, None);
         rates
     }
 
@@ -189,7 +187,7 @@ where
         });
         let linked = points.zip(self.linked.as_slice());
         linked.filter_map(move |((frame, site), linked)| {
-            let sites = Sites::new(q, fixed);
+            let sites = Sites::new(q.as_slice(), fixed);
             let [a, b, c] = sites.get_each(frame)?;
             Some(linked.mirrored(sites.get(site)?, &Frame::new(a, b, c)))
         })

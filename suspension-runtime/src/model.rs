@@ -10,43 +10,92 @@ use suspension_core::handedness::Linked;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 
 use crate::fitted::Fitted;
+use crate::form::Forms;
 use crate::plan::Plan;
-use crate::size::{Few, Room, Size};
+use crate::size::{Few, Room, Size, Unknowns};
 use crate::table::{Table, Value};
 
-/// The geometry of a listing: chassis points at rest and the constants of every equation.
-#[derive(Clone, Copy, Debug)]
-pub struct Model<'l, T: Scalar, const N: usize>
-where
-    Room<N>: Size,
-{
-    pub(crate) listing: Fitted<'l, N>,
-    pub(crate) fixed: Few<Vector3<T>, N>,
-    pub(crate) size: T,
-    pub(crate) distances: [Distance<T>; N],
-    /// Of all bodies.
-    pub(crate) frames: Few<Frame<T>, N>,
-    /// Of the points that all bodies carry.
-    pub(crate) carried: Few<Carried<T>, N>,
-    /// Of the lines that points slide on.
-    pub(crate) lines: Few<OnLine<T>, N>,
-    /// Of the planes that points stay in.
-    pub(crate) planes: Few<InPlane<T>, N>,
-    /// Of the lengths that drives prescribe.
-    pub(crate) stretches: Few<Stretch<T>, N>,
-    /// Of the angles between lines that stay as they are.
-    pub(crate) products: Few<Product<T>, N>,
-    /// Of the angles about axes that drives prescribe.
-    pub(crate) turns: Few<Turn<T>, N>,
-    /// Of the lengths that sums of products are over.
-    pub(crate) scales: Few<Bilinear<T>, N>,
-    /// Of the sums of coordinates that stay as they are.
-    pub(crate) held: Few<Held<T>, N>,
-    pub(crate) markers: Few<Carried<T>, N>,
-    pub(crate) cluster_frames: Few<Frame<T>, N>,
-    /// Of the points of all clusters beside their frames.
-    pub(crate) linked: Few<Linked<T>, N>,
+/// Lists the tables of constants: what each is of, how many of them a plan has, and what these are called.
+macro_rules! model {
+    ($($(#[$doc:meta])* $table:ident: $room:ident<$constant:ident>, |$plan:ident| $count:expr, $what:literal;)*) => {
+        /// The geometry of a listing: chassis points at rest and the constants of every equation.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Model<'l, T: Scalar, const N: usize>
+        where
+            Room<N>: Size,
+        {
+            pub(crate) listing: Fitted<'l, N>,
+            pub(crate) fixed: Few<Vector3<T>, N>,
+            pub(crate) size: T,
+            $($(#[$doc])* pub(crate) $table: $room<$constant<T>, N>,)*
+        }
+
+        impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
+        where
+            Room<N>: Size,
+        {
+            /// With constants that are yet to be found.
+            pub(crate) fn of_chassis(listing: Fitted<'l, N>, fixed: Few<Vector3<T>, N>) -> Self {
+                Self { listing, fixed, size: T::zero(), $($table: Default::default(),)* }
+            }
+
+            /// See [`gather`](suspension_core::linkage::Listing::gather).
+            pub(crate) fn gather<S: Scalar>(
+                listing: Fitted<'l, N>,
+                number: impl Fn(&dyn Fn(&Model<'l, S, N>) -> S) -> T,
+            ) -> Self {
+                let (plan, number) = (listing.plan(), &number);
+                Self {
+                    listing,
+                    fixed: first(plan.chassis.into(), |at| {
+                        gather_vector(|model| model.fixed.get(at), number)
+                    }),
+                    size: number(&|model| model.size),
+                    $($table: first((|$plan: &Plan| $count)(plan), |at| {
+                        $constant::gather(|model: &Model<'l, S, N>| model.$table.get(at), number)
+                    }),)*
+                }
+            }
+        }
+
+        /// How many constants of each kind a plan has, how many there is room for, and what they are called.
+        pub(crate) fn counts_of_constants<const N: usize>(plan: &Plan) -> Vec<Count>
+        where
+            Room<N>: Size,
+        {
+            vec![$(((|$plan: &Plan| $count)(plan), <$room<u16, N> as Table<u16>>::ROOM, $what),)*]
+        }
+    };
 }
+
+model! {
+    markers: Few<Carried>, |plan| plan.markers.len(), "markers";
+    /// Of all bodies.
+    frames: Few<Frame>, |plan| plan.forms.bodies.len(), "bodies";
+    /// Of the points that all bodies carry.
+    carried: Few<Carried>, |plan| plan.forms.carried(), "points carried by bodies";
+    cluster_frames: Few<Frame>, |plan| plan.clusters.len(), "rigid parts that links alone make";
+    /// Of the points of all clusters beside their frames.
+    linked: Few<Linked>, |plan| plan.linked(), "points that links alone hold rigidly";
+    distances: Unknowns<Distance>, |plan| plan.forms.distances.len(), "constant lengths";
+    /// Of the lines that points slide on.
+    lines: Few<OnLine>, |plan| plan.forms.lines.len(), "slides";
+    /// Of the planes that points stay in.
+    planes: Few<InPlane>, |plan| plan.forms.planes.len(), "planes";
+    /// Of the angles between lines that stay as they are.
+    products: Few<Product>, |plan| plan.forms.products.len(), "angles";
+    /// Of the angles about axes that drives prescribe.
+    turns: Few<Turn>, |plan| plan.forms.turns.len(), "driven angles about axes";
+    /// Of the lengths that sums of products are over.
+    scales: Few<Bilinear>, |plan| plan.forms.scales.len(), "lengths of driven angles about axes";
+    /// Of the sums of coordinates that stay as they are.
+    held: Few<Held>, |plan| plan.forms.held().count(), "couples";
+    /// Of the lengths that drives prescribe.
+    stretches: Few<Stretch>, |plan| plan.forms.stretches.len(), "driven lengths";
+}
+
+/// A count, the most there is room for, and what is counted.
+pub(crate) type Count = (usize, usize, &'static str);
 
 impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
 where
@@ -57,66 +106,9 @@ where
         self.listing.plan()
     }
 
-    /// See [`gather`](suspension_core::linkage::Listing::gather).
-    pub(crate) fn gather<S: Scalar>(
-        listing: Fitted<'l, N>,
-        number: impl Fn(&dyn Fn(&Model<'l, S, N>) -> S) -> T,
-    ) -> Self {
-        let number = &number;
-        let plan = listing.plan();
-        let distance = |index| {
-            if index >= plan.distances.len() {
-                return Distance::default();
-            }
-            let of = |model: &Model<'l, S, N>| model.distances.get(index).copied();
-            Distance::gather(|model| of(model).unwrap_or_default(), number)
-        };
-        let (bodies, clusters) = (plan.bodies.len(), plan.clusters.len());
-        let linked = plan.clusters.iter().map(|cluster| cluster.points.len());
-        Self {
-            listing,
-            fixed: first(plan.chassis.into(), |at| {
-                gather_vector(|model| model.fixed.get(at), number)
-            }),
-            size: number(&|model| model.size),
-            distances: core::array::from_fn(distance),
-            frames: first(bodies, |at| {
-                Frame::gather(|model| model.frames.get(at), number)
-            }),
-            carried: first(plan.carried(), |at| {
-                Carried::gather(|model| model.carried.get(at), number)
-            }),
-            lines: first(plan.lines.len(), |at| {
-                OnLine::gather(|model| model.lines.get(at), number)
-            }),
-            planes: first(plan.planes.len(), |at| {
-                InPlane::gather(|model| model.planes.get(at), number)
-            }),
-            stretches: first(plan.stretches.len(), |at| {
-                Stretch::gather(|model| model.stretches.get(at), number)
-            }),
-            products: first(plan.products.len(), |at| {
-                Product::gather(|model| model.products.get(at), number)
-            }),
-            turns: first(plan.turns.len(), |at| {
-                Turn::gather(|model| model.turns.get(at), number)
-            }),
-            scales: first(plan.scales.len(), |at| {
-                Bilinear::gather(|model| model.scales.get(at), number)
-            }),
-            held: first(plan.held().count(), |at| {
-                Held::gather(|model| model.held.get(at), number)
-            }),
-            markers: first(plan.markers.len(), |at| {
-                Carried::gather(|model| model.markers.get(at), number)
-            }),
-            cluster_frames: first(clusters, |at| {
-                Frame::gather(|model| model.cluster_frames.get(at), number)
-            }),
-            linked: first(linked.sum(), |at| {
-                Linked::gather(|model| model.linked.get(at), number)
-            }),
-        }
+    #[inline(always)]
+    pub(crate) fn forms(&self) -> &'l Forms {
+        &self.plan().forms
     }
 }
 

@@ -10,15 +10,12 @@ mod room;
 mod substitution;
 
 use suspension_listing::eliminate::Order;
-use suspension_listing::form::Form;
-use suspension_listing::name::Name;
-use suspension_listing::system::{SiteMotion, System};
+use suspension_listing::system::System;
 
-use crate::form::{
-    Along, Bilinear, Body, Distance, InputRates, Linear, Product, Scale, Stretch, Turn,
-};
+use crate::form::Forms;
 use crate::site::Site;
-use crate::table::index;
+use crate::size::LARGEST;
+use crate::table::{SPARE, index};
 
 pub(crate) use clusters::Cluster;
 pub(crate) use elimination::{Elimination, Step};
@@ -36,22 +33,12 @@ pub(crate) struct Plan {
     /// How many of the points are free: their coordinates are the first unknowns.
     pub(crate) free: u16,
     pub(crate) chassis: u16,
-    pub(crate) distances: Vec<Distance>,
-    /// All bodies of three points or more, each with the points that it carries.
-    pub(crate) bodies: Vec<Body>,
-    pub(crate) linear: Vec<Linear>,
-    pub(crate) lines: Vec<Along<1>>,
-    pub(crate) planes: Vec<Along<2>>,
-    pub(crate) stretches: Vec<Stretch>,
-    pub(crate) products: Vec<Product>,
-    pub(crate) turns: Vec<Turn>,
-    pub(crate) bilinear: Vec<Bilinear>,
-    /// The lengths that these are over, each once.
-    pub(crate) scales: Vec<Scale>,
-    /// What drives contribute to rates, with the chassis points that they move.
-    pub(crate) driven: InputRates,
-    /// What the other chassis points contribute.
-    pub(crate) undriven: InputRates,
+    /// With derivatives where the factors hold them.
+    pub(crate) forms: Forms,
+    /// The same with derivatives at their [places in the matrix](place_in_matrix).
+    pub(crate) forms_in_matrix: Forms,
+    /// Which chassis points drives move.
+    pub(crate) driven: Vec<bool>,
     pub(crate) elimination: Elimination,
     pub(crate) drives: Vec<Drive>,
     pub(crate) measures: Vec<Measure>,
@@ -65,63 +52,19 @@ pub(crate) struct Plan {
 impl Plan {
     pub(crate) fn new(system: &System, order: &Order) -> Self {
         let elimination = Elimination::new(system, order);
-        let entry = |row, column: Option<usize>| elimination.entry(row, column);
         let lengths = LengthNames::new(system);
-        let (mut distances, mut linear) = (Vec::new(), Vec::<Linear>::new());
-        let (mut lines, mut planes, mut stretches) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut products, mut turns) = (Vec::new(), Vec::new());
-        let (mut bilinear, mut scales) = (Vec::new(), Vec::<Scale>::new());
-        let mut bodies: Vec<Body> = (system.bodies.iter())
-            .map(|body| Body::new(body, &lengths))
-            .collect();
-        let substituted: Vec<&Name> = (system.substituted().iter())
-            .map(|substituted| substituted.point)
-            .collect();
-        let mut row = 0;
-        for equation in &system.equations {
-            match &equation.form {
-                Form::Distance(form) => {
-                    let length = lengths.place(&equation.named.name);
-                    distances.push(Distance::new(form, row, length, entry));
-                }
-                Form::Linear(form) => {
-                    let held = linear.iter().filter(|other| other.is_held()).count();
-                    linear.push(Linear::new(system, form, row, held, entry));
-                }
-                Form::Carried(form) => {
-                    let mut named = system.bodies.iter().zip(&mut bodies);
-                    if let Some((_, body)) = named.find(|(body, _)| body.name == form.body) {
-                        let is_stored = !substituted.contains(&&form.point.name);
-                        body.carry(form, row, &lengths, is_stored.then_some(entry));
-                    }
-                }
-                Form::Along(form) => {
-                    lines.extend(Along::new(system, form, row, &lengths, entry));
-                    planes.extend(Along::new(system, form, row, &lengths, entry));
-                }
-                Form::Stretch(form) => stretches.push(Stretch::new(system, form, row, entry)),
-                Form::Turn(form) => turns.push(Turn::new(system, form, row, entry)),
-                Form::Bilinear(form) => {
-                    let scale = Scale::new(form, &lengths);
-                    let known = scales.iter().position(|other| *other == scale);
-                    let constant = known.unwrap_or(scales.len());
-                    if known.is_none() {
-                        scales.push(scale);
-                    }
-                    bilinear.push(Bilinear::new(system, form, row, constant, entry));
-                }
-                Form::Product(form) => products.push(Product::new(form, row, &lengths, entry)),
-            }
-            row += equation.form.equations().rows();
-        }
-        let rates = |motion| InputRates::new(system, motion);
+        let drives = readout::drives(system);
+        let moves = |point| drives.iter().any(|drive| drive.moves == Some(point));
+        let forms =
+            |entries: &dyn Fn(usize, Option<usize>) -> u16| Forms::new(system, &lengths, entries);
         Self {
             unknowns: index(system.size()),
             free: index(system.free.len()),
             chassis: index(system.fixed.len()),
-            driven: rates(SiteMotion::DrivenAnchor),
-            undriven: rates(SiteMotion::Anchor),
-            drives: readout::drives(system),
+            forms: forms(&|row, column| elimination.entry(row, column)),
+            forms_in_matrix: forms(&entry_in_matrix),
+            driven: (0..).take(system.fixed.len()).map(moves).collect(),
+            drives,
             measures: readout::measures(system),
             markers: (system.markers.iter())
                 .map(|marker| marker.frame.each_ref().map(Site::from))
@@ -129,27 +72,24 @@ impl Plan {
             clusters: clusters::clusters(system, &lengths),
             lengths: lengths.lengths(),
             wheels: readout::wheels(system),
-            distances,
-            bodies,
-            linear,
-            lines,
-            planes,
-            stretches,
-            products,
-            turns,
-            bilinear,
-            scales,
             elimination,
         }
     }
 
-    /// The sums of coordinates that stay as they are.
-    pub(crate) fn held(&self) -> impl Iterator<Item = &Linear> {
-        self.linear.iter().filter(|linear| linear.is_held())
+    /// How many points clusters have beside their frames.
+    pub(crate) fn linked(&self) -> usize {
+        let clusters = self.clusters.iter();
+        clusters.map(|cluster| cluster.points.len()).sum()
     }
+}
 
-    /// How many points bodies carry.
-    pub(crate) fn carried(&self) -> usize {
-        self.bodies.iter().map(|body| body.carried.len()).sum()
-    }
+/// The entry of the whole matrix in a row and a column.
+fn entry_in_matrix(row: usize, column: Option<usize>) -> u16 {
+    column.map_or(SPARE, |column| index(row * LARGEST + column))
+}
+
+/// Its row and column.
+pub(crate) fn place_in_matrix(entry: u16) -> (usize, usize) {
+    let entry = usize::from(entry);
+    (entry / LARGEST, entry % LARGEST)
 }

@@ -2,9 +2,11 @@
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::constraint::{Carried, Frame, angle_to_coordinate, turn_to_coordinate};
-use suspension_core::generated::{difference, dot, moved_along};
+use suspension_core::generated::{dot, moved_along};
 use suspension_core::{Real, Scalar, Signal, Values, measure};
 
+use crate::equations::rows;
+use crate::form::{Walked, walk};
 use crate::model::Model;
 use crate::plan::{Coordinate, Drive, Measure};
 use crate::site::{Site, Sites};
@@ -23,7 +25,7 @@ where
         marker: impl Fn(&Carried<T>, [Site; 3], &Frame<T>) -> Vector3<T>,
     ) -> Points<Vector3<T>, N> {
         let plan = self.plan();
-        let sites = Sites::new(q, fixed);
+        let sites = Sites::new(q.as_slice(), fixed);
         let [free] = &q.data.0;
         let (free, _) = free.as_chunks();
         let mut points = Points::<Vector3<T>, N>::default();
@@ -67,51 +69,17 @@ where
         for ([x, y, z], point) in places.iter_mut().zip(free) {
             (*x, *y, *z) = (point.x, point.y, point.z);
         }
-        let point = |site| points.get(self.point(site));
-        for (line, constant) in plan.lines.iter().zip(self.lines.as_slice()) {
-            let ends = line.ends.map(point);
-            line.put(
-                constant.distances(point(line.point), point(line.from), ends),
-                &mut q,
-            );
-        }
-        for (plane, constant) in plan.planes.iter().zip(self.planes.as_slice()) {
-            let ends = plane.ends.map(point);
-            plane.put(
-                constant.distances(point(plane.point), point(plane.from), ends),
-                &mut q,
-            );
-        }
-        for (stretch, constant) in plan.stretches.iter().zip(self.stretches.as_slice()) {
-            let [from, to] = [stretch.span.from, stretch.span.to].map(point);
-            if let Some(place) = q.get_mut(usize::from(stretch.length)) {
-                *place = constant.reach(difference(to, from));
-            }
-        }
         let chassis = points.values().take(plan.chassis.into());
-        self.put_turned(&mut q, &Few::<_, N>::from_values(chassis));
+        self.put_scalars(&mut q, &Few::<_, N>::from_values(chassis));
         q
     }
 
-    /// Puts in the unknowns of driven angles about axes.
-    pub(crate) fn put_turned(&self, q: &mut SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
-        let plan = self.plan();
-        let positions = *q;
-        let sites = Sites::new(&positions, fixed);
-        let at = |site| sites.get(site).unwrap_or_default();
-        let [unknowns] = &mut q.data.0;
-        for (turn, constant) in plan.turns.iter().zip(self.turns.as_slice()) {
-            turn.put(constant, at, unknowns);
-        }
-        for bilinear in &plan.bilinear {
-            let constant = self.scales.get(bilinear.constant);
-            let defined = bilinear.defined(&constant, &Sites::new(q, fixed));
-            if let Some((unknown, value)) = defined
-                && let Some(place) = q.get_mut(usize::from(unknown))
-            {
-                *place = value;
-            }
-        }
+    /// Puts in the unknowns that are no coordinates.
+    pub(crate) fn put_scalars(&self, q: &mut SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
+        let q = rows(q);
+        walk!(self.forms(), all(), self, |form, constant| {
+            form.put_scalars(constant, q, fixed)
+        });
     }
 
     /// Puts in the coordinate that each driving angle prescribes.
@@ -132,7 +100,7 @@ where
         Some(match drive.quantity {
             Measure::Between { .. } => turn_to_coordinate(self.turns.get(of).length(), angle),
             _ => {
-                let distance = self.distances.get(usize::from(of))?;
+                let distance = self.distances.get(of);
                 angle_to_coordinate(distance.length(), angle)
             }
         })

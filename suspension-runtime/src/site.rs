@@ -1,11 +1,10 @@
 //! Free and chassis points under one numbering.
 
-use nalgebra::{SVector, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_listing::system;
 
-use crate::table::Table;
-use crate::table::index;
+use crate::table::{Table, index};
 
 /// A free or a chassis point: where its coordinates are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,13 +39,23 @@ impl Site {
 pub(crate) struct Sites<'a, T, F> {
     free: &'a [T],
     chassis: &'a F,
+    drives: &'a [T],
 }
 
 impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
+    /// Without drives.
     #[inline(always)]
-    pub(crate) fn new<const N: usize>(q: &'a SVector<T, N>, chassis: &'a F) -> Self {
-        let [free] = &q.data.0;
-        Self { free, chassis }
+    pub(crate) fn new(q: &'a [T], chassis: &'a F) -> Self {
+        Self {
+            free: q,
+            chassis,
+            drives: &[],
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn with(self, drives: &'a [T]) -> Self {
+        Self { drives, ..self }
     }
 
     /// The vector of a site. There is one for each site of the listing.
@@ -64,10 +73,39 @@ impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
         self.free.get(usize::from(unknown)).copied()
     }
 
+    #[inline(always)]
+    pub(crate) fn drive(&self, drive: u16) -> Option<T> {
+        self.drives.get(usize::from(drive)).copied()
+    }
+
     /// The vectors of three.
     #[inline(always)]
     pub(crate) fn get_each(&self, [a, b, c]: [Site; 3]) -> Option<[Vector3<T>; 3]> {
         Some([self.get(a)?, self.get(b)?, self.get(c)?])
+    }
+}
+
+/// Inputs of which some move: either the chassis points that drives move, with the drives, or the other ones.
+#[derive(Clone, Copy)]
+pub(crate) struct Inputs<'a, T, F> {
+    pub(crate) at: Sites<'a, T, F>,
+    pub(crate) chassis_rate: &'a F,
+    /// Empty where drives do not move.
+    pub(crate) drive_rate: &'a [T],
+    /// Which chassis points drives move.
+    pub(crate) driven: &'a [bool],
+    pub(crate) are_driven: bool,
+}
+
+impl<T: Scalar, F: Table<Vector3<T>>> Inputs<'_, T, F> {
+    /// The rate of a site that moves.
+    #[inline(always)]
+    pub(crate) fn rate(&self, site: Site) -> Option<Vector3<T>> {
+        let Site::Chassis(point) = site else {
+            return None;
+        };
+        let moves = self.driven.get(usize::from(point)) == Some(&self.are_driven);
+        moves.then(|| self.chassis_rate.get(point))
     }
 }
 

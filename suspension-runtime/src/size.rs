@@ -51,6 +51,9 @@ sizes! {
 /// A few values in a model of `N` unknowns.
 pub(crate) type Few<V, const N: usize> = <Room<N> as Size>::Few<V>;
 
+/// A value for each unknown of a model of `N`, and one more.
+pub(crate) type Unknowns<V, const N: usize> = <Room<N> as Size>::Unknowns<V>;
+
 /// A value for each point of a model of `N` unknowns.
 pub(crate) type Points<V, const N: usize> = <Room<N> as Size>::Points<V>;
 

@@ -2,7 +2,8 @@
 
 use core::fmt::Debug;
 
-use suspension_core::Values;
+use nalgebra::Vector3;
+use suspension_core::{Scalar, Values};
 
 /// The last place of any table: what is not needed goes there.
 pub(crate) const SPARE: u16 = u16::MAX;
@@ -84,5 +85,29 @@ impl<V: Value, const K: usize> Table<V> for Masked<V, K> {
     #[inline(always)]
     fn as_mut_slice(&mut self) -> &mut [V] {
         &mut self.0
+    }
+}
+
+/// Puts a value into a row, or an unknown into its place.
+#[inline(always)]
+pub(crate) fn put<T>(rows: &mut [T], row: u16, value: T) {
+    if let Some(place) = rows.get_mut(usize::from(row)) {
+        *place = value;
+    }
+}
+
+#[inline(always)]
+pub(crate) fn put_three<T: Scalar>(rows: &mut [T], first: u16, value: Vector3<T>) {
+    let first = usize::from(first);
+    if let Some([x, y, z]) = rows.get_mut(first..first + 3) {
+        (*x, *y, *z) = (value.x, value.y, value.z);
+    }
+}
+
+/// Puts the sum of terms, where there are any.
+#[inline(always)]
+pub(crate) fn put_sum<T: Scalar>(rows: &mut [T], row: u16, terms: impl Iterator<Item = T>) {
+    if let Some(sum) = terms.reduce(|sum, term| sum + term) {
+        put(rows, row, sum);
     }
 }

@@ -21,7 +21,7 @@ where
             model, unknowns, ..
         } = self.start;
         let (at, moved) = (unknowns.sites(), self.moved.sites());
-        let bodies = model.plan().bodies.iter();
+        let bodies = model.forms().bodies.iter();
         let points = bodies.flat_map(|body| body.carried.iter().map(move |point| (body, point)));
         let points = points.zip(model.carried.as_slice());
         let rates = points.map(|((body, carried), constant)| {
@@ -51,7 +51,7 @@ where
             model, unknowns, ..
         } = self.start;
         let (at, moved) = (unknowns.sites(), self.moved.sites());
-        let rates = model.plan().scales.iter().map(|scale| {
+        let rates = model.forms().scales.iter().map(|scale| {
             // A mean of lengths is what unknowns are multiplied with.
             let (kept, [line]) = (scale.kept?, scale.lines.as_slice()) else {
                 return None;
@@ -117,7 +117,7 @@ where
             _ => {
                 let distance = drive
                     .angle_of
-                    .and_then(|of| model.plan().distances.get(usize::from(of)));
+                    .and_then(|of| model.forms().distances.get(usize::from(of)));
                 let longer = distance.and_then(|distance| {
                     let d = distance.span.vector(&unknowns.sites())?;
                     let by = distance.span.vector(&self.moved.sites())?;

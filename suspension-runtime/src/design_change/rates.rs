@@ -133,7 +133,7 @@ where
         let at = self.given.start.unknowns.sites();
         let along = along.sites();
         let mut rates = self.carried.as_slice().iter();
-        for body in plan.bodies.iter().filter(|_| self.reshapes) {
+        for body in plan.forms.bodies.iter().filter(|_| self.reshapes) {
             let (Some(frame), Some(along)) = (body.frame(&at), body.frame(&along)) else {
                 continue;
             };
@@ -148,7 +148,7 @@ where
                 }
             }
         }
-        for bilinear in &plan.bilinear {
+        for bilinear in plan.forms.bilinear.iter() {
             if let Some(by) = self.of_scale(bilinear, &along) {
                 add(terms, bilinear.row, -by);
             }
@@ -167,7 +167,7 @@ where
 
     /// Adds what a drive contributes whose coordinate changes.
     fn add_of_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
-        for linear in &self.given.start.model.plan().linear {
+        for linear in self.given.start.model.forms().linear.iter() {
             if let Prescribed::Drive(of) = linear.prescribed
                 && of == drive
             {

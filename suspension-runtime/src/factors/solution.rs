@@ -5,11 +5,11 @@ use suspension_core::constraint::Frame;
 use suspension_core::{Scalar, linkage};
 
 use super::{Factors, take};
-use crate::equations::{put, rows};
+use crate::equations::rows;
 use crate::plan::{Carrier, Term};
 use crate::site::three;
 use crate::size::{Room, Size};
-use crate::table::Table;
+use crate::table::{Table, put};
 
 /// A place for each unknown, where first the row of the step that finds it stands.
 type Places<T, const N: usize> = <Room<N> as Size>::Unknowns<T>;

@@ -1,17 +1,15 @@
 //! `Along`: a point on a line or in a plane, with its distances along the lines as unknowns.
 
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint::{self, AlongGradient};
+use suspension_core::constraint::{self, AlongGradient, InPlane, OnLine};
 use suspension_core::generated::difference;
 use suspension_listing::form;
-use suspension_listing::system::System;
 
-use super::rates::MovedLines;
-use crate::plan::{LengthNames, LineLength};
-use crate::site::{Site, Sites};
-use crate::table::Table;
-use crate::table::index;
+use super::{Entries, Place, Walked};
+use crate::plan::LineLength;
+use crate::site::{Inputs, Site, Sites};
+use crate::table::{SPARE, Table, index, put, put_three};
 
 /// A point at distances along `K` lines: three rows.
 #[derive(Clone, Debug)]
@@ -22,45 +20,38 @@ pub(crate) struct Along<const K: usize> {
     pub(crate) from: Site,
     pub(crate) ends: [Site; K],
     /// The unknown distances.
-    pub(crate) distances: [u16; K],
+    distances: [u16; K],
     /// What keeps the first line's length, as far as anything does.
     pub(crate) length: LineLength,
-    /// Where the factors hold the derivatives of each row by the point and by the lines' start, and for each line by
-    /// its end and by its distance.
+    /// Where the derivatives of each row are held by the point and by the lines' start, and for each line by its end
+    /// and by its distance.
     entries: [([u16; 2], [[u16; 2]; K]); 3],
 }
 
 impl<const K: usize> Along<K> {
     /// `None` of a form with another number of lines.
-    pub(crate) fn new(
-        system: &System,
-        form: &form::Along,
-        row: usize,
-        lengths: &LengthNames<'_>,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Option<Self> {
+    pub(super) fn new(form: &form::Along, place: &Place<'_>) -> Option<Self> {
         let columns = form.distances.iter();
-        let columns = columns.map(|distance| system.scalar_column(distance));
+        let columns = columns.map(|distance| place.system.scalar_column(distance));
         let columns = <[Option<usize>; K]>::try_from(columns.collect::<Vec<_>>()).ok()?;
         let ends: Vec<Site> = form.ends.iter().map(Site::from).collect();
         let ends = <[Site; K]>::try_from(ends).ok()?;
         let (point, from) = (Site::from(&form.point), Site::from(&form.from));
         let entries = [0, 1, 2].map(|axis| {
-            let of = |site: Site| entry(row + axis, site.column(axis));
-            let mut distances = columns.iter();
-            let line = |to: Site| {
-                let distance = distances.next().copied().flatten();
-                [of(to), entry(row + axis, distance)]
-            };
-            ([point, from].map(of), ends.map(line))
+            let of = |site: Site| place.entry(axis, site.column(axis));
+            let mut lines = [[SPARE; 2]; K];
+            for (line, (end, distance)) in lines.iter_mut().zip(ends.iter().zip(columns)) {
+                *line = [of(*end), place.entry(axis, distance)];
+            }
+            ([point, from].map(of), lines)
         });
         Some(Self {
-            row: index(row),
+            row: index(place.row),
             point,
             from,
             ends,
-            distances: columns.map(|column| index(column.unwrap_or(usize::MAX))),
-            length: lengths.of_line([&form.from, form.ends.first()?]),
+            distances: columns.map(|column| column.map_or(SPARE, index)),
+            length: place.lengths.of_line([&form.from, form.ends.first()?]),
             entries,
         })
     }
@@ -78,28 +69,7 @@ impl<const K: usize> Along<K> {
         Some(lines)
     }
 
-    /// Puts the distances among the unknowns.
-    #[inline(always)]
-    pub(crate) fn put<T: Scalar, const N: usize>(&self, values: [T; K], q: &mut SVector<T, N>) {
-        for (distance, value) in self.distances.iter().zip(values) {
-            if let Some(place) = q.get_mut(usize::from(*distance)) {
-                *place = value;
-            }
-        }
-    }
-
-    /// What is left between the point and the line or plane.
-    #[inline(always)]
-    pub(crate) fn residual<T: Scalar>(
-        &self,
-        constant: &constraint::Along<T, K>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-    ) -> Option<Vector3<T>> {
-        let (point, from) = (sites.get(self.point)?, sites.get(self.from)?);
-        Some(constant.residual(point, from, self.lines(sites)?))
-    }
-
-    /// The same where the points are moved, per unit of that, and the distances rest.
+    /// The residual where the points are moved, per unit of that, and the distances rest.
     pub(crate) fn left_where_moved<T: Scalar, F: Table<Vector3<T>>>(
         &self,
         constant: &constraint::Along<T, K>,
@@ -116,7 +86,7 @@ impl<const K: usize> Along<K> {
 
     /// From the start of each line to its end, and the distance; or their rates.
     #[inline(always)]
-    pub(crate) fn change<T: Scalar>(
+    fn change<T: Scalar>(
         &self,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
     ) -> Option<[(Vector3<T>, T); K]> {
@@ -126,90 +96,94 @@ impl<const K: usize> Along<K> {
     }
 
     #[inline(always)]
-    pub(crate) fn gradient<T: Scalar>(
+    fn derivatives<T: Scalar>(
         &self,
         constant: &constraint::Along<T, K>,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
     ) -> Option<AlongGradient<T, K>> {
         Some(constant.gradient(sites.get(self.from)?, self.lines(sites)?))
     }
+}
 
-    /// What the moved points contribute to the rates: `-dF/du udot`.
-    #[inline(always)]
-    pub(crate) fn input_rate<T: Scalar, F: Table<Vector3<T>>>(
-        &self,
-        constant: &constraint::Along<T, K>,
-        moved: &MovedLines,
-        sites: &Sites<'_, T, F>,
-        rates: &Sites<'_, T, F>,
-    ) -> Option<Vector3<T>> {
-        let gradient = self.gradient(constant, sites)?;
-        let own = [
-            (self.point, T::one(), moved.point),
-            (self.from, gradient.from, moved.from),
-        ];
-        let ends = self.ends.into_iter().zip(gradient.lines).zip(&moved.ends);
-        let ends = ends.map(|((to, (by_end, _)), moved)| (to, by_end, *moved));
-        let moved = own.into_iter().chain(ends).filter(|(.., moved)| *moved);
-        let mut terms = moved.filter_map(|(site, by, _)| Some((rates.get(site)?, by)));
-        let (rate, by) = terms.next()?;
-        Some(terms.fold(-rate * by, |sum, (rate, by)| sum - rate * by))
-    }
+/// A line, or the lines of a plane: where their distances come nearest to a point.
+pub(crate) trait Nearest<T, const K: usize> {
+    fn nearest(&self, point: Vector3<T>, from: Vector3<T>, ends: [Vector3<T>; K]) -> [T; K];
+}
 
-    /// Writes the derivatives into the factors.
-    #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
-        &self,
-        constant: &constraint::Along<T, K>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        numbers: &mut impl Table<T>,
-    ) {
-        let Some(gradient) = self.gradient(constant, sites) else {
-            return;
-        };
-        for (axis, ([by_point, by_from], lines)) in self.entries.iter().enumerate() {
-            *numbers.place(*by_point) = T::one();
-            *numbers.place(*by_from) = gradient.from;
-            for ([by_end, by_distance], (end, distance)) in lines.iter().zip(gradient.lines) {
-                *numbers.place(*by_end) = end;
-                *numbers.place(*by_distance) = along(&distance, axis);
-            }
-        }
-    }
-
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Along<T, K>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        let Some(gradient) = self.gradient(constant, sites) else {
-            return;
-        };
-        for axis in 0..3 {
-            let own = [(self.point, T::one()), (self.from, gradient.from)];
-            let ends = self.ends.into_iter().zip(gradient.lines);
-            let sites = own
-                .into_iter()
-                .chain(ends.map(|(to, (by_end, _))| (to, by_end)));
-            let by_sites = sites.map(|(site, value)| (site.column(axis), value));
-            let by_distances = self.distances.iter().zip(gradient.lines);
-            let by_distances = by_distances.map(|(distance, (_, by_distance))| {
-                let column = usize::from(*distance);
-                (Some(column), along(&by_distance, axis))
-            });
-            for (column, value) in by_sites.chain(by_distances) {
-                let place = column.map(|column| (usize::from(self.row) + axis, column));
-                if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
-                    *entry = value;
-                }
-            }
-        }
+impl<T: Scalar> Nearest<T, 1> for OnLine<T> {
+    fn nearest(&self, point: Vector3<T>, from: Vector3<T>, ends: [Vector3<T>; 1]) -> [T; 1] {
+        self.distances(point, from, ends)
     }
 }
 
-#[inline(always)]
-fn along<T: Scalar>(vector: &Vector3<T>, axis: usize) -> T {
-    vector.get(axis).copied().unwrap_or_default()
+impl<T: Scalar> Nearest<T, 2> for InPlane<T> {
+    fn nearest(&self, point: Vector3<T>, from: Vector3<T>, ends: [Vector3<T>; 2]) -> [T; 2] {
+        self.distances(point, from, ends)
+    }
+}
+
+impl<T: Scalar, F: Table<Vector3<T>>, const K: usize> Walked<T, F> for Along<K>
+where
+    constraint::Along<T, K>: Nearest<T, K>,
+{
+    type Constant = constraint::Along<T, K>;
+
+    #[inline(always)]
+    fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        let places = at.get(self.point).zip(at.get(self.from));
+        if let (Some((point, from)), Some(lines)) = (places, self.lines(at)) {
+            put_three(rows, self.row, constant.residual(point, from, lines));
+        }
+    }
+
+    #[inline(always)]
+    fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        let Some(gradient) = self.derivatives(constant, at) else {
+            return;
+        };
+        for (axis, ([by_point, by_from], lines)) in self.entries.iter().enumerate() {
+            to.put(*by_point, T::one());
+            to.put(*by_from, gradient.from);
+            for ([by_end, by_distance], (end, distance)) in lines.iter().zip(gradient.lines) {
+                to.put(*by_end, end);
+                to.put(
+                    *by_distance,
+                    distance.get(axis).copied().unwrap_or_default(),
+                );
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn curvature(&self, constant: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        if let (Some(v), Some(w)) = (self.change(v), self.change(w)) {
+            put_three(rows, self.row, constant.curvature(v, w));
+        }
+    }
+
+    #[inline(never)]
+    fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        let Some(gradient) = self.derivatives(constant, &inputs.at) else {
+            return;
+        };
+        let own = [(self.point, T::one()), (self.from, gradient.from)];
+        let ends = self.ends.into_iter().zip(gradient.lines);
+        let by_sites = own
+            .into_iter()
+            .chain(ends.map(|(to, (by_end, _))| (to, by_end)));
+        let mut terms = by_sites.filter_map(|(site, by)| Some((inputs.rate(site)?, by)));
+        if let Some((rate, by)) = terms.next() {
+            let sum = terms.fold(-rate * by, |sum, (rate, by)| sum - rate * by);
+            put_three(rows, self.row, sum);
+        }
+    }
+
+    fn put_scalars(&self, constant: &Self::Constant, q: &mut [T], fixed: &F) {
+        let sites = Sites::new(q, fixed);
+        let at = |site| sites.get(site).unwrap_or_default();
+        let distances = constant.nearest(at(self.point), at(self.from), self.ends.map(at));
+        for (unknown, distance) in self.distances.into_iter().zip(distances) {
+            put(q, unknown, distance);
+        }
+    }
 }

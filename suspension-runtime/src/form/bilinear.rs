@@ -1,14 +1,15 @@
 //! `Bilinear`: a sum of products, which may define an unknown.
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint;
 use suspension_listing::form;
-use suspension_listing::system::{SiteMotion, System};
+use suspension_listing::system::System;
 
-use crate::plan::{LengthNames, LineLength};
-use crate::site::{Site, Sites};
-use crate::table::{SPARE, Table, index};
+use super::{Entries, Place, Walked};
+use crate::plan::LineLength;
+use crate::site::{Inputs, Site, Sites};
+use crate::table::{SPARE, Table, index, put, put_sum};
 
 /// A sum of products: one row.
 #[derive(Clone, Debug)]
@@ -16,7 +17,7 @@ pub(crate) struct Bilinear {
     pub(crate) row: u16,
     /// Its constant's place among those of all lengths that such sums are over.
     pub(crate) constant: u16,
-    /// The unknown that it defines, and where the factors hold the derivative by it.
+    /// The unknown that it defines, and where the derivative by it is held.
     defines: Option<[u16; 2]>,
     /// What stands beside the products, in lengths.
     beside: f64,
@@ -48,19 +49,18 @@ enum Factor {
 #[derive(Clone, Debug)]
 struct Derivative {
     of: Variable,
-    /// Where the factors hold it.
+    /// Where it is held.
     entry: u16,
     others: Vec<(f64, Factor)>,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Variable {
-    Unknown(u16),
+    Unknown,
     /// Of a chassis point.
     Input {
         site: Site,
         axis: usize,
-        motion: SiteMotion,
     },
 }
 
@@ -107,9 +107,9 @@ fn multiple<T: Scalar>(by: f64, number: T) -> T {
 }
 
 impl Scale {
-    pub(crate) fn new(form: &form::Bilinear, lengths: &LengthNames<'_>) -> Self {
+    pub(super) fn new(form: &form::Bilinear, place: &Place<'_>) -> Self {
         let kept = match form.length.as_slice() {
-            [line] => Some(lengths.of_line(line.each_ref())),
+            [line] => Some(place.lengths.of_line(line.each_ref())),
             _ => None,
         };
         let lines = form.length.iter();
@@ -122,37 +122,28 @@ impl Scale {
 
 impl Bilinear {
     /// `constant` is its constant's place.
-    pub(crate) fn new(
-        system: &System,
-        form: &form::Bilinear,
-        row: usize,
-        constant: usize,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Self {
+    pub(super) fn new(form: &form::Bilinear, place: &Place<'_>, constant: usize) -> Self {
+        let system = place.system;
         let factor = |factor: &form::Factor| Factor::new(system, factor);
         let defines = form.defines.as_ref().map(|name| {
             let column = system.scalar_column(name);
-            [column.map_or(SPARE, index), entry(row, column)]
+            [column.map_or(SPARE, index), place.entry(0, column)]
         });
         let derivatives = form.derivatives().into_iter().map(|(variable, others)| {
             let (of, column) = match variable {
-                form::Variable::Unknown(name) => (
-                    Variable::Unknown(unknown(system, name)),
-                    system.scalar_column(name),
-                ),
+                form::Variable::Unknown(name) => (Variable::Unknown, system.scalar_column(name)),
                 form::Variable::Coordinate { site, axis } => {
-                    let motion = site.motion;
                     let site = Site::from(site);
                     match site.column(axis) {
-                        Some(column) => (Variable::Unknown(index(column)), Some(column)),
-                        None => (Variable::Input { site, axis, motion }, None),
+                        Some(column) => (Variable::Unknown, Some(column)),
+                        None => (Variable::Input { site, axis }, None),
                     }
                 }
             };
             let others = others.into_iter();
             Derivative {
                 of,
-                entry: entry(row, column),
+                entry: place.entry(0, column),
                 others: others.map(|(by, other)| (by, factor(other))).collect(),
             }
         });
@@ -161,7 +152,7 @@ impl Bilinear {
             factors: product.factors.each_ref().map(factor),
         });
         Self {
-            row: index(row),
+            row: index(place.row),
             constant: index(constant),
             defines,
             beside: form.constant,
@@ -171,6 +162,7 @@ impl Bilinear {
     }
 
     /// The unknown that it defines.
+    #[inline(always)]
     pub(crate) fn unknown(&self) -> Option<u16> {
         self.defines.map(|[unknown, _]| unknown)
     }
@@ -190,105 +182,59 @@ impl Bilinear {
     }
 
     #[inline(always)]
-    pub(crate) fn residual<T: Scalar>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-    ) -> T {
-        let defined = self.defines.and_then(|[unknown, _]| sites.scalar(unknown));
-        let beside = self.beside(constant);
-        let linear = defined.into_iter().chain(beside);
-        let linear = linear.reduce(|sum, term| sum + term);
-        constant.residual(linear.unwrap_or_else(T::zero), self.factors(sites))
-    }
-
-    #[inline(always)]
     fn beside<T: Scalar>(&self, constant: &constraint::Bilinear<T>) -> Option<T> {
         (self.beside != 0.0).then(|| multiple(self.beside, constant.length()))
     }
+}
 
-    /// The unknown that it defines, from the others.
-    pub(crate) fn defined<T: Scalar>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-    ) -> Option<(u16, T)> {
-        let [unknown, _] = self.defines?;
-        let beside = self.beside(constant).unwrap_or_else(T::zero);
-        Some((unknown, -constant.residual(beside, self.factors(sites))))
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Bilinear {
+    type Constant = constraint::Bilinear<T>;
+
+    #[inline(always)]
+    fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        let defined = self.unknown().and_then(|unknown| at.scalar(unknown));
+        let linear = defined.into_iter().chain(self.beside(constant));
+        let linear = linear.reduce(|sum, term| sum + term);
+        let linear = linear.unwrap_or_else(T::zero);
+        put(rows, self.row, constant.residual(linear, self.factors(at)));
     }
 
     #[inline(always)]
-    pub(crate) fn curvature<T: Scalar, F: Table<Vector3<T>>>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        v: &Sites<'_, T, F>,
-        w: &Sites<'_, T, F>,
-    ) -> T {
-        let changes = self.factors(v).zip(self.factors(w));
-        constant.curvature(changes.map(|(v, w)| [v, w]))
-    }
-
-    /// What chassis points with a motion contribute to the rates: `-dF/du udot`.
-    #[inline(always)]
-    pub(crate) fn input_rate<T: Scalar, F: Table<Vector3<T>>>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        moved: SiteMotion,
-        sites: &Sites<'_, T, F>,
-        rates: &Sites<'_, T, F>,
-    ) -> Option<T> {
-        let mut sum = None;
-        for derivative in &self.derivatives {
-            match derivative.of {
-                Variable::Input { site, axis, motion } if motion == moved => {
-                    let term = derivative.value(constant, sites) * coordinate(rates, site, axis)?;
-                    sum = Some(sum.map_or(-term, |sum| sum - term));
-                }
-                _ => {}
-            }
-        }
-        sum
-    }
-
-    /// Writes the derivatives into the factors.
-    #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        numbers: &mut impl Table<T>,
-    ) {
+    fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
         if let Some([_, entry]) = self.defines {
-            *numbers.place(entry) = T::one();
+            to.put(entry, T::one());
         }
         for derivative in &self.derivatives {
-            if let Variable::Unknown(_) = derivative.of {
-                *numbers.place(derivative.entry) = derivative.value(constant, sites);
+            if let Variable::Unknown = derivative.of {
+                to.put(derivative.entry, derivative.value(constant, at));
             }
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Bilinear<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        let mut put = |unknown: u16, value| {
-            let place = (usize::from(self.row), usize::from(unknown));
-            if let Some(entry) = matrix.get_mut(place) {
-                *entry = value;
-            }
-        };
-        if let Some([unknown, _]) = self.defines {
-            put(unknown, T::one());
-        }
-        for derivative in &self.derivatives {
-            if let Variable::Unknown(unknown) = derivative.of {
-                put(unknown, derivative.value(constant, sites));
-            }
+    #[inline(always)]
+    fn curvature(&self, constant: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        let changes = self.factors(v).zip(self.factors(w));
+        let curvature = constant.curvature(changes.map(|(v, w)| [v, w]));
+        put(rows, self.row, curvature);
+    }
+
+    #[inline(never)]
+    fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        let terms = self.derivatives.iter().filter_map(|derivative| {
+            let Variable::Input { site, axis } = derivative.of else {
+                return None;
+            };
+            let rate = inputs.rate(site)?.iter().nth(axis).copied()?;
+            Some(-(derivative.value(constant, &inputs.at) * rate))
+        });
+        put_sum(rows, self.row, terms);
+    }
+
+    fn put_scalars(&self, constant: &Self::Constant, q: &mut [T], fixed: &F) {
+        let beside = self.beside(constant).unwrap_or_else(T::zero);
+        let defined = -constant.residual(beside, self.factors(&Sites::new(q, fixed)));
+        if let Some(unknown) = self.unknown() {
+            put(q, unknown, defined);
         }
     }
 }

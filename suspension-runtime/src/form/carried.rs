@@ -1,15 +1,15 @@
 //! `Carried`: the points of a body beside those of its frame.
 
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint::{self, Frame};
 use suspension_listing::form;
 use suspension_listing::system::{self, pair_name};
 
+use super::{Entries, Place, Walked};
 use crate::plan::LengthNames;
-use crate::site::{Site, Sites};
-use crate::table::Table;
-use crate::table::index;
+use crate::site::{Inputs, Site, Sites};
+use crate::table::{SPARE, Table, index, put_three};
 
 /// A body: the frame of three points, and those that it carries.
 #[derive(Clone, Debug)]
@@ -26,11 +26,13 @@ pub(crate) struct Body {
 pub(crate) struct Carried {
     /// The first of its rows.
     pub(crate) row: u16,
+    /// Its constant's place among those of the points that all bodies carry.
+    pub(super) constant: u16,
     pub(crate) point: Site,
     /// The lengths to the frame's points.
     pub(crate) reaches: [u16; 3],
-    /// Where the factors hold the derivatives of each row, by the frame's points and by the point's own
-    /// coordinate; `None` where elimination takes the point out first.
+    /// Where the derivatives of each row are held, by the frame's points and by the point's own coordinate; `None` in
+    /// factors that take the point out first.
     entries: Option<[[u16; 10]; 3]>,
 }
 
@@ -44,51 +46,59 @@ impl Body {
     }
 
     /// Adds a point that it carries.
-    pub(crate) fn carry(
-        &mut self,
-        form: &form::Carried,
-        row: usize,
-        lengths: &LengthNames<'_>,
-        entry: Option<impl Fn(usize, Option<usize>) -> u16>,
-    ) {
+    pub(super) fn carry(&mut self, form: &form::Carried, place: &Place<'_>) {
         let point = Site::from(&form.point);
-        let entries = entry.map(|entry| {
-            [0, 1, 2].map(|axis| {
-                let frame = self.frame.iter();
-                let of_frame = frame.flat_map(|site| [0, 1, 2].map(|axis| site.column(axis)));
-                let mut columns = of_frame.chain([point.column(axis)]);
-                [(); 10].map(|()| entry(row + axis, columns.next().flatten()))
-            })
+        let entries = [0, 1, 2].map(|axis| {
+            let frame = self.frame.iter();
+            let of_frame = frame.flat_map(|site| [0, 1, 2].map(|axis| site.column(axis)));
+            let mut columns = of_frame.chain([point.column(axis)]);
+            [(); 10].map(|()| place.entry(axis, columns.next().flatten()))
         });
+        let are_held = entries.as_flattened().iter().any(|entry| *entry != SPARE);
         self.carried.push(Carried {
-            row: index(row),
+            row: index(place.row),
+            constant: SPARE,
             point,
             reaches: (form.frame.each_ref()).map(|corner| {
-                lengths.place(&pair_name(&form.body, &form.point.name, &corner.name))
+                let name = pair_name(&form.body, &form.point.name, &corner.name);
+                place.lengths.place(&name)
             }),
-            entries,
+            entries: are_held.then_some(entries),
         });
     }
 
-    /// The frame as it stands, or of rates.
+    /// The points that it carries, each with its constant.
+    #[inline(always)]
+    fn with_constants<'a, C>(
+        &'a self,
+        constants: &'a [C],
+    ) -> impl Iterator<Item = (&'a Carried, &'a C)> {
+        let carried = self.carried.iter();
+        carried.filter_map(|carried| Some((carried, constants.get(usize::from(carried.constant))?)))
+    }
+
+    /// The frame as it stands, or of rates; `None` where it carries nothing.
     #[inline(always)]
     pub(crate) fn frame<T: Scalar>(
         &self,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
     ) -> Option<Frame<T>> {
+        if self.carried.is_empty() {
+            return None;
+        }
         let [a, b, c] = sites.get_each(self.frame)?;
         Some(Frame::new(a, b, c))
     }
 }
 
 impl Carried {
-    /// Writes the derivatives into the factors, where they hold them.
+    /// Puts the derivatives where they are held.
     #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
+    fn gradient<T: Scalar>(
         &self,
         constant: &constraint::Carried<T>,
         frame: &Frame<T>,
-        numbers: &mut impl Table<T>,
+        to: &mut impl Entries<T>,
     ) {
         let Some([x, y, z]) = &self.entries else {
             return;
@@ -109,32 +119,61 @@ impl Carried {
         ];
         for (entries, values) in [x, y, z].into_iter().zip(rows) {
             for (entry, value) in entries.iter().zip(values) {
-                *numbers.place(*entry) = value;
+                to.put(*entry, value);
+            }
+        }
+    }
+}
+
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Body {
+    type Constant = [constraint::Carried<T>];
+
+    #[inline(always)]
+    fn residual(&self, constants: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        let Some(frame) = self.frame(at) else {
+            return;
+        };
+        for (carried, constant) in self.with_constants(constants) {
+            if let Some(point) = at.get(carried.point) {
+                put_three(rows, carried.row, constant.residual(point, &frame));
             }
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Carried<T>,
-        of: [Site; 3],
-        frame: &Frame<T>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        let gradient = constant.gradient(frame);
-        let own = (self.point, Matrix3::from_diagonal_element(T::one()));
-        let blocks = [gradient.origin, gradient.second, gradient.third];
-        for (site, block) in of.into_iter().zip(blocks).chain([own]) {
-            for (axis, derivatives) in block.column_iter().enumerate() {
-                let Some(column) = site.column(axis) else {
-                    continue;
-                };
-                for (row, derivative) in (usize::from(self.row)..).zip(derivatives.iter()) {
-                    if let Some(entry) = matrix.get_mut((row, column)) {
-                        *entry = *derivative;
-                    }
-                }
+    #[inline(always)]
+    fn gradient(&self, constants: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        let Some(frame) = self.frame(at) else {
+            return;
+        };
+        for (carried, constant) in self.with_constants(constants) {
+            carried.gradient(constant, &frame, to);
+        }
+    }
+
+    #[inline(always)]
+    fn curvature(&self, constants: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        let (Some(v), Some(w)) = (self.frame(v), self.frame(w)) else {
+            return;
+        };
+        for (carried, constant) in self.with_constants(constants) {
+            put_three(rows, carried.row, constant.curvature(&v, &w));
+        }
+    }
+
+    #[inline(never)]
+    fn input_rate(&self, constants: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        let Some(frame) = self.frame(&inputs.at) else {
+            return;
+        };
+        let rates = self.frame.map(|site| inputs.rate(site));
+        for (carried, constant) in self.with_constants(constants) {
+            let gradient = constant.gradient(&frame);
+            let blocks = [gradient.origin, gradient.second, gradient.third];
+            let terms = blocks.into_iter().zip(rates);
+            let mut terms = terms.filter_map(|(block, rate)| Some((block, rate?)));
+            if let Some((block, rate)) = terms.next() {
+                let less = |sum, (block, rate)| sum - block * rate;
+                put_three(rows, carried.row, terms.fold(-block * rate, less));
             }
         }
     }

@@ -1,13 +1,15 @@
 //! `Distance`: two points a constant length apart.
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint;
+use suspension_core::generated::dot;
 use suspension_listing::form;
 
 use super::span::Span;
-use crate::site::Sites;
-use crate::table::Table;
+use super::{Entries, Place, Walked};
+use crate::site::{Inputs, Sites};
+use crate::table::{Table, put};
 
 /// A constant length: one row.
 #[derive(Clone, Copy, Debug)]
@@ -18,38 +20,42 @@ pub(crate) struct Distance {
 }
 
 impl Distance {
-    pub(crate) fn new(
-        form: &form::Distance,
-        row: usize,
-        length: u16,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Self {
-        let span = Span::new([&form.from, &form.to], row, entry);
-        Self { span, length }
+    pub(super) fn new(form: &form::Distance, place: &Place<'_>) -> Self {
+        Self {
+            span: Span::new([&form.from, &form.to], place),
+            length: place.lengths.place(place.name),
+        }
     }
+}
 
-    /// Writes the derivatives into the factors.
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Distance {
+    type Constant = constraint::Distance<T>;
+
     #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
-        &self,
-        constant: &constraint::Distance<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        numbers: &mut impl Table<T>,
-    ) {
-        if let Some(vector) = self.span.vector(sites) {
-            self.span.write(constant.gradient(vector), numbers);
+    fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        if let Some(vector) = self.span.vector(at) {
+            put(rows, self.span.row, constant.residual(vector));
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Distance<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        if let Some(vector) = self.span.vector(sites) {
-            self.span.write_dense(constant.gradient(vector), matrix);
+    #[inline(always)]
+    fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        if let Some(vector) = self.span.vector(at) {
+            self.span.put(constant.gradient(vector), to);
+        }
+    }
+
+    #[inline(always)]
+    fn curvature(&self, constant: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        if let (Some(v), Some(w)) = (self.span.vector(v), self.span.vector(w)) {
+            put(rows, self.span.row, constant.curvature(v, w));
+        }
+    }
+
+    #[inline(always)]
+    fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        if let Some([vector, rate]) = self.span.moved(inputs) {
+            put(rows, self.span.row, dot(constant.gradient(vector), rate));
         }
     }
 }

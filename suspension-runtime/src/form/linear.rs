@@ -1,12 +1,13 @@
 //! `Linear`: a sum of coordinates, or a scalar, that a drive prescribes or that stays as it is.
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
+use suspension_core::constraint::Held;
 use suspension_listing::form;
-use suspension_listing::system::System;
 
-use crate::site::{Site, Sites};
-use crate::table::{SPARE, Table, index};
+use super::{Entries, Place, Walked};
+use crate::site::{Inputs, Site, Sites};
+use crate::table::{SPARE, Table, index, put, put_sum};
 
 /// A prescribed sum of unknowns: one row.
 #[derive(Clone, Debug)]
@@ -16,7 +17,9 @@ pub(crate) struct Linear {
     pub(crate) terms: Vec<Term>,
     /// An unknown that is no coordinate, added to the terms.
     scalar: Option<u16>,
-    /// Where the factors hold the derivative by each term's coordinate, and by the scalar.
+    /// The terms of chassis points with the opposite sign, those that are added first.
+    of_chassis: Vec<Term>,
+    /// Where the derivative by each term's coordinate is held, and by the scalar.
     entries: Vec<u16>,
     by_scalar: u16,
 }
@@ -48,18 +51,6 @@ impl From<&form::Term> for Term {
 }
 
 impl Term {
-    /// With the opposite sign.
-    pub(crate) fn less(self) -> Self {
-        Self {
-            factor: -self.factor,
-            ..self
-        }
-    }
-
-    pub(crate) fn is_positive(&self) -> bool {
-        self.factor > 0.0
-    }
-
     /// The coordinate of a vector, times the factor.
     #[inline(always)]
     pub(crate) fn value<T: Scalar>(&self, vector: &Vector3<T>) -> T {
@@ -74,31 +65,34 @@ impl Term {
 
 impl Linear {
     /// `held` others before it stay as they are.
-    pub(crate) fn new(
-        system: &System,
-        form: &form::Linear,
-        row: usize,
-        held: usize,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Self {
+    pub(super) fn new(form: &form::Linear, place: &Place<'_>, held: usize) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
         let columns = terms.iter().map(|term| term.site.column(term.axis));
         let scalar = form.scalar.as_ref();
-        let scalar = scalar.and_then(|scalar| system.scalar_column(scalar));
+        let scalar = scalar.and_then(|scalar| place.system.scalar_column(scalar));
         let prescribed = match &form.prescribed {
             form::Prescribed::Drive(name) => {
-                let mut drives = system.drives.iter();
+                let mut drives = place.system.drives.iter();
                 let drive = drives.position(|drive| drive.named.name == *name);
                 Prescribed::Drive(drive.map_or(SPARE, index))
             }
             form::Prescribed::Design => Prescribed::Design(index(held)),
         };
+        let on_chassis = terms.iter().filter(|term| term.site.column(0).is_none());
+        let opposite = on_chassis.map(|term| Term {
+            factor: -term.factor,
+            ..*term
+        });
+        let (mut of_chassis, less): (Vec<Term>, Vec<Term>) =
+            opposite.partition(|term| term.factor > 0.0);
+        of_chassis.extend(less);
         Self {
-            row: index(row),
+            row: index(place.row),
             prescribed,
-            entries: columns.map(|column| entry(row, column)).collect(),
+            entries: columns.map(|column| place.entry(0, column)).collect(),
             scalar: scalar.map(index),
-            by_scalar: entry(row, scalar),
+            by_scalar: place.entry(0, scalar),
+            of_chassis,
             terms,
         }
     }
@@ -122,28 +116,40 @@ impl Linear {
         }
         sum
     }
+}
 
-    /// Writes the derivatives into the factors.
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Linear {
+    type Constant = [Held<T>];
+
     #[inline(always)]
-    pub(crate) fn write<T: Scalar>(&self, numbers: &mut impl Table<T>) {
-        for (entry, term) in self.entries.iter().zip(&self.terms) {
-            *numbers.place(*entry) = T::constant(term.factor);
-        }
-        if self.scalar.is_some() {
-            *numbers.place(self.by_scalar) = T::one();
+    fn residual(&self, held: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        let off = self.sum(at).and_then(|sum| match self.prescribed {
+            Prescribed::Drive(drive) => Some(sum - at.drive(drive)?),
+            Prescribed::Design(place) => Some(held.get(usize::from(place))?.residual(sum)),
+        });
+        if let Some(off) = off {
+            put(rows, self.row, off);
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(&self, matrix: &mut SMatrix<T, N, N>) {
-        let terms = self.terms.iter();
-        let terms = terms.map(|term| (term.site.column(term.axis), term.factor));
-        let scalar = self.scalar.map(|scalar| (Some(usize::from(scalar)), 1.0));
-        for (column, factor) in terms.chain(scalar) {
-            let place = column.map(|column| (usize::from(self.row), column));
-            if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
-                *entry = T::constant(factor);
-            }
+    #[inline(always)]
+    fn gradient(&self, _: &Self::Constant, _: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        for (entry, term) in self.entries.iter().zip(&self.terms) {
+            to.put(*entry, T::constant(term.factor));
         }
+        if self.scalar.is_some() {
+            to.put(self.by_scalar, T::one());
+        }
+    }
+
+    #[inline(always)]
+    fn input_rate(&self, _: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        let of_drive = match self.prescribed {
+            Prescribed::Drive(drive) => inputs.drive_rate.get(usize::from(drive)).copied(),
+            Prescribed::Design(_) => None,
+        };
+        let terms = self.of_chassis.iter();
+        let terms = terms.filter_map(|term| Some(term.value(&inputs.rate(term.site)?)));
+        put_sum(rows, self.row, of_drive.into_iter().chain(terms));
     }
 }

@@ -1,14 +1,15 @@
 //! `Product`: two lines at an angle that stays.
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint;
 use suspension_core::generated::{difference, dot};
 use suspension_listing::form;
 
-use crate::plan::{LengthNames, LineLength};
-use crate::site::{Site, Sites};
-use crate::table::{Table, index};
+use super::{Entries, Place, Walked, put_vector};
+use crate::plan::LineLength;
+use crate::site::{Inputs, Site, Sites};
+use crate::table::{Table, index, put, put_sum};
 
 /// Two lines at an angle: one row.
 #[derive(Clone, Debug)]
@@ -17,25 +18,19 @@ pub(crate) struct Product {
     pub(crate) lines: [[Site; 2]; 2],
     /// What keeps the length of each line.
     pub(crate) lengths: [LineLength; 2],
-    /// Where the factors hold the derivatives by the ends of each line.
+    /// Where the derivatives by the ends of each line are held.
     entries: [[[u16; 3]; 2]; 2],
 }
 
 impl Product {
-    pub(crate) fn new(
-        form: &form::Product,
-        row: usize,
-        lengths: &LengthNames<'_>,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Self {
+    pub(super) fn new(form: &form::Product, place: &Place<'_>) -> Self {
         let lines = form.lines.each_ref().map(|line| line.each_ref());
         let sites = lines.map(|line| line.map(Site::from));
-        let of_site = |site: Site| [0, 1, 2].map(|axis| entry(row, site.column(axis)));
         Self {
-            row: index(row),
+            row: index(place.row),
             lines: sites,
-            lengths: lines.map(|line| lengths.of_line(line)),
-            entries: sites.map(|line| line.map(of_site)),
+            lengths: lines.map(|line| place.lengths.of_line(line)),
+            entries: sites.map(|line| line.map(|site| place.by_site(0, site))),
         }
     }
 
@@ -52,9 +47,9 @@ impl Product {
         ])
     }
 
-    /// By each of the lines.
+    /// The derivative by each of the lines.
     #[inline(always)]
-    fn gradient<T: Scalar>(
+    fn by_lines<T: Scalar>(
         &self,
         constant: &constraint::Product<T>,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
@@ -62,72 +57,41 @@ impl Product {
         let [first, second] = self.vectors(sites)?;
         Some([second, first].map(|other| constant.gradient(other)))
     }
+}
 
-    /// What the moved ends of the lines contribute to the rates: `-dF/du udot`.
-    #[inline(always)]
-    pub(crate) fn input_rate<T: Scalar, F: Table<Vector3<T>>>(
-        &self,
-        constant: &constraint::Product<T>,
-        moved: [[bool; 2]; 2],
-        sites: &Sites<'_, T, F>,
-        rates: &Sites<'_, T, F>,
-    ) -> Option<T> {
-        let mut sum = None;
-        let gradient = self.gradient(constant, sites)?;
-        for ((line, gradient), moved) in self.lines.iter().zip(gradient).zip(moved) {
-            let signs = [T::one(), -T::one()];
-            for ((site, sign), _) in line
-                .iter()
-                .zip(signs)
-                .zip(moved)
-                .filter(|(_, moved)| *moved)
-            {
-                let term = sign * dot(gradient, rates.get(*site)?);
-                sum = Some(sum.map_or(term, |sum| sum + term));
-            }
-        }
-        sum
-    }
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Product {
+    type Constant = constraint::Product<T>;
 
-    /// Writes the derivatives into the factors.
     #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
-        &self,
-        constant: &constraint::Product<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        numbers: &mut impl Table<T>,
-    ) {
-        let Some(gradient) = self.gradient(constant, sites) else {
-            return;
-        };
-        for ([from, to], gradient) in self.entries.iter().zip(gradient) {
-            for ((from, to), value) in from.iter().zip(to).zip(gradient.iter()) {
-                *numbers.place(*from) = -*value;
-                *numbers.place(*to) = *value;
-            }
+    fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        if let Some([d, e]) = self.vectors(at) {
+            put(rows, self.row, constant.residual(d, e));
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Product<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        let Some(gradient) = self.gradient(constant, sites) else {
-            return;
-        };
-        for ([from, to], gradient) in self.lines.iter().zip(gradient) {
-            for (site, gradient) in [(from, -gradient), (to, gradient)] {
-                for (axis, value) in gradient.iter().enumerate() {
-                    let column = site.column(axis);
-                    let place = column.map(|column| (usize::from(self.row), column));
-                    if let Some(entry) = place.and_then(|place| matrix.get_mut(place)) {
-                        *entry = *value;
-                    }
-                }
-            }
+    #[inline(always)]
+    fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        let by_lines = self.by_lines(constant, at).into_iter().flatten();
+        for ([by_from, by_to], by_line) in self.entries.into_iter().zip(by_lines) {
+            put_vector(by_from, -by_line, to);
+            put_vector(by_to, by_line, to);
         }
+    }
+
+    #[inline(always)]
+    fn curvature(&self, constant: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        if let (Some(v), Some(w)) = (self.vectors(v), self.vectors(w)) {
+            put(rows, self.row, constant.curvature(v, w));
+        }
+    }
+
+    #[inline(never)]
+    fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        let by_lines = self.by_lines(constant, &inputs.at).into_iter().flatten();
+        let terms = self.lines.iter().zip(by_lines).flat_map(|(line, by_line)| {
+            let signed = line.iter().zip([T::one(), -T::one()]);
+            signed.filter_map(move |(site, sign)| Some(sign * dot(by_line, inputs.rate(*site)?)))
+        });
+        put_sum(rows, self.row, terms);
     }
 }

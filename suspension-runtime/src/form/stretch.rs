@@ -1,77 +1,81 @@
 //! `Stretch`: two points a length apart that is an unknown.
 
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 use suspension_core::Scalar;
 use suspension_core::constraint;
+use suspension_core::generated::dot;
 use suspension_listing::form;
-use suspension_listing::system::System;
 
 use super::span::Span;
-use crate::site::Sites;
-use crate::table::{Table, index};
+use super::{Entries, Place, Walked};
+use crate::site::{Inputs, Sites};
+use crate::table::{SPARE, Table, index, put};
 
 /// A variable length: one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
     pub(crate) span: Span,
     /// The unknown length.
-    pub(crate) length: u16,
-    /// Where the factors hold the derivative by the length.
+    length: u16,
+    /// Where the derivative by the length is held.
     by_length: u16,
 }
 
 impl Stretch {
-    pub(crate) fn new(
-        system: &System,
-        form: &form::Stretch,
-        row: usize,
-        entry: impl Fn(usize, Option<usize>) -> u16,
-    ) -> Self {
-        let length = system.scalar_column(&form.length);
+    pub(super) fn new(form: &form::Stretch, place: &Place<'_>) -> Self {
+        let length = place.system.scalar_column(&form.length);
         Self {
-            by_length: entry(row, length),
-            span: Span::new([&form.from, &form.to], row, entry),
-            length: length.map_or(index(usize::MAX), index),
+            span: Span::new([&form.from, &form.to], place),
+            length: length.map_or(SPARE, index),
+            by_length: place.entry(0, length),
         }
     }
 
     /// The vector between the points with the length, or the rates of both.
     #[inline(always)]
-    pub(crate) fn change<T: Scalar>(
+    fn change<T: Scalar>(
         &self,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
     ) -> Option<(Vector3<T>, T)> {
         Some((self.span.vector(sites)?, sites.scalar(self.length)?))
     }
+}
 
-    /// Writes the derivatives into the factors.
+impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Stretch {
+    type Constant = constraint::Stretch<T>;
+
     #[inline(always)]
-    pub(crate) fn write<T: Scalar>(
-        &self,
-        constant: &constraint::Stretch<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        numbers: &mut impl Table<T>,
-    ) {
-        if let Some((vector, length)) = self.change(sites) {
-            self.span.write(constant.gradient(vector), numbers);
-            *numbers.place(self.by_length) = constant.by_length(length);
+    fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
+        if let Some((vector, length)) = self.change(at) {
+            put(rows, self.span.row, constant.residual(vector, length));
         }
     }
 
-    /// Writes the derivatives into a dense matrix.
-    pub(crate) fn write_dense<T: Scalar, const N: usize>(
-        &self,
-        constant: &constraint::Stretch<T>,
-        sites: &Sites<'_, T, impl Table<Vector3<T>>>,
-        matrix: &mut SMatrix<T, N, N>,
-    ) {
-        let Some((vector, length)) = self.change(sites) else {
-            return;
-        };
-        self.span.write_dense(constant.gradient(vector), matrix);
-        let place = (usize::from(self.span.row), usize::from(self.length));
-        if let Some(entry) = matrix.get_mut(place) {
-            *entry = constant.by_length(length);
+    #[inline(always)]
+    fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
+        if let Some((vector, length)) = self.change(at) {
+            self.span.put(constant.gradient(vector), to);
+            to.put(self.by_length, constant.by_length(length));
+        }
+    }
+
+    #[inline(always)]
+    fn curvature(&self, constant: &Self::Constant, [v, w]: [&Sites<'_, T, F>; 2], rows: &mut [T]) {
+        if let (Some(v), Some(w)) = (self.change(v), self.change(w)) {
+            put(rows, self.span.row, constant.curvature(v, w));
+        }
+    }
+
+    #[inline(always)]
+    fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
+        if let Some([vector, rate]) = self.span.moved(inputs) {
+            put(rows, self.span.row, dot(constant.gradient(vector), rate));
+        }
+    }
+
+    fn put_scalars(&self, constant: &Self::Constant, q: &mut [T], fixed: &F) {
+        if let Some(vector) = self.span.vector(&Sites::new(q, fixed)) {
+            put(q, self.length, constant.reach(vector));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Whether a plan fits into the tables of a size.
 
 use super::Plan;
+use crate::model::counts_of_constants;
 use crate::size::{Few, Lengths, Room, Size};
 use crate::table::Table;
 
@@ -22,32 +23,13 @@ impl Plan {
         let lengths = <Lengths<u16, N> as Table<u16>>::ROOM;
         // Two places are put to other use.
         let numbers = <<Room<N> as Size>::Numbers<u16> as Table<u16>>::ROOM - 2;
-        let linked = self.clusters.iter().map(|cluster| cluster.points.len());
         let counts = [
             (self.unknowns.into(), N, "unknowns"),
             (self.chassis.into(), few, "chassis points"),
             (self.drives.len(), few, "drives"),
             (self.measures.len(), few, "measures"),
-            (self.markers.len(), few, "markers"),
-            (self.bodies.len(), few, "bodies"),
-            (self.carried(), few, "points carried by bodies"),
-            (
-                self.clusters.len(),
-                few,
-                "rigid parts that links alone make",
-            ),
-            (linked.sum(), few, "points that links alone hold rigidly"),
-            (self.lines.len(), few, "slides"),
-            (self.planes.len(), few, "planes"),
-            (self.products.len(), few, "angles"),
-            (self.turns.len(), few, "driven angles about axes"),
-            (
-                self.scales.len(),
-                few,
-                "lengths of driven angles about axes",
-            ),
-            (self.held().count(), few, "couples"),
-            (self.stretches.len(), few, "driven lengths"),
+        ];
+        let last = [
             (self.lengths.len(), lengths, "lengths"),
             (
                 self.elimination.numbers(),
@@ -55,7 +37,9 @@ impl Plan {
                 "numbers in the factored Jacobian",
             ),
         ];
-        let exceeded = counts.into_iter().find(|(count, most, _)| count > most);
+        let counts = counts.into_iter().chain(counts_of_constants::<N>(self));
+        let mut counts = counts.chain(last);
+        let exceeded = counts.find(|(count, most, _)| count > most);
         exceeded.map(|(count, most, what)| Exceeded { count, most, what })
     }
 }

@@ -1,0 +1,30 @@
+//! Where an equation stands.
+
+use suspension_listing::name::Name;
+use suspension_listing::system::System;
+
+use crate::plan::LengthNames;
+use crate::site::Site;
+
+/// Where an equation stands.
+pub(super) struct Place<'a> {
+    pub(super) system: &'a System,
+    pub(super) lengths: &'a LengthNames<'a>,
+    /// Where derivatives are held: by row and column.
+    pub(super) entries: &'a dyn Fn(usize, Option<usize>) -> u16,
+    pub(super) name: &'a Name,
+    /// Its first row.
+    pub(super) row: usize,
+}
+
+impl Place<'_> {
+    /// Where the derivative of a row of the equation is held, counted from its first.
+    pub(super) fn entry(&self, row: usize, column: Option<usize>) -> u16 {
+        (self.entries)(self.row + row, column)
+    }
+
+    /// The same of those by the coordinates of a site.
+    pub(super) fn by_site(&self, row: usize, site: Site) -> [u16; 3] {
+        [0, 1, 2].map(|axis| self.entry(row, site.column(axis)))
+    }
+}
