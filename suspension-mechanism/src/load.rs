@@ -5,6 +5,7 @@ mod cases;
 mod columns;
 mod coupling;
 mod design;
+mod flat_body;
 mod included;
 mod led;
 mod listing;

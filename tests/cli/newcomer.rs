@@ -1,5 +1,6 @@
 //! Mistakes of a first motion file, each told with what to write instead.
 
+mod in_line;
 mod missing;
 mod mistyped;
 mod time;

@@ -7,6 +7,7 @@ use suspension_core::{GeometryError, Values, parts};
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::{Design, at_design};
+use crate::load::flat_body;
 use crate::load::outlier::Outlier;
 use crate::load::request::Request;
 use crate::load::task::Task;
@@ -73,7 +74,11 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
         };
         let given = given(&task);
         let model = L::of(listing, &given).and_then(|model| with_lengths(&task, model));
-        let model = model.map_err(|error| outlier_first(task.refuse_geometry(&error)))?;
+        let placed: Vec<_> = given.values().take(names.points.len()).collect();
+        let model = model.map_err(|error| {
+            let flat = flat_body::refused(&task, request.listing, &placed, &error);
+            outlier_first(flat.unwrap_or_else(|| task.refuse_geometry(&error)))
+        })?;
         let names = with_vehicle(&task)?;
         let drive_offsets = origin.of_drives(&model);
         let offsets = names.of_drives().into_iter().zip(drive_offsets.values());
