@@ -147,6 +147,14 @@ impl Listing {
             .collect()
     }
 
+    /// The two points of a length that is driven, by name.
+    pub fn driven_length(&self, drive: usize) -> Option<[&str; 2]> {
+        match &self.system.drives.get(drive)?.quantity {
+            Quantity::Length { line } => Some(line.each_ref().map(|point| point.as_str())),
+            _ => None,
+        }
+    }
+
     /// The two points of each measured length, by their places.
     pub fn measured_lengths(&self) -> Vec<[usize; 2]> {
         let quantities = self.system.measures.iter().map(|measure| &measure.quantity);

@@ -23,7 +23,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let assembled = Assembled::<L, N>::of(&request, listing)?;
     let (task, design) = (assembled.task(), &assembled.design);
     let measured = assembled.measured();
-    let springs = springs(&task, &measured.in_file)?;
+    let springs = springs(&task, request.listing, &measured.in_file)?;
     let masses = match request.listing {
         Some(listing) => {
             let origin = design.origin.position();

@@ -1,6 +1,7 @@
 //! The springs of a motion file, by the numbers of their measures.
 
 use suspension_listing::did_you_mean::unknown;
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -12,7 +13,11 @@ use crate::mechanism::Spring;
 /// # Errors
 ///
 /// [`Failure::Input`] at what is no measure, and at a rate or load that is not finite.
-pub(super) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Failure> {
+pub(super) fn springs(
+    task: &Task<'_>,
+    listing: Option<&Listing>,
+    design: &[f64],
+) -> Result<Vec<Spring>, Failure> {
     let Some(table) = &task.file.springs else {
         return Ok(Vec::new());
     };
@@ -24,7 +29,8 @@ pub(super) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Fa
         let along = stated.along.get_ref().as_str();
         let measure = known.iter().position(|measure| *measure == along);
         let measure = measure.ok_or_else(|| {
-            let message = unknown("measure", along, &known);
+            let message = of_drive(task, listing, along);
+            let message = message.unwrap_or_else(|| unknown("measure", along, &known));
             task.source.refuse(&stated.along.span(), message)
         })?;
         let rate = *stated.rate.get_ref();
@@ -48,4 +54,16 @@ pub(super) fn springs(task: &Task<'_>, design: &[f64]) -> Result<Vec<Spring>, Fa
         })
     });
     each.collect()
+}
+
+/// What to write where a spring is said to act along a drive.
+fn of_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
+    let mut drives = task.names.drives.iter();
+    let drive = drives.position(|drive| drive.name == name)?;
+    let line = listing.and_then(|listing| listing.driven_length(drive));
+    let [from, to] = line.unwrap_or(["a", "b"]);
+    Some(format!(
+        "`{name}` is a drive, and a spring acts along a measure: add `measure NAME: length({from} -> {to});` to the listing, and write \
+         along = \"NAME\""
+    ))
 }

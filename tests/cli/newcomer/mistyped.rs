@@ -156,3 +156,25 @@ fn a_mistyped_point_of_a_file_in_millimetres_is_told_with_its_line() {
     );
     assert!(said.ends_with("; did you mean `lower_ball`?"), "{said}");
 }
+
+#[test]
+fn a_spring_along_a_drive_is_told_the_measure_that_it_needs() {
+    let listing = LISTINGS.iter().find(|(name, _)| *name == "double_wishbone");
+    let (_, by_height) = listing.expect("a text");
+    let by_length = by_height.replace("wheel_centre.z;", "length(upper_front -> lower_ball);");
+    let file = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"a.linkage\"",
+    ) + "[springs.coil]\nalong = \"bump\"\nrate = 28000.0\nload = 3800.0\n";
+    for (listing, line) in [
+        (*by_height, "a -> b"),
+        (&*by_length, "upper_front -> lower_ball"),
+    ] {
+        let said = refusal("check", &[("a.toml", &file), ("a.linkage", listing)], &[]);
+        let expected = format!(
+            "a.toml:9:9: `bump` is a drive, and a spring acts along a measure: add `measure NAME: length({line});` to the listing, and \
+             write along = \"NAME\""
+        );
+        assert_eq!(said, expected);
+    }
+}
