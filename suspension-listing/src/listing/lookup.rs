@@ -76,6 +76,15 @@ impl Listing {
         })
     }
 
+    /// The two points of a link.
+    pub(crate) fn ends_of_link(&self, name: &Ident) -> Option<&[Ident; 2]> {
+        let mut statements = self.statements.iter();
+        statements.find_map(|statement| match (statement.named()?, statement.rigid()?) {
+            ((named, Kind::LINK), Rigid::Length(ends)) if named.name == *name => Some(ends),
+            _ => None,
+        })
+    }
+
     /// The points of a body.
     pub(crate) fn body(&self, name: &Ident) -> Option<&[Ident]> {
         let (_, points) = self.bodies().find(|(other, _)| *other == name)?;

@@ -79,13 +79,10 @@ impl Marker {
     fn bad_carriers(&self, listing: &Listing) -> Error {
         let marker = &self.named.name;
         let message = match self.carriers.as_slice() {
-            [one] => {
-                let bodies = listing.bodies().filter(|(_, points)| points.len() >= 3);
-                let hint = errors::did_you_mean_name(one, bodies.map(|(body, _)| body));
-                format!(
-                    "there is no body `{one}` with three points or more to carry `{marker}`{hint}"
-                )
-            }
+            [one] => match listing.ends_of_link(one) {
+                Some(ends) => on_a_link(marker, one, ends),
+                None => no_body(marker, one, listing),
+            },
             carriers => format!(
                 "`{marker}` is carried by one body or by three points; {} names are given",
                 carriers.len()
@@ -93,4 +90,18 @@ impl Marker {
         };
         errors::at(self.carriers.first().unwrap_or(marker), message)
     }
+}
+
+fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
+    let bodies = listing.bodies().filter(|(_, points)| points.len() >= 3);
+    let hint = errors::did_you_mean_name(name, bodies.map(|(body, _)| body));
+    format!("there is no body `{name}` with three points or more to carry `{marker}`{hint}")
+}
+
+/// What a point on a link is written as.
+fn on_a_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
+    format!(
+        "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write \
+         `slide {marker}_on_{link}: {marker} on {from} -> {to};` and `link {marker}_from_{from}: {from} -> {marker};`"
+    )
 }

@@ -245,3 +245,19 @@ fn words_that_rust_keeps_to_itself_are_no_names() {
     let text = "fixed: gen, b, c;\nfree: p;\nlink one: gen -> p;\nlink two: b -> p;\ndrive z: p.z;";
     assert!(only_message(text).starts_with("the name `gen` is used by the generated code; "));
 }
+
+#[test]
+fn a_point_on_a_link_is_told_how_it_is_written() {
+    let link = "fixed: a, b, c;\nfree: p, q;\nlink one: b -> p;\nlink two: c -> p;\nlink rod: a -> p;\ndrive z: q.z;\n";
+    let rest = "link up: a -> q;\nlink down: b -> q;\n";
+    assert_eq!(
+        only_message(&format!("{link}{rest}point seat: rod;")),
+        "`rod` is a link, which carries no point; declare `seat` under `free:`, and write \
+         `slide seat_on_rod: seat on a -> p;` and `link seat_from_a: a -> seat;`"
+    );
+    let free = format!(
+        "{link}{rest}free: seat;\nslide seat_on_rod: seat on a -> p;\nlink seat_from_a: a -> seat;"
+    );
+    let read = text::parse(&free, "corner.linkage", &NoIncludes);
+    assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
+}
