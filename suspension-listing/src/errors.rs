@@ -46,6 +46,15 @@ pub(crate) fn is_of_the_parser(message: &str) -> bool {
     message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
+/// What is told of a name that is a word of Rust's, in place of what its parser says.
+pub(crate) fn keyword_as_name(message: &str) -> Option<String> {
+    let behind = message.strip_prefix("expected identifier, found keyword `")?;
+    let (word, _) = behind.split_once('`')?;
+    Some(format!(
+        "`{word}` cannot be a name, as it is a word of Rust's; choose another, `{word}_` say"
+    ))
+}
+
 pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
     Error::new(
         attribute.span(),

@@ -20,10 +20,8 @@ pub struct Mistake {
 impl Mistake {
     /// What an error says, at its place in a text.
     pub(crate) fn of(text: &str, error: &Error) -> Self {
-        let message = error.to_string().replace(
-            "expected identifier, found keyword",
-            "expected a name that is no keyword of Rust, found",
-        );
+        let message = error.to_string();
+        let message = errors::keyword_as_name(&message).unwrap_or(message);
         let (start, end) = (error.span().start(), error.span().end());
         // The parser has no place for what is missing at the end.
         if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
