@@ -1,6 +1,7 @@
 //! `suspension check`: whether hardpoints make a mechanism that works, and how well.
 
 mod condition;
+mod near_lock;
 mod report;
 
 use std::path::PathBuf;
@@ -58,6 +59,9 @@ impl Arguments {
             (ranges, loaded.own_motion_ends(interrupted)?)
         };
         let is_interrupted = interrupted.load(Ordering::Relaxed);
+        let near = near_lock::notes(mechanism, &ranges);
+        let near = near.map(|note| format!("{name}: {note}"));
+        let notes: Vec<String> = mechanism.notes.iter().cloned().chain(near).collect();
         let is_known = !is_singular && !is_interrupted;
         let report = Report {
             file: name,
@@ -73,7 +77,7 @@ impl Arguments {
                 .assemblies
                 .then(|| tally(mechanism, interrupted))
                 .flatten(),
-            notes: &mechanism.notes,
+            notes: &notes,
         };
         print(&report.text())?;
         if interrupted.load(Ordering::Relaxed) {
@@ -134,7 +138,7 @@ Reads a file as the other commands do and prints of its design position, that of
                               suspension range goes from the first instant, and has the whole curve
   motion                      whether the file's own motion is within reach, from its first instant to its last
   assemblies                  with --assemblies: how many ways there are to put the parts together
-  notes                       what the file says that its author may not have meant
+  notes                       what the file says that its author may not have meant, and locks very near the design
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
 singular, or the file's own motion is out of reach, 130 interrupted.

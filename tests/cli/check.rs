@@ -213,3 +213,21 @@ fn a_marker_on_points_that_links_make_rigid_is_not_noted() {
     let note = line(&output, "note");
     assert!(note.contains("nothing keeps `q` and `tip` apart"), "{note}");
 }
+
+/// Straight down the arm's tip is at a height of -0.2 m; the suspension is 0.64 m large.
+#[test]
+fn a_lock_very_near_the_design_is_noted() {
+    let low = |height: f64| {
+        let across = (0.25 - (height - 0.3).powi(2)).sqrt();
+        let at_height = format!("drives = {{ bump = {height:?} }}");
+        let file = arm(&format!("[0.0, {across:?}, {height:?}]"));
+        check(&file.replace("drives = { bump = 0.0 }", &at_height), &[])
+    };
+    let output = low(-0.1995);
+    let note = line(&output, "note");
+    let said = "a.toml: `bump` reaches a lock at -0.0005 m from the design, ";
+    assert!(note.contains(said), "{note}");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let output = low(-0.199);
+    assert!(line(&output, "notes").ends_with("none"), "{output:?}");
+}
