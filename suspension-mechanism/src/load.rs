@@ -11,6 +11,7 @@ mod led;
 mod listing;
 mod loaded;
 mod masses;
+mod missing_travel;
 mod notes;
 mod outlier;
 mod own_motion;

@@ -25,6 +25,7 @@ mod sensitive;
 mod spring;
 mod state;
 mod through;
+mod travel;
 mod under;
 mod vehicle;
 mod visit;

@@ -1,6 +1,7 @@
 //! What the program remarks on a file that runs.
 
 mod doubtful;
+mod travel;
 
 use super::program::{edited, example, folder, run, text};
 
@@ -97,7 +98,7 @@ fn lengths_of_the_vehicle_in_another_unit_are_remarked() {
     };
     let car = |wheelbase: &str, height: &str| {
         format!(
-            "axle = \"rear\"\nwheel_radius = 320.0\nwheelbase = {wheelbase}\ncg_height = {height}\nbrake_share = 0.4"
+            "axle = \"rear\"\nwheel_radius = 320.0\nwheelbase = {wheelbase}\ncg_height = {height}\nbrake_share = 0.4\ntravel = \"theta\""
         )
     };
     assert_eq!(notes(&file(&car("2600.0", "500.0"))), "");

@@ -116,7 +116,7 @@ fn what_is_missing_or_wrong_is_said() {
     for (arguments, expected) in [
         (
             vec!["sheet", "a.toml"],
-            "which drive moves the wheel up and down? Write [vehicle] with travel = \"NAME\"; the drives are theta",
+            "which drive moves the wheel up and down? Write [vehicle] with travel = \"theta\"; the drives are theta",
         ),
         (
             vec!["sheet", "a.toml", "--travel", "1:0"],

@@ -69,6 +69,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
             ..WheelPoints::default()
         },
         travel: Some(travel),
+        only_lifted_by: None,
         steer: Some(0),
         radius: Some(0.3),
         axle: Some(axle),

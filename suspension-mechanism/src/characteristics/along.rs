@@ -57,8 +57,9 @@ pub fn ways(
     let names = &mechanism.names;
     if names.vehicle.travel.is_empty() {
         let known = names.of_drives().join(", ");
+        let travel = names.travel_in_file(&names.wheels);
         return Err(Failure::Input(format!(
-            "{file}: which drive moves the wheel up and down? Write [vehicle] with travel = \"NAME\"; the drives are {known}"
+            "{file}: which drive moves the wheel up and down? Write [vehicle] with travel = {travel}; the drives are {known}"
         )));
     }
     let mut ways: Vec<Along> = Vec::new();

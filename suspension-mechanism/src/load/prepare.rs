@@ -11,7 +11,7 @@ use crate::load::notes::{loose_markers, notes, short_of_stop};
 use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
 use crate::load::usual_drives::in_effect;
-use crate::load::{columns, led, said_of_drives, said_of_wheels, start};
+use crate::load::{columns, led, missing_travel, said_of_drives, said_of_wheels, start};
 use crate::mechanism::{Description, DriveLaws, Lead, Mechanism, Suspension};
 
 /// The mechanism of a file, of a listing.
@@ -45,6 +45,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     }
     notes.extend(said_of_wheels::notes(&task, design, &couplings));
     notes.extend(of_drives);
+    notes.extend(missing_travel::note(&task, &names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(&task, request.instants));
     }

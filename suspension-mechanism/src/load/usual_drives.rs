@@ -46,6 +46,16 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
             wheel.steer = None;
         }
     }
+    let rates: Vec<_> = (0..names.drives.len())
+        .map(|drive| design.per(drive))
+        .collect();
+    for wheel in names
+        .wheels
+        .iter_mut()
+        .filter(|wheel| wheel.travel.is_none())
+    {
+        wheel.only_lifted_by = only_lifting(wheel, &rates);
+    }
     let Names {
         wheels, vehicle, ..
     } = &mut names;
@@ -65,6 +75,14 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
         .iter()
         .map(|(drive, wheels)| note(task, *drive, wheels));
     (names, notes.collect())
+}
+
+/// The only drive that moves a wheel up or down, of the rates of all points per each.
+fn only_lifting(wheel: &Wheel, rates: &[Option<Vec<Vector3<f64>>>]) -> Option<usize> {
+    let lifts = |rates: &Option<Vec<_>>| rates.as_ref().is_some_and(|rates| rises(wheel, rates));
+    let mut lifting = rates.iter().enumerate().filter(|(_, rates)| lifts(rates));
+    let (drive, _) = lifting.next()?;
+    lifting.next().is_none().then_some(drive)
 }
 
 fn fastest(rates: &[Vector3<f64>]) -> f64 {
@@ -94,15 +112,7 @@ pub(super) fn turns(
 fn note(task: &Task<'_>, drive: usize, wheels: &[&Wheel]) -> String {
     let (file, drive) = (task.source.name(), &task.names.drives[drive].name);
     let titles: Vec<String> = wheels.iter().map(|wheel| wheel.title("wheel")).collect();
-    let stated = match wheels {
-        [Wheel { name, .. }] if name.is_empty() => "\"NAME\"".to_owned(),
-        wheels => {
-            let each = wheels
-                .iter()
-                .map(|wheel| format!("{} = \"NAME\"", wheel.name));
-            format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
-        }
-    };
+    let stated = task.names.travel_in_file(wheels.iter().copied());
     format!(
         "{file}: the drive `{drive}` does not move the {} up or down; write travel = {stated} under [vehicle] where another does",
         titles.join(" and the ")

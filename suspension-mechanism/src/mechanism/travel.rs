@@ -1,0 +1,31 @@
+//! What a file that does not name the drives of travel would say.
+
+use crate::mechanism::names::Names;
+use crate::mechanism::vehicle::Wheel;
+
+impl Names {
+    /// What `travel` is under `[vehicle]` for some of the wheels: the drives that alone lift them, `NAME` of a wheel without one.
+    pub fn travel_in_file<'a>(&self, wheels: impl IntoIterator<Item = &'a Wheel>) -> String {
+        let quoted = |wheel: &Wheel| {
+            let drive = wheel
+                .only_lifted_by
+                .and_then(|drive| self.drives.get(drive));
+            format!("{:?}", drive.map_or("NAME", |drive| drive.name.as_str()))
+        };
+        let each: Vec<(&str, String)> = wheels
+            .into_iter()
+            .map(|wheel| (wheel.name.as_str(), quoted(wheel)))
+            .collect();
+        match each.as_slice() {
+            [] => "\"NAME\"".to_owned(),
+            [("", drive)] => drive.clone(),
+            each => {
+                let each: Vec<_> = each
+                    .iter()
+                    .map(|(wheel, drive)| format!("{wheel} = {drive}"))
+                    .collect();
+                format!("{{ {} }}", each.join(", "))
+            }
+        }
+    }
+}

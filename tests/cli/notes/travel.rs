@@ -1,0 +1,50 @@
+//! Wheels whose drives of travel are not found by their names.
+
+use super::super::program::{folder, run, text};
+use super::notes;
+
+/// Two arms, each with a wheel.
+fn arms(vehicle: &str) -> String {
+    let side = |wheel: &str, word: &str, side: f64| {
+        let [inner, axle, outer] = [0.3, 0.6, 0.7].map(|y| side * y);
+        format!(
+            "fixed: {wheel}_front at [0.2, {inner:?}, 0.2], {wheel}_rear at [-0.2, {inner:?}, 0.2];\n\
+             free: {wheel}_wc at [0, {outer:?}, 0.3];\nhinge {wheel}_arm: {wheel}_front, {wheel}_rear -> {wheel}_wc;\n\
+             point {wheel}_axle: {wheel}_arm at [0, {axle:?}, 0.3];\ndrive bump_{word}: {wheel}_wc.z;\n\
+             wheel {wheel}: {wheel}_axle -> {wheel}_wc;\n"
+        )
+    };
+    let [left, right] = [side("fl", "left", 1.0), side("fr", "right", -1.0)];
+    format!(
+        "unit = 'm'\nstatements = '''\n{left}{right}'''\ntime = {{ instants = [0.0] }}\n\
+         drives = {{ bump_left = 0.3, bump_right = 0.3 }}\n[vehicle]\nwheel_radius = 0.3\n{vehicle}"
+    )
+}
+
+const TRAVEL: &str = "travel = { fl = \"bump_left\", fr = \"bump_right\" }";
+const CAR: &str = "axle = \"front\"\nwheelbase = 2.6\ncg_height = 0.5\nbrake_share = 0.6\n";
+
+#[test]
+fn the_travel_of_each_wheel_is_proposed_where_it_is_needed() {
+    let told = notes(&arms(CAR));
+    assert_eq!(
+        told,
+        format!(
+            "note: a.toml: no drive is named as the travel of the fl wheel and the fr wheel, and quantities of [vehicle] that need it are \
+             left out; write {TRAVEL} under [vehicle]\n"
+        )
+    );
+    assert_eq!(notes(&arms(&format!("{CAR}{TRAVEL}\n"))), "");
+    assert_eq!(notes(&arms("")), "");
+}
+
+#[test]
+fn a_sheet_proposes_the_travel_of_each_wheel() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), arms("")).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let said = text(&output.stderr);
+    let expected = format!("Write [vehicle] with {TRAVEL}; the drives are bump_left, bump_right\n");
+    assert!(said.ends_with(&expected), "{said}");
+}
