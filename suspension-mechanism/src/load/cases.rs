@@ -112,7 +112,17 @@ impl Reader<'_> {
                 case.at.push((site, load));
             }
             (Load::By(by), _) => match (drive, measure(by).or(self.measure_of_spring(by))) {
-                (Some(drive), Some(measure)) => case.borne_by.push((drive, measure)),
+                (Some(drive), Some(measure)) => {
+                    if let Some((other, _)) = case.borne_by.iter().find(|(_, own)| *own == measure)
+                    {
+                        let other = &self.mechanism.names.drives[*other].name;
+                        return refuse(format!(
+                            "`{by}` is to bear the loads of both `{other}` and `{name}`, and one spring bears that of one drive; name \
+                             another spring or measure for `{name}`"
+                        ));
+                    }
+                    case.borne_by.push((drive, measure));
+                }
                 (None, _) => {
                     let drives = self.mechanism.names.of_drives().join(", ");
                     return refuse(format!("`{name}` is no drive; the drives are {drives}"));

@@ -44,6 +44,11 @@ fn what_is_no_load_is_refused_with_its_place() {
             "unknown measure or spring `dampr`; known are damper, bar_arm; did you mean `damper`?",
         ),
         (
+            "[loads.a]\nbump = \"damper\"\nsteer = \"damper\"\n",
+            "a.toml:10:9: `damper` is to bear the loads of both `bump` and `steer`, and one spring bears that of one drive; name \
+             another spring or measure for `steer`",
+        ),
+        (
             "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
             "the name of a load case is part of names of files and columns; leave out `/`",
         ),
