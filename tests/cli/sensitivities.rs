@@ -187,3 +187,27 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
         "no quantity begins with `toe`; did you mean left_toe, right_toe, total_toe? known are ";
     assert!(text(&output.stderr).contains(expected), "{output:?}");
 }
+
+/// Arms that are parallel have no instant centre.
+#[test]
+fn a_quantity_without_a_value_is_not_said_to_be_unknown() {
+    let folder = folder();
+    let statements = "fixed: lf at [0.2, 0.35, 0.16], lr at [-0.2, 0.35, 0.16], uf at [0.2, 0.35, 0.42], ur at [-0.2, 0.35, 0.42];\n\
+                      fixed: rack at [-0.1, 0.35, 0.29];\n\
+                      free: lb at [0, 0.7, 0.16], ub at [0, 0.7, 0.42], tb at [-0.1, 0.7, 0.29], wc at [0, 0.75, 0.3];\n\
+                      hinge lower: lf, lr -> lb;\nhinge upper: uf, ur -> ub;\nlink tie: rack -> tb;\n\
+                      body upright: lb, ub, tb, wc;\npoint axle: upright at [0, 0.65, 0.3];\ndrive bump: wc.z;\nwheel: axle -> wc;\n";
+    let file = format!(
+        "unit = 'm'\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\n\
+         statements = '''\n{statements}'''\n"
+    );
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &["sensitivities", "a.toml", "--of", "front_arm"],
+    );
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let said = text(&output.stderr);
+    let expected = "`front_arm` has no value at the design position, and so no sensitivities; ";
+    assert!(said.contains(expected), "{said}");
+}

@@ -78,12 +78,17 @@ pub(super) struct Number {
 impl Report<'_> {
     /// All numbers that the mechanism has at its design position.
     pub(super) fn numbers(&self) -> impl Iterator<Item = Number> {
+        let all = self.all_numbers();
+        all.filter(move |at| self.found.values[at.column][at.number].is_finite())
+    }
+
+    /// The same with those that have no value there.
+    fn all_numbers(&self) -> impl Iterator<Item = Number> {
         let columns = 0..self.found.columns.len();
-        let all = columns.flat_map(move |column| {
+        columns.flat_map(move |column| {
             let numbers = 0..self.found.values[column].len();
             numbers.map(move |number| self.number(column, number))
-        });
-        all.filter(move |at| self.found.values[at.column][at.number].is_finite())
+        })
     }
 
     fn number(&self, at: usize, number: usize) -> Number {
@@ -103,7 +108,7 @@ impl Report<'_> {
         }
     }
 
-    /// Refuses a name with which no number's begins.
+    /// Refuses a name with which no number's begins, or only those of numbers without a value.
     ///
     /// # Errors
     ///
@@ -114,6 +119,15 @@ impl Report<'_> {
         let Some(wanted) = of.iter().find(|wanted| !is_known(wanted)) else {
             return Ok(());
         };
+        if self
+            .all_numbers()
+            .any(|number| number.title.starts_with(wanted))
+        {
+            return Err(format!(
+                "`{wanted}` has no value at the design position, and so no sensitivities; suspension motion --help says where quantities \
+                 have none"
+            ));
+        }
         let known = titles.iter().filter(|title| !title.contains(' '));
         let known: Vec<String> = known.cloned().collect();
         let (meant, known) = (meant(wanted, &known), known.join(", "));
