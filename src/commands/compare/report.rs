@@ -68,7 +68,20 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
         })
     };
     let alone = alone(a, b, "B").chain(alone(b, a, "A"));
-    unlike.chain(alone).chain(across).collect()
+    let notes = unlike.chain(alone).chain(across);
+    notes.chain(unlike_steering(sides)).collect()
+}
+
+/// Says so where steering holds the wheels at their height in one of the suspensions alone.
+fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
+    let (in_a, in_b) = (a.keeps_height_in_steering()?, b.keeps_height_in_steering()?);
+    let [keeps, other] = if in_a { ["A", "B"] } else { ["B", "A"] };
+    (in_a != in_b).then(|| {
+        format!(
+            "the drive of travel of {keeps} keeps the height of the wheel centre in steering, that of {other} does not: what is per steer \
+             and over steer is not of the same motion"
+        )
+    })
 }
 
 /// Says so where a wheel on the left is compared with one on the right.

@@ -82,6 +82,21 @@ impl Side {
         self.ways.iter().any(|way| way.does == Does::Steer)
     }
 
+    /// Whether the wheel centres stay at their height as the drive of steering turns the wheels; `None` where no drive does.
+    pub(super) fn keeps_height_in_steering(&self) -> Option<bool> {
+        /// Per unit of the drive.
+        const ROUNDING: f64 = 1e-9;
+        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let heights = self
+            .parameters
+            .iter()
+            .filter(|parameter| parameter.is(&CENTRE, Axis::Z));
+        let rates: Option<Vec<f64>> = heights
+            .map(|height| Some(height.per[steer].as_ref()?.value))
+            .collect();
+        Some(rates?.iter().all(|rate| rate.abs() < ROUNDING))
+    }
+
     /// The place of what does the same in another suspension: of the drive of travel of a wheel whose name both have, that wheel's.
     pub(super) fn same_way(&self, other: &Self, way: usize) -> Option<usize> {
         let place_of = |side: &Self, name: &str| {

@@ -52,6 +52,25 @@ drives = {{ bump = {value:?} }}
     )
 }
 
+/// Held by its damper, a steered wheel rises and falls.
+#[test]
+fn what_steering_holds_is_told_where_it_is_not_the_same() {
+    let listing =
+        include_str!("../../../suspension-core/src/linkages/double_wishbone_pushrod.linkage");
+    let by_damper = listing.replace("wheel_centre.z;", "length(damper_inner -> damper_outer);");
+    assert_ne!(listing, by_damper);
+    let stated = format!("statements = \"\"\"\n{by_damper}\"\"\"\n");
+    let by_damper = CORNER.replace("linkage = \"double_wishbone_pushrod\"\n", &stated);
+    let by_damper = by_damper.replace("bump = 0.3", "bump = 0.24083189157584592");
+    let options = ["--travel", "-0.01:0.01"];
+    let said = "the drive of travel of A keeps the height of the wheel centre in steering, that of B does not";
+    let (_folder, output) = compare(CORNER, &by_damper, &options);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(text(&output.stdout).contains(said), "{output:?}");
+    let (_folder, output) = compare(&by_damper, &by_damper, &options);
+    assert!(!text(&output.stdout).contains("in steering"), "{output:?}");
+}
+
 #[test]
 fn travel_goes_upwards_whatever_the_drive_counts() {
     let up = led_by("wheel_centre.z", 301.0);
