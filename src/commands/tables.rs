@@ -154,13 +154,16 @@ Of the wheel in travel, the others of its axle moving with it. Compression, or j
 design position. Angles of the carrier are rotations about the axes of ISO 8855, x forward, y left, z up.
 
 CarSim: CAMBER_TABLE, TOE_TABLE, SUSP_DIVE_TABLE, SUSP_X_TABLE and SUSP_LAT_TABLE, changes from the design position over jounce,
-in mm and deg, and the static angles A_CAMBER and A_TOE. Camber is positive where the top leans outboard, toe where the
-front points inboard, dive where the top moves forward, X forward; LAT is positive inboard. The form is that of the library files of
-CarSim 2021; hold the signs of toe and dive against your version.
+in mm and deg, and the static angles A_CAMBER and A_TOE. Camber and toe are those of the spin axis; dive is atan2(R02, R22) of the
+carrier's rotation R since the design position, rows and columns counted from 0. Camber is positive where the top leans outboard, toe
+where the front points inboard, dive where the top moves forward, X forward; LAT is positive inboard. The form is that of the library
+files of CarSim 2021; hold the signs of toe and dive against your version.
 
 CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
 rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
-ry, rz rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx camber as seen along the wheel. Lengths that are measured under names with
+ry, rz rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx camber as seen along the wheel. They are
+the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: at the design position rx and rz are static camber
+and toe, and ry is 0. Lengths that are measured under names with
 the word spring, damper, or bar are lSpring, lDamp, lStabi; without a measure named so the length of a spring of [springs] that is no
 bar is lSpring. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, the right wheel as the left one's mirror
 image, where the listing has one wheel or both are that, else the wheel's side.
