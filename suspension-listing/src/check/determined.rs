@@ -8,7 +8,8 @@ use crate::kind::Kind;
 use crate::listing::Listing;
 use crate::matching::augment;
 use crate::name::Name;
-use crate::system::{AXES, Equation, System};
+use crate::system::{AXES, Body, Equation, Site, System};
+use crate::vector::{Vector, cross, minus, norm};
 
 /// Checks that there are as many equations as unknowns, and that each equation can be given an unknown
 /// of its own (structural rank).
@@ -40,7 +41,9 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     let (equations, unknowns) = (system.rows().len(), system.size());
     let remedy = if equations < unknowns {
         let missing = unknowns - equations;
-        format!("{missing} more needed: add a link, a drive, or list a point in its body")
+        let spinning = system.bodies.iter().find_map(|body| spinning(system, body));
+        let spinning = spinning.unwrap_or_default();
+        format!("{missing} more needed: add a link, a drive, or list a point in its body{spinning}")
     } else {
         let excess = equations - unknowns;
         format!("{excess} too many: remove a link or a drive")
@@ -64,6 +67,38 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
              points{scalars}; {remedy}{note}"
         ),
     )
+}
+
+/// The sine up to which a body's points count as in line, as in models.
+const IN_LINE: f64 = 1e-2;
+
+/// What is told of a body whose points lie in line at the design, where that is stated.
+fn spinning(system: &System, body: &Body) -> Option<String> {
+    let stated = |site: &Site| {
+        let points = if site.is_free() {
+            &system.free
+        } else {
+            &system.fixed
+        };
+        points.get(site.index)?.at
+    };
+    let places: Option<Vec<Vector>> = body.points().map(stated).collect();
+    let [first, second, others @ ..] = places.as_deref()? else {
+        return None;
+    };
+    let along = minus(*second, *first);
+    let is_in_line = |at: &Vector| {
+        let from = minus(*at, *first);
+        norm(cross(along, from)) <= IN_LINE * norm(along) * norm(from)
+    };
+    let [a, b, c] = &body.frame.each_ref().map(|site| &site.name);
+    others.iter().all(is_in_line).then(|| {
+        format!(
+            "; the points of body `{}` lie in line, about which it spins: in its place write `link NAME: {a} -> {b};`, unless \
+             another body keeps these, and for each other point `slide NAME: {c} on {a} -> {b};` and `link NAME: {a} -> {c};`",
+            body.name
+        )
+    })
 }
 
 /// How many equations are of the statements of each kind.

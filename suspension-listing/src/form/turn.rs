@@ -4,7 +4,7 @@
 use super::{Dependence, Equations};
 use crate::name::Name;
 use crate::site::Site;
-use crate::vector::{Vector, cross, dot, minus};
+use crate::vector::{Vector, cross, dot, minus, norm};
 
 #[derive(Clone, Debug)]
 pub struct Turn {
@@ -13,10 +13,6 @@ pub struct Turn {
     /// The unknowns' names.
     pub sine: Name,
     pub cosine: Name,
-}
-
-fn norm(vector: Vector) -> f64 {
-    dot(vector, vector).sqrt()
 }
 
 fn lines(at: &[Vector]) -> [Vector; 3] {

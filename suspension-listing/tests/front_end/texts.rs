@@ -272,3 +272,19 @@ fn a_point_on_a_link_is_told_how_it_is_written() {
     let read = text::parse(&free, "corner.linkage", &NoIncludes);
     assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
 }
+
+#[test]
+fn a_body_in_line_is_said_to_spin_where_an_equation_is_missing() {
+    let rod = |middle: &str| {
+        format!(
+            "fixed: a at [0, 0, 0], b at [0, 1, 0];\nfree: p at [0, 0, 1], q at [0, 1, 1], r at {middle};\nbody rod: p, q, r;\n\
+             link one: a -> p;\nlink two: b -> q;\nlink three: b -> p;\ndrive y: q.y;\ndrive x: p.x;"
+        )
+    };
+    let said = only_message(&rod("[0, 0.5, 1]"));
+    let expected = "; the points of body `rod` lie in line, about which it spins: in its place write `link NAME: p -> q;`, unless another \
+                    body keeps these, and for each other point `slide NAME: r on p -> q;` and `link NAME: p -> r;`";
+    assert!(said.ends_with(expected), "{said}");
+    let said = only_message(&rod("[0.1, 0.5, 1]"));
+    assert!(said.ends_with("or list a point in its body"), "{said}");
+}
