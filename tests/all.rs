@@ -35,7 +35,7 @@ mod without_a_wheel;
 
 use std::path::Path;
 
-/// The file names of a test program's modules, without those in folders.
+/// The file names of a test program's modules, without those in folders and the build script.
 fn files_of(folder: &Path) -> Vec<String> {
     let files = std::fs::read_dir(folder)
         .expect("the folder")
@@ -43,6 +43,7 @@ fn files_of(folder: &Path) -> Vec<String> {
     let sources = files.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
     sources
         .map(|path| path.file_stem().expect("a name").display().to_string())
+        .filter(|name| name != "build")
         .collect()
 }
 

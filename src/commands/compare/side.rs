@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
+use crate::quantities::{Axis, CENTRE};
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
