@@ -69,7 +69,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
             ..WheelPoints::default()
         },
         travel: Some(travel),
-        only_lifted_by: None,
+        lifted_by: Vec::new(),
         steer: Some(0),
         radius: Some(0.3),
         axle: Some(axle),

@@ -5,32 +5,54 @@ use toml::Spanned;
 use crate::load::task::Task;
 use crate::mechanism::{Names, Wheel};
 
-/// A note with what to write, where each such wheel is lifted by one drive alone; `names` are those in effect, and wheels whose
-/// drive of travel has the usual name but does not lift them are noted elsewhere.
+/// A note with what to write; `names` are those in effect, and wheels whose drive of travel has the usual name but does not lift them are
+/// noted elsewhere.
 pub(super) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let shares = vehicle.is_some_and(|vehicle| {
-        vehicle.cg_height.is_some()
-            || vehicle.brake_share.is_some()
-            || vehicle.drive_share.is_some()
-    });
-    let needed_by = match (&task.file.springs, shares) {
-        (Some(_), _) => "[springs]",
-        (None, true) => "[vehicle]",
-        (None, false) => return None,
-    };
     let in_effect = names.wheels.iter().zip(&task.names.wheels);
     let without = in_effect.filter(|(_, stated)| stated.travel.is_none());
     let without: Vec<&Wheel> = without.map(|(wheel, _)| wheel).collect();
-    if without.is_empty() || without.iter().any(|wheel| wheel.only_lifted_by.is_none()) {
+    let [first, ..] = without.as_slice() else {
         return None;
-    }
+    };
+    let all = |has: fn(usize) -> bool| without.iter().all(|wheel| has(wheel.lifted_by.len()));
+    let has_several = all(|drives| drives > 1);
+    let needed_by = needed_by(task, has_several)?;
     let titles: Vec<String> = without.iter().map(|wheel| wheel.title("wheel")).collect();
-    let stated = names.travel_in_file(without);
-    Some(format!(
-        "{}: no drive is named as the travel of the {}, and quantities of {needed_by} that need it are left out; write travel = {stated} \
-         under [vehicle]",
-        task.source.name(),
-        titles.join(" and the ")
-    ))
+    let (file, titles) = (task.source.name(), titles.join(" and the "));
+    if has_several {
+        let drives = first
+            .lifted_by
+            .iter()
+            .map(|drive| &names.drives[*drive].name);
+        let drives: Vec<String> = drives.map(|name| format!("`{name}`")).collect();
+        let centre = &names.points[first.points.axis[1]];
+        return Some(format!(
+            "{file}: {} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \
+             left out; in place of these write one for each, as `drive NAME: {centre}.z;`",
+            drives.join(" and ")
+        ));
+    }
+    all(|drives| drives == 1).then(|| {
+        format!(
+            "{file}: no drive is named as the travel of the {titles}, and quantities of {needed_by} that need it are left out; write \
+             travel = {} under [vehicle]",
+            names.travel_in_file(without.iter().copied())
+        )
+    })
+}
+
+/// The table of the file that needs the travel of wheels; the ground under a wheel does only where no drive is its travel alone.
+fn needed_by(task: &Task<'_>, has_several: bool) -> Option<&'static str> {
+    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
+    let is_car = vehicle.is_some_and(|vehicle| {
+        vehicle.cg_height.is_some()
+            || vehicle.brake_share.is_some()
+            || vehicle.drive_share.is_some()
+            || has_several && vehicle.wheel_radius.is_some()
+    });
+    if task.file.springs.is_some() {
+        Some("[springs]")
+    } else {
+        is_car.then_some("[vehicle]")
+    }
 }

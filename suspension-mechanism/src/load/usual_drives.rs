@@ -54,7 +54,7 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
         .iter_mut()
         .filter(|wheel| wheel.travel.is_none())
     {
-        wheel.only_lifted_by = only_lifting(wheel, &rates);
+        wheel.lifted_by = lifting(wheel, &rates);
     }
     let Names {
         wheels, vehicle, ..
@@ -77,12 +77,12 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     (names, notes.collect())
 }
 
-/// The only drive that moves a wheel up or down, of the rates of all points per each.
-fn only_lifting(wheel: &Wheel, rates: &[Option<Vec<Vector3<f64>>>]) -> Option<usize> {
+/// The drives that move a wheel up or down and do not steer it, of the rates of all points per each.
+fn lifting(wheel: &Wheel, rates: &[Option<Vec<Vector3<f64>>>]) -> Vec<usize> {
     let lifts = |rates: &Option<Vec<_>>| rates.as_ref().is_some_and(|rates| rises(wheel, rates));
-    let mut lifting = rates.iter().enumerate().filter(|(_, rates)| lifts(rates));
-    let (drive, _) = lifting.next()?;
-    lifting.next().is_none().then_some(drive)
+    let drives = rates.iter().enumerate();
+    let lifting = drives.filter(|(drive, rates)| wheel.steer != Some(*drive) && lifts(rates));
+    lifting.map(|(drive, _)| drive).collect()
 }
 
 fn fastest(rates: &[Vector3<f64>]) -> f64 {

@@ -7,10 +7,11 @@ impl Names {
     /// What `travel` is under `[vehicle]` for some of the wheels: the drives that alone lift them, `NAME` of a wheel without one.
     pub fn travel_in_file<'a>(&self, wheels: impl IntoIterator<Item = &'a Wheel>) -> String {
         let quoted = |wheel: &Wheel| {
-            let drive = wheel
-                .only_lifted_by
-                .and_then(|drive| self.drives.get(drive));
-            format!("{:?}", drive.map_or("NAME", |drive| drive.name.as_str()))
+            let drive = match *wheel.lifted_by {
+                [only] => &self.drives[only].name,
+                _ => "NAME",
+            };
+            format!("{drive:?}")
         };
         let each: Vec<(&str, String)> = wheels
             .into_iter()

@@ -42,8 +42,8 @@ pub struct Wheel {
     pub points: WheelPoints,
     /// The number of the drive that moves it up and down.
     pub travel: Option<usize>,
-    /// Where no drive is known to: the only one that does at the design position.
-    pub only_lifted_by: Option<usize>,
+    /// Where no drive is known to: those that do at the design position.
+    pub lifted_by: Vec<usize>,
     /// The number of the drive that steers it.
     pub steer: Option<usize>,
     /// From its centre to the ground, in the unit of lengths.

@@ -48,3 +48,22 @@ fn a_sheet_proposes_the_travel_of_each_wheel() {
     let expected = format!("Write [vehicle] with {TRAVEL}; the drives are bump_left, bump_right\n");
     assert!(said.ends_with(&expected), "{said}");
 }
+
+#[test]
+fn wheels_that_heave_and_roll_are_told_what_they_lack() {
+    let both = arms("")
+        .replace("drive bump_left: fl_wc.z;\n", "")
+        .replace(
+            "drive bump_right: fr_wc.z;",
+            "drive heave: 0.5 fl_wc.z + 0.5 fr_wc.z;\ndrive roll: fl_wc.z - fr_wc.z;",
+        )
+        .replace(
+            "bump_left = 0.3, bump_right = 0.3",
+            "heave = 0.3, roll = 0.0",
+        );
+    assert_eq!(
+        notes(&both),
+        "note: a.toml: `heave` and `roll` together move the fl wheel and the fr wheel up and down, and quantities of [vehicle] that need a \
+         drive of travel for each wheel are left out; in place of these write one for each, as `drive NAME: fl_wc.z;`\n"
+    );
+}
