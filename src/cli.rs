@@ -55,7 +55,7 @@ pub enum Command {
     Compare(compare::Arguments),
     /// Draws the mechanism of a file at its first instant.
     ///
-    /// Chassis points, links, slides, bodies, measured lengths, kingpin and wheel, as SVG.
+    /// Chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel, as SVG.
     Draw(draw::Arguments),
     /// Makes a motion file of an engineer's hardpoints.
     ///

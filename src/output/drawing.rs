@@ -1,4 +1,4 @@
-//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, measured lengths, the wheels and their axes.
+//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, driven and measured lengths, the wheels and their axes.
 
 mod axes;
 mod disc;

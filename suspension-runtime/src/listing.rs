@@ -155,13 +155,16 @@ impl Listing {
         }
     }
 
-    /// The two points of each measured length, by their places.
-    pub fn measured_lengths(&self) -> Vec<[usize; 2]> {
-        let quantities = self.system.measures.iter().map(|measure| &measure.quantity);
-        let lines = quantities.filter_map(|quantity| match quantity {
-            Quantity::Length { line: [from, to] } => Some([from, to]),
-            _ => None,
-        });
+    /// The two points of each length that is driven or measured, by their places.
+    pub fn driven_and_measured_lengths(&self) -> Vec<[usize; 2]> {
+        let drives = self.system.drives.iter().map(|drive| &drive.quantity);
+        let measures = self.system.measures.iter().map(|measure| &measure.quantity);
+        let lines = drives
+            .chain(measures)
+            .filter_map(|quantity| match quantity {
+                Quantity::Length { line: [from, to] } => Some([from, to]),
+                _ => None,
+            });
         let places = lines
             .filter_map(|[from, to]| Some([self.point(from.as_str())?, self.point(to.as_str())?]));
         places.collect()

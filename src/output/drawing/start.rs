@@ -27,7 +27,7 @@ pub fn drawing_of(
         chassis: names.chassis,
         links: listing.links(),
         slides: listing.slides(),
-        lengths: listing.measured_lengths(),
+        lengths: listing.driven_and_measured_lengths(),
         bodies: listing.bodies(),
         wheels: names.wheels.iter().map(of_wheel).collect(),
         others: Vec::new(),
