@@ -46,12 +46,12 @@ pub(crate) fn is_of_the_parser(message: &str) -> bool {
     message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
-/// What is told of a name that is a word of Rust's, in place of what its parser says.
+/// The message for a name that is a keyword of Rust, in place of that of `syn`.
 pub(crate) fn keyword_as_name(message: &str) -> Option<String> {
     let behind = message.strip_prefix("expected identifier, found keyword `")?;
     let (word, _) = behind.split_once('`')?;
     Some(format!(
-        "`{word}` cannot be a name, as it is a word of Rust's; choose another, `{word}_` say"
+        "`{word}` is a keyword of Rust and cannot be a name; choose another, for example `{word}_`"
     ))
 }
 

@@ -3,7 +3,7 @@
 
 mod clusters;
 mod elimination;
-mod lengths;
+pub(crate) mod lengths;
 mod places;
 mod readout;
 mod room;

@@ -69,10 +69,10 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     )
 }
 
-/// The sine up to which a body's points count as in line, as in models.
+/// The sine up to which a body's points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend.
 const IN_LINE: f64 = 1e-2;
 
-/// What is told of a body whose points lie in line at the design, where that is stated.
+/// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.
 fn spinning(system: &System, body: &Body) -> Option<String> {
     let stated = |site: &Site| {
         let points = if site.is_free() {

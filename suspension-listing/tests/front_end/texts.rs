@@ -246,7 +246,7 @@ fn words_that_rust_keeps_to_itself_are_no_names() {
     ] {
         assert_eq!(
             only_message(text),
-            "`box` cannot be a name, as it is a word of Rust's; choose another, `box_` say"
+            "`box` is a keyword of Rust and cannot be a name; choose another, for example `box_`"
         );
     }
     let renamed =

@@ -7,7 +7,7 @@ use suspension_core::generated::difference;
 use suspension_listing::form;
 
 use super::{Entries, Place, Walked};
-use crate::plan::LineLength;
+use crate::plan::lengths::LineLength;
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{SPARE, Table, index, put, put_three};
 

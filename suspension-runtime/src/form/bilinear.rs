@@ -7,7 +7,7 @@ use suspension_listing::form;
 use suspension_listing::system::System;
 
 use super::{Entries, Place, Walked};
-use crate::plan::LineLength;
+use crate::plan::lengths::LineLength;
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{SPARE, Table, index, put, put_sum};
 

@@ -7,7 +7,7 @@ use suspension_listing::form;
 use suspension_listing::system::{self, pair_name};
 
 use super::{Entries, Place, Walked};
-use crate::plan::LengthNames;
+use crate::plan::lengths::LengthNames;
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{SPARE, Table, index, put_three};
 

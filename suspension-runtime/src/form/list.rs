@@ -6,7 +6,7 @@ use suspension_listing::system::System;
 use super::entering::Equations;
 use super::place::Place;
 use super::{Along, Bilinear, Body, Distance, Linear, Product, Scale, Stretch, Turn};
-use crate::plan::LengthNames;
+use crate::plan::lengths::LengthNames;
 
 /// The equations of a listing by their forms.
 #[derive(Clone, Debug, Default)]

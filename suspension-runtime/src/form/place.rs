@@ -3,7 +3,7 @@
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
-use crate::plan::LengthNames;
+use crate::plan::lengths::LengthNames;
 use crate::site::Site;
 
 /// Where an equation stands.

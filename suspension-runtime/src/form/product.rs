@@ -7,7 +7,7 @@ use suspension_core::generated::{difference, dot};
 use suspension_listing::form;
 
 use super::{Entries, Place, Walked, put_vector};
-use crate::plan::LineLength;
+use crate::plan::lengths::LineLength;
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{Table, index, put, put_sum};
 
