@@ -17,6 +17,7 @@ use crate::file::Source;
 use crate::grid::Swept;
 use crate::load::load;
 use crate::loads::Structure;
+use crate::mechanism::Names;
 use crate::output::beside::{in_out, name_of};
 use crate::output::rows::Forms;
 use crate::output::target::Target;
@@ -73,8 +74,7 @@ impl Arguments {
         let mechanism = &*mechanism;
         let cases = loaded.load_cases(mechanism)?;
         if cases.is_empty() {
-            let message = "no load case; write [loads.braking] with a line for each load, as contact = [-3000.0, 0.0, 4000.0]";
-            return Err(source.refuse(&(0..0), message));
+            return Err(source.refuse(&(0..0), no_case(&mechanism.names)));
         }
         let structure = Structure::of(loaded.listing());
         let run = Run {
@@ -160,3 +160,17 @@ some cases no answer, 130 interrupted.
 
 Example:
   suspension loads examples/double_wishbone_rocker.toml --drive bump=-0.05:0.05:21";
+
+/// What to write in a file without a load case, with a spring of the file that bears the load of a drive of travel.
+fn no_case(names: &Names) -> String {
+    let vehicle = &names.vehicle;
+    let borne = vehicle.travel.first().zip(vehicle.springs.first());
+    let borne = borne.map(|(drive, spring)| {
+        let (drive, spring) = (&names.drives[*drive].name, &spring.name);
+        format!(", and {drive} = \"{spring}\" for the spring to bear what the drive would")
+    });
+    format!(
+        "no load case; write [loads.braking] with a line for each load, as contact = [-3000.0, 0.0, 4000.0]{}",
+        borne.unwrap_or_default()
+    )
+}

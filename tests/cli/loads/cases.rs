@@ -8,6 +8,10 @@ fn what_is_no_load_is_refused_with_its_place() {
     for (case, expected) in [
         ("", "no load case; write [loads.braking]"),
         (
+            "[springs.coil]\nalong = \"damper\"\nrate = 60000.0\n",
+            "4000.0], and bump = \"coil\" for the spring to bear what the drive would",
+        ),
+        (
             "[loads.a]\ncontakt = [0.0, 0.0, 1.0]\n",
             "unknown place `contakt`; loads act at contact, ",
         ),
