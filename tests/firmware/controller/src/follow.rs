@@ -1,13 +1,12 @@
 //! Through the published motion, one counted call a step.
 
 use suspension_core::nalgebra::{SVector, Vector3};
-use suspension_core::{
-    Bounded, Build, Inputs, Linkage, Motion, Real, SolveError, Still, Tracker, Values,
-};
+use suspension_core::report as solver;
+use suspension_core::{Inputs, Linkage, Motion, Real, SolveError, Still, Values};
 
 use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
-use crate::published::{self, Knuckle, STEP, STEPS};
+use crate::published::{self, Published, STEPS};
 
 /// Gauges what a call takes: instructions, or bytes of stack.
 pub trait Gauge {
@@ -44,10 +43,6 @@ impl Report {
     }
 }
 
-/// A step of a solver, with what it tells of itself.
-pub type Step<T, L, R, E> =
-    fn(&L, &Inputs<Still, <L as Linkage<15>>::Drives>, &mut Motion<T, 15>) -> Result<R, E>;
-
 /// What forces do.
 pub struct Borne<T> {
     /// Of each equation.
@@ -68,31 +63,24 @@ pub type OfForces<T, L> = fn(
 pub type LookUp<T> = fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool;
 
 /// Follows the motion with the steps of a solver; or the number of the first step that
-/// fails.
-pub fn solved<T, L, R, E>(
+/// fails. A type for each step makes its call a direct one.
+pub fn solved<T, L, E>(
     gauge: &impl Gauge,
-    step: Step<T, L, R, E>,
-    residual: impl Fn(R) -> T,
+    step: impl Fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Result<solver::Report<T>, E>,
 ) -> Result<Report, u32>
 where
     T: Real + Bits + Into<f64>,
-    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
+    L: Published<Scalar = T>,
 {
-    let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
-    let at = published::inputs::<T, L>;
-    // From rest to the rates of the motion.
-    let set_off = Bounded::<T>::default();
-    set_off
-        .step(&model, &at(0), T::zero(), &mut motion)
-        .map_err(|_| 0_u32)?;
+    let (model, mut motion) = L::start().ok_or(0_u32)?;
     let mut report = Report::new();
     let mut checksum = Checksum::new();
     for number in 1..=STEPS {
-        let inputs = at(number);
+        let inputs = published::inputs::<T, L>(number);
         let (done, taken) = gauge.gauge(|| step(&model, &inputs, &mut motion));
         report.add(taken);
         let done = done.map_err(|_| number)?;
-        report.residual = report.residual.max(residual(done).into());
+        report.residual = report.residual.max(done.residual().into());
         checksum.add(&motion.position);
         checksum.add(&motion.velocity);
         checksum.add(&motion.acceleration);
@@ -105,9 +93,9 @@ where
 pub fn loaded<T, L>(gauge: &impl Gauge, of_forces: OfForces<T, L>) -> Result<Report, u32>
 where
     T: Real + Bits + Into<f64>,
-    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
+    L: Published<Scalar = T>,
 {
-    let (model, mut motion) = published::start::<T, L>().ok_or(0_u32)?;
+    let (model, mut motion) = L::start().ok_or(0_u32)?;
     // On each point of the chassis and of the knuckle, N.
     let forces = (0..11_u8).map(|point| {
         let number = T::constant(f64::from(point));
@@ -118,8 +106,9 @@ where
     let mut checksum = Checksum::new();
     for number in 1..=STEPS {
         let inputs = published::inputs::<T, L>(number);
-        let step = Tracker::default().step(&model, &inputs, T::constant(STEP), &mut motion);
-        step.map_err(|_| number)?;
+        if !model.advance(number, &mut motion) {
+            return Err(number);
+        }
         let drives = &inputs.drives.value;
         let (borne, taken) = gauge.gauge(|| of_forces(&model, drives, &motion.position, &forces));
         report.add(taken);

@@ -3,8 +3,10 @@
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::{
-    Build, Inputs, Motion, Newton, Real, Scalar, Signal, Still, Values, assemble,
+    Bounded, Build, Inputs, Motion, Newton, Real, Signal, Still, Values, assemble,
 };
+
+use crate::steps;
 
 /// The length of a step, s.
 pub const STEP: f64 = 1e-3;
@@ -31,45 +33,57 @@ const POINTS: [[f64; 3]; 11] = [
 /// The lengths of the five links.
 const LINKS: [f64; 5] = [0.445872, 0.298452, 0.247006, 0.315105, 0.311988];
 
-/// The distances within the knuckle that the mechanism keeps, in the order of its listing.
-pub trait Knuckle {
-    const DISTANCES: [f64; 9];
+/// A model of the published mechanism in a number type. Its functions are compiled here, once, and not for each gauge.
+pub trait Published: Build<15, Listing: Default> {
+    /// At t = 0 with the rates of the motion; `None` where it cannot be assembled.
+    fn start() -> Option<(Self, Motion<Self::Scalar, 15>)>;
+
+    /// Steps to the tolerance; false where that fails.
+    fn advance(&self, number: u32, motion: &mut Motion<Self::Scalar, 15>) -> bool;
 }
 
-/// 7-6, 8-6, 9-6, 10-6, 8-7, 9-7, 10-7, 9-8, 10-8.
-impl<T: Scalar> Knuckle for attia2003::Model<T> {
-    const DISTANCES: [f64; 9] = [
-        0.214453, 0.214367, 0.098894, 0.190070, 0.078413, 0.256446, 0.139680, 0.224708, 0.141405,
-    ];
+/// The distances within the knuckle are those that a mechanism keeps, in the order of its listing.
+macro_rules! published {
+    ($linkage:ident, $distances:expr; $($number:ty: $step:ident),*) => {
+        $(impl Published for $linkage::Model<$number> {
+            #[inline(never)]
+            fn start() -> Option<(Self, Motion<$number, 15>)> {
+                start(LINKS.into_iter().chain($distances))
+            }
+
+            #[inline(never)]
+            fn advance(&self, number: u32, motion: &mut Motion<$number, 15>) -> bool {
+                steps::$step(self, &inputs::<_, Self>(number), motion).is_ok()
+            }
+        })*
+    };
 }
 
-/// 6-7, 6-8, 7-8, 9-6, 9-7, 9-8, 10-6, 10-7, 10-8.
-impl<T: Scalar> Knuckle for five_link::Model<T> {
-    const DISTANCES: [f64; 9] = [
-        0.214453, 0.214367, 0.078413, 0.098894, 0.256446, 0.224708, 0.190070, 0.139680, 0.141405,
-    ];
-}
+// 7-6, 8-6, 9-6, 10-6, 8-7, 9-7, 10-7, 9-8, 10-8.
+published!(attia2003, [
+    0.214453, 0.214367, 0.098894, 0.190070, 0.078413, 0.256446, 0.139680, 0.224708, 0.141405,
+]; f32: attia2003_f32_exact, f64: attia2003_f64_exact);
+// 6-7, 6-8, 7-8, 9-6, 9-7, 9-8, 10-6, 10-7, 10-8.
+published!(five_link, [
+    0.214453, 0.214367, 0.078413, 0.098894, 0.256446, 0.224708, 0.190070, 0.139680, 0.141405,
+]; f32: five_link_f32_exact, f64: five_link_f64_exact);
 
-/// The model, and where it is at t = 0; `None` where it cannot be assembled.
-pub fn start<T, L>() -> Option<(L, Motion<T, 15>)>
+fn start<T, L>(lengths: impl Iterator<Item = f64>) -> Option<(L, Motion<T, 15>)>
 where
     T: Real,
-    L: Build<15, Scalar = T, Listing: Default> + Knuckle,
+    L: Build<15, Scalar = T, Listing: Default>,
 {
     let points = POINTS.map(|point| Vector3::from(point).map(T::constant));
     let points = L::Points::from_values(points);
-    let lengths = LINKS.into_iter().chain(L::DISTANCES);
     let lengths = L::Lengths::from_values(lengths.map(T::constant));
     let model = L::new(&points).ok()?.with_lengths(&lengths).ok()?;
     let mut position = model.unknowns(&points);
-    assemble(
-        &Newton::from_afar(),
-        &model,
-        &inputs::<T, L>(0),
-        &mut position,
-    )
-    .ok()?;
-    Some((model, Motion::at_rest(position)))
+    let first = inputs::<T, L>(0);
+    assemble(&Newton::from_afar(), &model, &first, &mut position).ok()?;
+    let mut motion = Motion::at_rest(position);
+    let set_off = Bounded::<T>::default();
+    set_off.step(&model, &first, T::zero(), &mut motion).ok()?;
+    Some((model, motion))
 }
 
 /// Value, rate and second rate of `theta(t) = 0.7 + 0.5 t + 0.125 t^2`, rad, at a step.
