@@ -227,6 +227,26 @@ fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
     );
 }
 
+/// A wheel behind an arm, whose axis is oblique or straight across: the contact point moves at right angles to both the axis and the
+/// way there.
+#[test]
+fn jacking_of_a_wheel_in_the_middle_of_the_vehicle_is_the_slope_of_its_path() {
+    for (left_bush, expected) in [
+        ("[0.35, 0.1, 0.3]", 100.0 * 0.0125 / 0.065),
+        ("[0.3, 0.1, 0.3]", 0.0),
+    ] {
+        let file = format!(
+            "statements = '''\nfixed: right at [0.3, -0.1, 0.3], left at {left_bush};\n\
+             free: wheel_centre at [0.0, 0.0, 0.3];\nhinge arm: right, left -> wheel_centre;\n\
+             point axle: arm at [0.0, -0.1, 0.3];\ndrive bump: wheel_centre.z;\n\
+             wheel: axle -> wheel_centre;\n'''\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.25 }}\n\
+             time = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\n"
+        );
+        let found = swept(&file, "bump=0.0")[0]["jacking_percent"];
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+}
+
 #[test]
 fn what_is_no_spring_is_refused_with_its_place() {
     for (springs, expected) in [

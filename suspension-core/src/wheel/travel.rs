@@ -64,4 +64,15 @@ impl<N: Number> Carrier<N> {
         let velocity = self.velocity_of(contact);
         contact.z + contact.y * velocity.y / velocity.z
     }
+
+    /// How far the point of the carrier at the contact moves outboard for each unit that it rises. The spin axis points outboard.
+    pub fn outboard_slope(&self, contact: &Vector3<N>, spin_axis: &Vector3<N>) -> N {
+        let velocity = self.velocity_of(contact);
+        let to_the_left = velocity.y / velocity.z;
+        if spin_axis.y.is_below_zero() {
+            -to_the_left
+        } else {
+            to_the_left
+        }
+    }
 }

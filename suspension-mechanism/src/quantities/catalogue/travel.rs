@@ -1,7 +1,6 @@
 //! How the carrier moves in travel: roll centre, instant centres, support of brakes and drive.
 
 use nalgebra::Vector3;
-use suspension_core::signal;
 use suspension_core::wheel::InstantCentre;
 
 use crate::file::Dimension;
@@ -34,8 +33,7 @@ catalogue! {
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
         read: |names| of_independent(names, Dimension::Percent, |moving| {
-            let height = moving.carrier.roll_centre(&moving.contact) - moving.contact.z;
-            height / signal::Number::magnitude(moving.contact.y) * Number::still(100.0)
+            moving.carrier.outboard_slope(&moving.contact, &moving.axis) * Number::still(100.0)
         }),
     }
     FRONT_CENTRE: "instant centre in the front view" {
