@@ -1,5 +1,6 @@
 //! `suspension compare`: two suspensions beside each other.
 
+mod alone;
 mod by_wheel;
 mod comparison;
 mod differences;
@@ -117,7 +118,7 @@ const NOTES: &str = "\
 Of both suspensions at their design positions, those of the files' points: all quantities that both have, their
 derivatives with respect to travel and steering, as bump camber, bump steer and motion ratios, and of each curve over
 travel and steering where the two differ most. A difference is B - A. The layouts may be different; quantities have
-the same name in all. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
+the same name in all, and those that only one has are named above the tables. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
 toe, are the same in all axes. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
 
 `per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel go upwards in all.
@@ -131,7 +132,7 @@ rises; how far the other one falls is among what is compared.
 
 The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel or over wheel travel, over
 roll or over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the
-wheel's travel, where the curves differ most, for people), a, b, difference; angles in degrees.
+wheel's travel, where the curves differ most, for people; empty where they differ by rounding alone), a, b, difference; angles in degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is
 compared), 130 interrupted.

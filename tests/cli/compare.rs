@@ -1,5 +1,6 @@
 //! Two suspensions beside each other.
 
+mod alone;
 mod drives;
 
 use std::process::Output;

@@ -7,7 +7,7 @@ use crate::commands::compare::side::Side;
 pub(super) struct Difference {
     pub(super) quantity: String,
     pub(super) symbol: String,
-    /// Of a curve: the drive's change.
+    /// Of a curve: the drive's change; `None` where the curves are the same.
     pub(super) at: Option<f64>,
     pub(super) values: [f64; 2],
 }
@@ -17,6 +17,14 @@ impl Difference {
     pub(super) fn value(&self) -> f64 {
         let [a, b] = self.values;
         b - a
+    }
+
+    /// Whether the second has no more than rounding makes.
+    pub(super) fn is_rounding(&self) -> bool {
+        /// Relative where above one. Rounding made 7e-14 at most.
+        const ROUNDING: f64 = 1e-11;
+        let [a, b] = self.values;
+        self.value().abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
     }
 }
 
@@ -33,12 +41,14 @@ pub(super) struct Part {
 
 /// What both sides have, each with its wheel: of a wheel without a name, that of every wheel of the other side.
 pub(super) fn both<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
-    let is_same = |[a, b]: [&Title; 2]| {
-        let is_of_all = a.wheel.is_none() || b.wheel.is_none();
-        a.of_wheel == b.of_wheel && (is_of_all || a.wheel == b.wheel)
-    };
     let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
     pairs.filter(|pair| is_same(pair.map(title))).collect()
+}
+
+/// Whether two are called alike, of the same wheel or one of them of a wheel without a name.
+pub(super) fn is_same([a, b]: [&Title; 2]) -> bool {
+    let is_of_all = a.wheel.is_none() || b.wheel.is_none();
+    a.of_wheel == b.of_wheel && (is_of_all || a.wheel == b.wheel)
 }
 
 /// What is the same of both; with the wheel's name, where one has it.

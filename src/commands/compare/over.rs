@@ -60,10 +60,12 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
             most
         }
     })?;
-    Some(Difference {
+    let mut difference = Difference {
         quantity: title_of_both([&a.title, &b.title]),
         symbol: a.symbol.clone(),
-        at: Some(at),
+        at: None,
         values,
-    })
+    };
+    difference.at = (!difference.is_rounding()).then_some(at);
+    Some(difference)
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::characteristics::{Curves, Parameter};
+use crate::commands::compare::alone::alone;
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
 use crate::commands::compare::comparison::Comparison;
 use crate::commands::compare::differences::{Difference, Part, both, same_ways, unmatched};
@@ -54,22 +55,24 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     out
 }
 
-/// What of the drives cannot be compared, or not at equal changes, a sentence each.
+/// What cannot be compared, or not at equal changes, a sentence each.
 pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let unit = sides[0].unit;
     let unlike = same_ways(sides).into_iter();
     let unlike = unlike.filter_map(|both| unlike_drives(both, unit));
     let across = across(sides);
     let [a, b] = sides;
-    let alone = |side, other, name| {
+    let lacks = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
         curves.map(move |Curves { title, .. }| {
             format!("{name} has nothing like `{title}`: no curves over it are compared")
         })
     };
-    let alone = alone(a, b, "B").chain(alone(b, a, "A"));
-    let notes = unlike.chain(alone).chain(across);
-    notes.chain(unlike_steering(sides)).collect()
+    let lacks = lacks(a, b, "B").chain(lacks(b, a, "A"));
+    let notes = unlike.chain(lacks).chain(across);
+    let notes = notes.chain(unlike_steering(sides));
+    let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
+    notes.collect()
 }
 
 /// Says so where steering holds the wheels at their height in one of the suspensions alone.
@@ -158,9 +161,8 @@ fn columns(part: &Part) -> Vec<TextColumn> {
         TextColumn::left(symbols).under("unit"),
     ];
     if differences().any(|difference| difference.at.is_some()) {
-        columns.push(numbers("at", &|difference| {
-            difference.at.unwrap_or(f64::NAN)
-        }));
+        let at = differences().map(|difference| difference.at.map_or_else(String::new, in_digits));
+        columns.push(TextColumn::numbers(at).under("at"));
     }
     columns
 }

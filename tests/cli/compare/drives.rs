@@ -177,7 +177,7 @@ fn a_wheel_without_a_name_is_compared_with_each_wheel_of_an_axle() {
 }
 
 /// Arms of two axles, each driven by its height; the wheels are stated in any order.
-fn axles(wheels: &[(&str, f64, f64)]) -> String {
+pub(super) fn axles(wheels: &[(&str, f64, f64)]) -> String {
     let (mut statements, mut drives) = (String::new(), String::new());
     for (wheel, x, side) in wheels {
         let at = |x: f64, y: f64, z: f64| format!("[{x:?}, {:?}, {z:?}]", y * side);
