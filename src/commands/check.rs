@@ -91,7 +91,9 @@ impl Arguments {
             )));
         }
         match motion_ends {
-            Some(why) => Err(Failure::Solver(why)),
+            Some(_) => Err(Failure::Solver(format!(
+                "{name}: the file's own motion is out of reach; the report says why"
+            ))),
             None => Ok(()),
         }
     }

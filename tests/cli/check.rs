@@ -184,6 +184,23 @@ fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
     }
 }
 
+/// Neither the reason nor a doubt is repeated behind the report.
+#[test]
+fn what_is_out_of_reach_is_told_once() {
+    let output = check(&CORNER.replace("bump = 0.3", "bump = 0.0"), &[]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let (report, error) = (text(&output.stdout), text(&output.stderr));
+    for once in [
+        "is out of reach from the design",
+        "takes the drive's own value",
+    ] {
+        assert_eq!(report.matches(once).count(), 1, "{report}");
+        assert!(!error.contains(once), "{error}");
+    }
+    let expected = "a.toml: the file's own motion is out of reach; the report says why\n";
+    assert_eq!(error, expected);
+}
+
 /// A seat that is stated on the points of two parts is no point of either.
 #[test]
 fn a_marker_on_points_that_are_not_rigid_is_noted() {

@@ -59,7 +59,7 @@ fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> Str
 
 /// When the file's motion is at an end.
 fn motion(mechanism: &Description, range: &DriveRange) -> String {
-    if mechanism.is_out_of_reach {
+    if mechanism.out_of_reach.is_some() {
         return "the file's motion begins out of reach".to_owned();
     }
     let ends = [range.ends[0].value, range.ends[1].value];

@@ -10,7 +10,6 @@ use crate::load::design::Design;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
-use crate::load::wrong_side::only_on_wrong_side;
 use crate::mechanism::{Instants, Length, Suspension, Wheel};
 use crate::number::{number, rounded};
 
@@ -43,7 +42,6 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
     let of_wheels = wheels.flat_map(|wheel| {
         [
-            across(task, given, wheel),
             kingpin(task, wheel, &placed_points),
             spin_axis(task, wheel, &placed_points),
         ]
@@ -153,29 +151,6 @@ fn assembled<P: Values<Vector3<f64>>>(
     }
     let (point, moved) = furthest(task, [given, placed], TOLD)?;
     Some(format!("{told}, in which `{point}` has moved by {moved}"))
-}
-
-/// A point of a corner, or of several wheels one with the wheel's name in its own, is on the other side of the vehicle than the
-/// wheel; pick-up points are among them.
-fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, wheel: &Wheel) -> Option<String> {
-    let names = task.names;
-    if wheel.name.is_empty() && names.wheels.len() > 1 {
-        return None;
-    }
-    let [_, centre] = wheel.points.axis;
-    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let y = given.values().map(|point| point.y + task.middle);
-    let y: Vec<f64> = y.collect();
-    let words = || wheel.name.split('_').filter(|word| !word.is_empty());
-    let is_of_wheel = |name: &str| words().all(|word| name.split('_').any(|other| other == word));
-    let points = names.points.iter().zip(y.iter().copied()).enumerate();
-    let points = points.map(|(point, (name, y))| (name, y, point < names.chassis));
-    let of_wheel = points.filter(|(name, ..)| is_of_wheel(name));
-    let point = only_on_wrong_side(of_wheel, y[centre])?;
-    let centre = &names.points[centre];
-    Some(format!(
-        "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"
-    ))
 }
 
 /// The kingpin is stated from top to bottom.

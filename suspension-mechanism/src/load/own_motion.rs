@@ -19,11 +19,14 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with a place where the file is wrong.
     pub fn own_motion_ends(&self, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
-        let mechanism = match self.kinematics(self.request(Start::FirstInstant)) {
+        let mechanism = match self.kinematics(self.request(Start::WithinReach)) {
             Ok(mechanism) => mechanism,
             Err(Failure::Solver(out_of_reach)) => return Ok(Some(out_of_reach)),
             Err(other) => return Err(other),
         };
+        if let Some(why) = &mechanism.out_of_reach {
+            return Ok(Some(why.clone()));
+        }
         let [first, last] = mechanism.instants.ends();
         let end = mechanism.move_through(&Instants::dense(first, last, LOOKS), &mut |_| {
             let cut = interrupted.load(Ordering::Relaxed);

@@ -11,7 +11,9 @@ use crate::load::notes::{loose_markers, notes, short_of_stop};
 use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
 use crate::load::usual_drives::in_effect;
-use crate::load::{columns, led, missing_travel, said_of_drives, said_of_wheels, start};
+use crate::load::{
+    columns, led, missing_travel, said_of_drives, said_of_wheels, start, wrong_side,
+};
 use crate::mechanism::{Description, DriveLaws, Lead, Mechanism, Suspension};
 
 /// The mechanism of a file, of a listing.
@@ -34,11 +36,15 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let (names, of_drives) = in_effect(&task, design);
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
-    let doubts = match assembled.outlier {
-        None => said_of_drives::doubts(&task, design, &drives, request.instants),
+    let outlier = assembled.outlier.as_ref();
+    let doubts = match outlier {
+        None => {
+            let mut doubts = said_of_drives::doubts(&task, design, &drives, request.instants);
+            doubts.extend(wrong_side::notes(&task, &assembled.given));
+            doubts
+        }
         Some(_) => Vec::new(),
     };
-    let outlier = assembled.outlier.as_ref();
     let mut notes = notes(&task, &assembled.given, &design.points, design.off, outlier);
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(&task, design, listing));
@@ -69,7 +75,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         measure_offsets: measured.offsets,
         design: design.given(&design.drives),
         design_measures: measured.in_file,
-        is_out_of_reach: begin.is_out_of_reach,
+        out_of_reach: begin.out_of_reach,
         led_by: begin.lead.as_ref().map(|lead| lead.measure),
         names: named,
         notes,
@@ -88,7 +94,7 @@ struct Begin<const N: usize> {
     start: Motion<f64, N>,
     drives: DriveLaws,
     lead: Option<Lead<N>>,
-    is_out_of_reach: bool,
+    out_of_reach: Option<String>,
 }
 
 impl<const N: usize> Begin<N> {
@@ -107,12 +113,13 @@ impl<const N: usize> Begin<N> {
                     start,
                     drives,
                     lead: None,
-                    is_out_of_reach: false,
+                    out_of_reach: None,
                 }),
                 Err(unreached) if to == Start::WithinReach => {
-                    notes.push(format!("{unreached}; it stays at the design position"));
+                    let why = unreached.to_string();
+                    notes.push(format!("{why}; it stays at the design position"));
                     Ok(Self {
-                        is_out_of_reach: true,
+                        out_of_reach: Some(why),
                         ..Self::at_design(design)
                     })
                 }
@@ -123,14 +130,22 @@ impl<const N: usize> Begin<N> {
             },
             Some(stand_in) => {
                 let lead = led::to_first_instant(&task, design, &drives, stand_in);
-                let lead = lead.map_err(|failure| assembled.outlier_first(failure))?;
+                // For others than the first instant, they are told as notes.
+                let doubts = if to == Start::FirstInstant {
+                    doubts
+                } else {
+                    &[]
+                };
+                let lead = lead.map_err(|unreached| {
+                    assembled.outlier_first(doubts.iter().fold(unreached, doubted))
+                })?;
                 let inputs = drives.inputs(task.first);
                 let there = lead.inputs(&design.model, &inputs, &lead.start);
                 Ok(Self {
                     start: lead.start.motion(),
                     drives: task.drive_laws(there.drives.value.values()),
                     lead: Some(lead),
-                    is_out_of_reach: false,
+                    out_of_reach: None,
                 })
             }
         }
@@ -141,7 +156,7 @@ impl<const N: usize> Begin<N> {
             start: Motion::at_rest(design.q),
             drives: DriveLaws::held(design.drives.values()),
             lead: None,
-            is_out_of_reach: false,
+            out_of_reach: None,
         }
     }
 }

@@ -1,5 +1,11 @@
 //! A point on the wrong side of the vehicle.
 
+use nalgebra::Vector3;
+use suspension_core::Values;
+
+use crate::load::task::Task;
+use crate::mechanism::Wheel;
+
 /// How near to the middle of the vehicle a point is in it, as a part of the wheel's distance.
 const MIDDLE: f64 = 1e-6;
 
@@ -24,6 +30,37 @@ pub fn only_on_wrong_side<T>(
     let mut points = points.filter(|(_, y, is_pick_up)| across(*y, *is_pick_up));
     let (point, ..) = points.next()?;
     points.next().is_none().then_some(point)
+}
+
+/// Notes on points that were given on the other side of the vehicle than their wheels.
+pub(super) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Vec<String> {
+    let name = task.source.name();
+    let wheels = task.names.wheels.iter();
+    let across = wheels.filter_map(|wheel| across(task, given, wheel));
+    across.map(|note| format!("{name}: {note}")).collect()
+}
+
+/// A point of a corner, or of several wheels one with the wheel's name in its own, is on the other side of the vehicle than the
+/// wheel; pick-up points are among them.
+fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, wheel: &Wheel) -> Option<String> {
+    let names = task.names;
+    if wheel.name.is_empty() && names.wheels.len() > 1 {
+        return None;
+    }
+    let [_, centre] = wheel.points.axis;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let y = given.values().map(|point| point.y + task.middle);
+    let y: Vec<f64> = y.collect();
+    let words = || wheel.name.split('_').filter(|word| !word.is_empty());
+    let is_of_wheel = |name: &str| words().all(|word| name.split('_').any(|other| other == word));
+    let points = names.points.iter().zip(y.iter().copied()).enumerate();
+    let points = points.map(|(point, (name, y))| (name, y, point < names.chassis));
+    let of_wheel = points.filter(|(name, ..)| is_of_wheel(name));
+    let point = only_on_wrong_side(of_wheel, y[centre])?;
+    let centre = &names.points[centre];
+    Some(format!(
+        "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"
+    ))
 }
 
 #[cfg(test)]

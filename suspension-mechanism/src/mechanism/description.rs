@@ -35,8 +35,8 @@ pub struct Description {
     pub design: Vec<f64>,
     /// The measures there.
     pub design_measures: Vec<f64>,
-    /// Whether it stays at the design position because its motion begins out of reach.
-    pub is_out_of_reach: bool,
+    /// Why its motion begins out of reach, for which it stays at the design position; `None` where it does not.
+    pub out_of_reach: Option<String>,
     /// The number of the measure that leads in place of a drive.
     pub led_by: Option<usize>,
     /// What the file says that its author may not have meant, a sentence each.

@@ -95,6 +95,27 @@ fn a_point_on_the_wrong_side_is_remarked() {
     assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
 }
 
+/// The same beside what it leads to: a motion that its drives cannot begin.
+#[test]
+fn a_point_on_the_wrong_side_is_told_where_a_motion_is_out_of_reach() {
+    let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+    let file = file.replace(
+        "vehicle =",
+        "points = { upper_ball = [-0.015, -0.66, 0.44] }\nvehicle =",
+    );
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file.replace("0.3\n", "0.6\n")).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let told = text(&output.stderr);
+    assert!(
+        told.contains("is out of reach from the design position"),
+        "{told}"
+    );
+    let doubt = "\na.toml: `upper_ball` is on the other side of the vehicle than `wheel_centre`";
+    assert_eq!(told.matches(doubt).count(), 1, "{told}");
+}
+
 /// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
 #[test]
 fn drives_that_are_meant_otherwise_are_remarked() {
