@@ -136,7 +136,8 @@ Reads a file as the other commands do and prints of its design position, that of
   conditioning                the singular values of the Jacobian: near zero the design is near a singularity. Equations and
                               unknowns are lengths, so that they have no unit and need no scaling
   elimination                 the smallest pivot in the order that real-time steps keep, and how rounding grows there
-  reach                       of each drive from the design position, the others held as there: the nearest lock to either side;
+  reach                       of each drive from the design position, the others held as there: the nearest lock to either side
+                              and, where it is known, the link or the hinge that is in the way;
                               suspension range goes from the first instant, and has the whole curve
   motion                      whether the file's own motion is within reach, from its first instant to its last
   assemblies                  with --assemblies: how many ways there are to put the parts together

@@ -201,6 +201,23 @@ fn what_is_out_of_reach_is_told_once() {
     assert_eq!(error, expected);
 }
 
+/// No link is too long or too short: the arm that the drive lifts stands across the axis of its hinge.
+#[test]
+fn a_hinge_that_locks_is_named_with_its_axis() {
+    let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");
+    let content = content
+        .replace("steer = 0.34\n", "")
+        .replace("bump = 0.3", "bump = 0.29");
+    let output = check(&content, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let fault = ": `arm` on its hinge `pivot_inner`, `pivot_outer` reaches no further";
+    assert_eq!(text(&output.stdout).matches(fault).count(), 2, "{output:?}");
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), content).expect("written");
+    let range = run(folder.path(), &["range", "a.toml"]);
+    assert_eq!(text(&range.stdout).matches(fault).count(), 2, "{range:?}");
+}
+
 /// A seat that is stated on the points of two parts is no point of either.
 #[test]
 fn a_marker_on_points_that_are_not_rigid_is_noted() {

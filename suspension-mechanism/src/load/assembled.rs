@@ -44,7 +44,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
         let names = Names::of(&listing);
         let names = match request.listing {
-            Some(statements) => names.with_links_of(statements),
+            Some(statements) => names.with_parts_of(statements),
             None => names,
         };
         let task = Task {

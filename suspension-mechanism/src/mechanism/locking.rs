@@ -1,4 +1,4 @@
-//! Where a motion that its drives lead ends: the drive that turns there, and the link that is in the way.
+//! Where a motion that its drives lead ends: the drive that turns there, and the link or the hinge that is in the way.
 
 use nalgebra::SVector;
 use suspension_core::listing::Part;
@@ -8,7 +8,8 @@ use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
 use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
-use crate::mechanism::misfit::Misfit;
+use crate::mechanism::hinge::Hinge;
+use crate::mechanism::misfit::{Misfit, strained_hinge};
 use crate::mechanism::names::{Names, Suspension};
 use crate::number::rounded;
 use suspension_motion_file::Unit;
@@ -21,6 +22,9 @@ pub struct Lock {
     /// The number of the drive that turns there, where one does: led by it, the mechanism locks.
     pub turns: Option<usize>,
     misfit: Option<Misfit>,
+    /// The hinge that bears most where no link is known, in words. Only near the lock is it what is in the way: with what is asked
+    /// for far beyond, the link that is in the way is not known either.
+    hinge: Option<String>,
     cause: Option<SolveError<f64>>,
 }
 
@@ -39,20 +43,23 @@ impl Lock {
         let there = laws.inputs::<L::Drives>(stopped.reached);
         let cause = stopped.refused.map(|(_, cause)| cause);
         let locks = !matches!(cause, Some(SolveError::OutOfRange { .. }));
-        let way = [stopped.reached, asked];
+        let misfit = || Misfit::between(model, names, laws, [stopped.reached, asked], q);
+        let misfit = locks.then(misfit).flatten();
+        let hinge = || strained_hinge(model, names, laws, stopped.reached, q);
+        let hinge = (locks && misfit.is_none()).then(hinge).flatten();
         Self {
             drives: given(&there.drives.value),
             turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
-            misfit: locks
-                .then(|| Misfit::between(model, names, laws, way, q))
-                .flatten(),
+            misfit,
+            hinge: hinge.map(Hinge::fault),
             cause,
         }
     }
 
-    /// The link that is in the way, where one is, and whether it is too long or too short, in words.
+    /// What is in the way of going on by a little: the link and whether it is too long or too short, in words, or else the hinge.
     pub fn fault(&self) -> Option<String> {
-        self.misfit.as_ref().map(Misfit::fault)
+        let misfit = self.misfit.as_ref().map(Misfit::fault);
+        misfit.or_else(|| self.hinge.clone())
     }
 
     /// In words, `design` being the drives at the design position.
@@ -89,11 +96,9 @@ impl Lock {
                 )
             }
         };
-        match self
-            .misfit
-            .as_ref()
-            .and_then(|misfit| misfit.in_words(unit))
-        {
+        let misfit = self.misfit.as_ref();
+        let misfit = misfit.and_then(|misfit| misfit.in_words(unit));
+        match misfit {
             Some(misfit) => format!("{end}; {misfit}"),
             None => end,
         }

@@ -1,4 +1,4 @@
-//! Which link keeps a mechanism from following its drives, and how long it would have to be.
+//! Which link keeps a mechanism from following its drives, and how long it would have to be; or which hinge.
 
 use nalgebra::SVector;
 use suspension_core::lu::Lu;
@@ -6,6 +6,7 @@ use suspension_core::motion::Prescribed;
 use suspension_core::{Linkage, Values};
 
 use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::hinge::Hinge;
 use crate::mechanism::names::{Names, Suspension};
 use crate::number::rounded;
 use suspension_motion_file::Unit;
@@ -35,7 +36,7 @@ const LONGEST: f64 = 0.1;
 /// How far other equations may be off at the end, as a part of it.
 const CLOSED: f64 = 1e-6;
 
-/// Of the force that a mechanism at its lock bears within itself, the part that a link must bear to be
+/// Of the force that a mechanism at its lock bears within itself, the part that a link or a hinge must bear to be
 /// the one that ends the motion.
 const BEARS: f64 = 0.1;
 
@@ -50,7 +51,10 @@ impl Misfit {
         q: &SVector<f64, N>,
     ) -> Option<Self> {
         let place = Place::at(model, drives, reached);
-        let (equation, mut along) = place.bearing(names, q)?;
+        let [forces, mut along] = place.strained(q)?;
+        // A line of an angle that is driven or held would have another angle if it were longer.
+        let is_link = |row: usize| names.is_free_link(&names.equations[row]);
+        let equation = bearing(names, &forces, is_link)?;
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
@@ -91,6 +95,31 @@ impl Misfit {
     }
 }
 
+/// The hinge that bears most of all bodies that turn about lines on the chassis, at the last configuration, `q`, of a motion that
+/// ends at the time `reached`; `None` where none bears much.
+pub(crate) fn strained_hinge<'n, L: Suspension<N>, const N: usize>(
+    model: &L,
+    names: &'n Names,
+    drives: &DriveLaws,
+    reached: f64,
+    q: &SVector<f64, N>,
+) -> Option<&'n Hinge> {
+    let [forces, _] = Place::at(model, drives, reached).strained(q)?;
+    let hinge = |row: usize| names.hinges.iter().find(|hinge| hinge.has(row));
+    hinge(bearing(names, &forces, |row| hinge(row).is_some())?)
+}
+
+/// Of the equations that are asked for, the one that bears most, where it bears much.
+fn bearing<const N: usize>(
+    names: &Names,
+    forces: &SVector<f64, N>,
+    is_asked_for: impl Fn(usize) -> bool,
+) -> Option<usize> {
+    let asked = (0..names.equations.len()).filter(|row| is_asked_for(*row));
+    let bearing = asked.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
+    (forces[bearing].abs() > BEARS * forces.amax()).then_some(bearing)
+}
+
 /// A model at an instant.
 struct Place<'a, L: Linkage<N>, const N: usize> {
     model: &'a L,
@@ -113,11 +142,9 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
-    /// Of the equations of links, but those that are lines of an angle that is driven or held (a longer one would have another
-    /// angle), the one that bears most where the mechanism locks: there the rows of the
-    /// Jacobian depend on each other, with forces that balance within the mechanism as factors. Beside it the motion
-    /// that changes no equation there.
-    fn bearing(&self, names: &Names, q: &SVector<f64, N>) -> Option<(usize, SVector<f64, N>)> {
+    /// What the equations bear where the mechanism locks: there the rows of the Jacobian depend on each other, with forces that
+    /// balance within the mechanism as factors. Beside it the motion that changes no equation there.
+    fn strained(&self, q: &SVector<f64, N>) -> Option<[SVector<f64, N>; 2]> {
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);
         let mut motion = forces;
@@ -125,10 +152,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
             motion = factors.solve(&forces).normalize();
             forces = factors.solve_transposed(&motion).normalize();
         }
-        let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
-        let links = (0..names.equations.len()).filter(is_link);
-        let bearing = links.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
-        (forces[bearing].abs() > BEARS * forces.amax()).then_some((bearing, motion))
+        Some([forces, motion])
     }
 
     /// Where all equations but that of a link hold and this is off as little as can be. The configurations that the others

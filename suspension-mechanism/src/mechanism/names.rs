@@ -5,6 +5,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::unknown;
 
+use crate::mechanism::hinge::Hinge;
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Coupling, Vehicle, Wheel};
@@ -37,6 +38,8 @@ pub struct Names {
     pub links: Vec<usize>,
     /// Of these the ones that are lines of an angle that is driven or held.
     pub angled_links: Vec<usize>,
+    /// Hinges; of a listing that was read while the program runs.
+    pub hinges: Vec<Hinge>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
@@ -87,6 +90,7 @@ impl Names {
             lengths: named(count(Kind::Length), Part::Length),
             links: Vec::new(),
             angled_links: Vec::new(),
+            hinges: Vec::new(),
             drives: (0..)
                 .zip(drives)
                 .map(|(drive, name)| Drive {
@@ -111,8 +115,8 @@ impl Names {
         }
     }
 
-    /// The same with the links of the listing.
-    pub(crate) fn with_links_of(mut self, listing: &suspension_runtime::Listing) -> Self {
+    /// The same with the links and the hinges of the listing.
+    pub(crate) fn with_parts_of(mut self, listing: &suspension_runtime::Listing) -> Self {
         let statements = listing.statements().into_iter();
         let links = statements.filter(|statement| statement.ends().is_some());
         let number = |link: &str| self.lengths.iter().position(|length| length == link);
@@ -120,6 +124,7 @@ impl Names {
         let parts = listing.parts().zip(listing.part_forces());
         let angled = parts.filter(|(part, forces)| part.ends().is_some() && forces.bears_moments());
         self.angled_links = angled.filter_map(|(part, _)| number(part.name)).collect();
+        self.hinges = Hinge::all(listing, self.chassis);
         self
     }
 

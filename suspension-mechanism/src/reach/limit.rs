@@ -17,7 +17,7 @@ pub struct RangeEnd {
 pub enum Limit {
     /// The drive turns: led by it, the mechanism locks.
     Locks {
-        /// The link that is too long or too short to go on, in words, where one is known.
+        /// The link that is too long or too short to go on, or the hinge that reaches no further, in words, where one is known.
         fault: Option<String>,
     },
     /// The angle itself is 0 or pi.
@@ -53,7 +53,7 @@ impl Limit {
     }
 }
 
-/// What is wrong with the link that keeps a drive from going beyond a value, in the file's coordinates.
+/// What is wrong with the link or the hinge that keeps a drive from going beyond a value, in the file's coordinates.
 pub(super) fn fault_beyond<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     drive: usize,
