@@ -3,10 +3,27 @@
 /// Letters that may be wrong, left out, too many or in another order; of short names fewer than half.
 const MISTYPED: usize = 2;
 
-/// `; did you mean ...?`, or nothing where no known name is near.
+/// `; did you mean ...?` with the nearest known name, or else the two that begin with the same word, as of both ends of a damper;
+/// nothing where there are none.
 pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    let nearest = nearest(wanted, known);
-    nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+    let known: Vec<&str> = known.into_iter().collect();
+    match (
+        nearest(wanted, known.iter().copied()),
+        alike(wanted, &known),
+    ) {
+        (Some(name), _) => format!("; did you mean `{name}`?"),
+        (None, Some([one, other])) => format!("; did you mean `{one}` or `{other}`?"),
+        (None, None) => String::new(),
+    }
+}
+
+/// The only two known names that begin with the first of several words of the wanted one.
+fn alike<'a>(wanted: &str, known: &[&'a str]) -> Option<[&'a str; 2]> {
+    let first_word = |name: &'a str| name.split_once('_').map(|(word, _)| word);
+    let (word, _) = wanted.split_once('_')?;
+    let alike = known.iter().copied();
+    let alike = alike.filter(|name| *name != wanted && first_word(name) == Some(word));
+    alike.collect::<Vec<_>>().try_into().ok()
 }
 
 /// The sentence about a name that is none of the known ones.

@@ -37,6 +37,23 @@ fn of_several_the_nearest_and_a_word_of_several_says_nothing() {
     assert_eq!(nearest("lower_ball", known), None);
 }
 
+/// Ends of a part that another layout calls otherwise.
+#[test]
+fn of_two_that_begin_with_the_same_word_both_are_told() {
+    let known = [
+        "rack",
+        "damper_upper",
+        "lower_ball",
+        "damper_lower",
+        "lower_a",
+        "lower_b",
+    ];
+    let both = "; did you mean `damper_upper` or `damper_lower`?";
+    assert_eq!(did_you_mean("damper_inner", known), both);
+    assert_eq!(did_you_mean("lower_outer", known), "");
+    assert_eq!(did_you_mean("spring_inner", known), "");
+}
+
 #[test]
 fn letters_in_another_order_are_one_mistake() {
     let is_near = |wanted, known| nearest(wanted, [known]).is_some();
