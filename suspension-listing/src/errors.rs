@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use proc_macro2::Span;
+use syn::buffer::Cursor;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Ident};
 
@@ -44,6 +45,26 @@ pub(crate) fn at(ident: &Ident, message: impl Display) -> Error {
 /// Whether a message is the parser's own, which names what it expected.
 pub(crate) fn is_of_the_parser(message: &str) -> bool {
     message.starts_with("expected") || message.starts_with("unexpected end")
+}
+
+/// Whether a message of the parser is that a statement does not end: its place is behind what there is.
+pub(crate) fn lacks_semicolon(message: &str) -> bool {
+    message.starts_with("expected `;`") || message.starts_with("expected `,` or `;`")
+}
+
+/// That a statement does not end, at the last token of it that was read in place of the next one.
+pub(crate) fn at_its_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -> Error {
+    let message = error.to_string();
+    if !lacks_semicolon(&message) {
+        return error;
+    }
+    let mut last = error.span();
+    while begin != end
+        && let Some((token, next)) = begin.token_tree()
+    {
+        (last, begin) = (token.span(), next);
+    }
+    Error::new(last, message)
 }
 
 /// The message for a name that is a keyword of Rust, in place of that of `syn`.

@@ -34,6 +34,14 @@ impl Mistake {
                 length: 0,
             };
         }
+        if errors::lacks_semicolon(&message) {
+            return Self {
+                message,
+                line: end.line,
+                column: end.column + 1,
+                length: 0,
+            };
+        }
         let line = text.lines().nth(start.line.saturating_sub(1));
         let width = line.map_or(0, |line| line.chars().count());
         let to = if end.line == start.line {

@@ -242,8 +242,10 @@ fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     let Some(statement) = statements.find(|statement| word == statement.word) else {
         return Err(unknown_statement(&word));
     };
+    let begin = input.cursor();
     let read = (statement.read)(Head { docs, word }, input, listing);
     read.and_then(|()| input.parse::<Token![;]>().map(drop))
+        .map_err(|error| errors::at_its_end(error, begin, input.cursor()))
         .map_err(|error| with_example(error, statement))
 }
 

@@ -70,6 +70,32 @@ fn a_list_of_points_goes_on_or_ends() {
     );
 }
 
+/// Not where the next statement begins, lines below it may be.
+#[test]
+fn a_missing_semicolon_is_told_at_the_end_of_its_statement() {
+    for (text, expected) in [
+        (
+            "fixed: a;\nfree: p;\nlink rod: a -> p\n\n// Of the wheel.\ndrive lift: p.z;",
+            [3, 17],
+        ),
+        (
+            "fixed: a at [0, 0, 0]\nfree: p;\nlink rod: a -> p;",
+            [1, 22],
+        ),
+        ("fixed: a;\nfree: p;\nlink rod: a -> p q;", [3, 17]),
+        (
+            "fixed: a;\nfree: p;\nlink rod: a -> p\n// The end.\n",
+            [3, 17],
+        ),
+    ] {
+        let told = mistakes(text);
+        let mistake = &told[0];
+        assert!(mistake.message.contains("`;`; a "), "{mistake:?}");
+        let place = [mistake.line, mistake.column, mistake.length];
+        assert_eq!(place, [expected[0], expected[1], 0], "{text}");
+    }
+}
+
 #[test]
 fn what_is_missing_at_the_end_is_told_there() {
     let [mistake] = &mistakes("fixed: a;\nfree: p;\nlink rod: a -> p")[..] else {
