@@ -29,7 +29,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     } else if is_comma_between_digits(source.text(), start) {
         "; a decimal separator is a point, as in 0.5".to_owned()
     } else if message.starts_with("missing field") {
-        to_write(name).to_owned()
+        to_write(name).to_owned() + &also_missing(name, source.text())
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
     {
         "; unit, angle and axes stand above the first table".to_owned()
@@ -46,6 +46,18 @@ fn is_comma_between_digits(text: &str, start: usize) -> bool {
         && behind
             .strip_prefix(',')
             .is_some_and(|rest| rest.starts_with(is_digit))
+}
+
+/// Where a key that each motion file needs is missing, the others that are, which would be told one at a time.
+fn also_missing(first: &str, text: &str) -> String {
+    const NEEDED: [&str; 3] = ["unit", "time", "drives"];
+    let table: toml::Table = text.parse().unwrap_or_default();
+    let is_missing = |name: &str| NEEDED.contains(&name) && !table.contains_key(name);
+    let others = NEEDED
+        .iter()
+        .filter(|name| **name != first && is_missing(first) && is_missing(name));
+    let told = others.map(|name| format!("; missing field `{name}`{}", to_write(name)));
+    told.collect()
 }
 
 /// What to write where a key is missing.

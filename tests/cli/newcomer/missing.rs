@@ -43,6 +43,29 @@ fn a_key_in_the_wrong_table_is_told_where_it_stands() {
 }
 
 #[test]
+fn keys_that_every_file_needs_are_missed_at_once() {
+    for (file, missing) in [
+        (
+            "linkage = \"trailing_arm\"\nunit = \"m\"\n",
+            ["time", "drives"].as_slice(),
+        ),
+        ("linkage = \"trailing_arm\"\n", &["unit", "time", "drives"]),
+        ("unit = \"m\"\ntime = { instants = [0.0] }\n", &["drives"]),
+    ] {
+        let said = refusal("motion", &[("a.toml", file)], &[]);
+        assert_eq!(said.lines().count(), 1, "{said}");
+        let told = said.matches("missing field `").count();
+        assert_eq!(told, missing.len(), "{said}");
+        for name in missing {
+            assert!(
+                said.contains(&format!("missing field `{name}`; write ")),
+                "{said}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_key_that_is_missing_is_told_with_what_to_write() {
     for (line, expected) in [
         (
