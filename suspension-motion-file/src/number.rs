@@ -25,6 +25,11 @@ pub fn without_rounding(value: f64) -> f64 {
     if value.abs() < ROUNDING { 0.0 } else { value }
 }
 
+/// The number; zero without a sign.
+pub fn unsigned_zero(value: f64) -> f64 {
+    value + 0.0
+}
+
 /// So many things, as `1 segment` and `2 segments`.
 pub fn counted(count: usize, thing: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };
@@ -57,6 +62,7 @@ pub fn rounded(value: f64, digits: usize) -> String {
     let places = digits.saturating_sub(1);
     // The shortest digits of a rounded number are those that it was rounded to.
     let value = format!("{value:.places$e}").parse().unwrap_or(value);
+    let value = unsigned_zero(value);
     let plain = 1e-4..10_f64.powi(digits as i32);
     if value == 0.0 || plain.contains(&value.abs()) {
         format!("{value}")
@@ -77,6 +83,7 @@ mod tests {
             (-0.071_234_567, "-0.0712346"),
             (-2.0, "-2"),
             (0.0, "0"),
+            (-0.0, "0"),
             (445.872, "445.872"),
             (1e300, "1e300"),
             (1.5e-5, "1.5e-5"),

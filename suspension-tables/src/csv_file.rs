@@ -5,13 +5,14 @@ use std::io::Write;
 use crate::heading::Heading;
 use crate::target::{Sink, Target};
 use suspension_mechanism::failure::Failure;
+use suspension_mechanism::number::unsigned_zero;
 
 /// How many bytes are gathered before they are written.
 const GATHERED: usize = 1 << 16;
 
-/// A number with as many digits as it takes to read the same number, as tables have it.
+/// A number with as many digits as it takes to read the same number, as tables have it; zero has no sign.
 pub fn in_full(value: f64) -> String {
-    zmij::Buffer::new().format(value).to_owned()
+    zmij::Buffer::new().format(unsigned_zero(value)).to_owned()
 }
 
 /// A table of comma-separated values being written.

@@ -9,6 +9,7 @@ use crate::json_file::JsonFile;
 use crate::parquet_file::{self, ParquetFile};
 use crate::target::Target;
 use suspension_mechanism::failure::Failure;
+use suspension_mechanism::number::unsigned_zero;
 
 /// Where rows go, and in which form.
 #[derive(Clone, Debug, Default)]
@@ -77,6 +78,8 @@ pub struct Rows {
     csv: Option<CsvFile>,
     json: Option<JsonFile>,
     parquet: Option<ParquetFile>,
+    /// A row as it is written.
+    row: Vec<f64>,
 }
 
 impl Rows {
@@ -96,6 +99,7 @@ impl Rows {
             csv: csv.transpose()?,
             json: json.transpose()?,
             parquet: parquet.transpose()?,
+            row: Vec::new(),
         })
     }
 
@@ -109,23 +113,26 @@ impl Rows {
             csv: Some(CsvFile::create(target, headings)?),
             json: None,
             parquet: None,
+            row: Vec::new(),
         })
     }
 
-    /// Adds a row.
+    /// Adds a row; zeros have no sign.
     ///
     /// # Errors
     ///
     /// See [`Failure::writing`].
     pub fn add(&mut self, values: &[f64]) -> Result<(), Failure> {
+        self.row.clear();
+        self.row.extend(values.iter().copied().map(unsigned_zero));
         if let Some(csv) = &mut self.csv {
-            csv.row(values)?;
+            csv.row(&self.row)?;
         }
         if let Some(json) = &mut self.json {
-            json.row(values)?;
+            json.row(&self.row)?;
         }
         if let Some(parquet) = &mut self.parquet {
-            parquet.row(values)?;
+            parquet.row(&self.row)?;
         }
         Ok(())
     }

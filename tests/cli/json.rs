@@ -56,6 +56,24 @@ fn json_has_the_rows_of_the_csv_file_under_a_header_with_units_and_axes() {
     }
 }
 
+/// Readers that compare texts would find a difference where there is none.
+#[test]
+fn zero_has_no_sign() {
+    let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");
+    let content = content
+        .replace("steer = 0.34\n", "")
+        .replace("0.3\n", "0.29\n");
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), content).expect("written");
+    for form in ["--csv", "--json"] {
+        let output = run(folder.path(), &["motion", "a.toml", form, "-"]);
+        let table = text(&output.stdout);
+        let mut numbers = table.split([',', ':', '}', '\n']);
+        assert!(numbers.clone().any(|number| number == "0.0"), "{output:?}");
+        assert!(!numbers.any(|number| number == "-0.0"), "{table}");
+    }
+}
+
 #[test]
 fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
     let folder = folder();
