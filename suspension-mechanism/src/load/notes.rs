@@ -21,6 +21,9 @@ const SMALLEST: f64 = 0.03;
 /// coordinates that Attia 2003 prints beside its lengths are 23 mm off.
 const ROUGH: f64 = 0.025;
 
+/// No wheel is toed or cambered by so much at its design position, in degrees.
+const OFF_AXIS: f64 = 30.0;
+
 /// How far assembling must move a point to be told, in metres.
 const TOLD: f64 = 1e-4;
 
@@ -43,6 +46,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let of_wheels = wheels.flat_map(|wheel| {
         [
             kingpin(task, wheel, &placed_points),
+            across_the_wheel(task, wheel, &placed_points),
             spin_axis(task, wheel, &placed_points),
         ]
     });
@@ -164,6 +168,22 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
         format!(
             "the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle, or look at the \
              axes and the signs of z if `{to}` is to be the upper end"
+        )
+    })
+}
+
+/// The spin axis is no such at the design position: one of its points is another one's, as it seems.
+fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [inner, centre] = wheel.points.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let axis = placed[centre] - placed[inner];
+    let off = axis.xz().norm().atan2(axis.y.abs()).to_degrees();
+    (off > OFF_AXIS).then(|| {
+        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
+        format!(
+            "the spin axis of the {wheel}, from `{from}` to `{to}`, is {off} deg off the y direction at the design position: are these \
+             the two points that are meant, and their coordinates right?"
         )
     })
 }

@@ -116,6 +116,20 @@ fn a_point_on_the_wrong_side_is_told_where_a_motion_is_out_of_reach() {
     assert_eq!(told.matches(doubt).count(), 1, "{told}");
 }
 
+/// Two points that are mixed up, of the wheel or on its axis; toe and camber as of a wheel are none of it.
+#[test]
+fn a_spin_axis_far_off_the_y_direction_is_remarked() {
+    let file = |points: &str| {
+        let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+        file.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="))
+    };
+    let told = notes(&file("axle = [0.1, 0.69, 0.3]"));
+    let expected = "note: a.toml: the spin axis of the wheel, from `axle` to `wheel_centre`, is 59 deg off the y direction at the design";
+    assert!(told.contains(expected), "{told}");
+    let told = notes(&file("axle = [0.02, 0.65, 0.32]"));
+    assert!(!told.contains("off the y direction"), "{told}");
+}
+
 /// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
 #[test]
 fn drives_that_are_meant_otherwise_are_remarked() {
