@@ -32,7 +32,7 @@ catalogue! {
         name: "kingpin",
         sign: "positive where the top of the kingpin leans inboard",
         definition: "from the vertical in the y-z plane, atan2(-k_y, k_z) on the left",
-        source: "ISO 8855; Attia 2003, angle alpha, which has the opposite sign",
+        source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_kingpin_and_spin_axis(names, kingpin_angle),
     }
@@ -48,7 +48,7 @@ catalogue! {
         name: "camber",
         sign: "positive where the top of the wheel leans outboard",
         definition: "of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|)",
-        source: "ISO 8855; Attia 2003, angle beta",
+        source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, camber),
     }
