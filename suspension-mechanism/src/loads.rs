@@ -1,18 +1,22 @@
 //! What load cases do to the parts of a mechanism: what its drives bear, the force in each link, and the forces that
 //! bodies exert at their joints.
 
+mod bearing;
 mod forces;
+mod outcome;
 mod site;
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::Vector3;
 use suspension_core::listing::{self, Parts};
 use suspension_listing::Kind;
 use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Borne, Description, State};
+use crate::mechanism::{Borne, Description, Names, State};
+use bearing::bearing;
 use forces::{Force, Here, summed};
 
+pub use outcome::{By, Outcome};
 pub use site::Site;
 
 /// A load case: what acts where.
@@ -30,36 +34,6 @@ pub struct Case {
     pub borne_by: Vec<(usize, usize)>,
 }
 
-/// What a case does at a place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// What each drive bears: N, or N m about an angle.
-    pub on_drives: Vec<f64>,
-    /// What acts in each measure that bears the load of a drive, as in [`Case::along`].
-    pub in_measures: Vec<(usize, f64)>,
-    /// The force in each link, N, positive in tension, by the number of its statement; of a link with a mass at its middle,
-    /// but for what spinning adds.
-    pub links: Vec<(usize, f64)>,
-    /// The force, N, that each other statement, and each link with a mass, exerts on each of its points, both by number.
-    pub joints: Vec<(usize, usize, Vector3<f64>)>,
-    /// The largest force that acts at a point, N: of the loads, of what bears drives' loads, of weight and inertia.
-    pub largest_load: f64,
-}
-
-impl Outcome {
-    /// How many times the largest force that acts the largest one inside is: without bound where the mechanism locks.
-    pub fn amplification(&self) -> f64 {
-        let links = self.links.iter().map(|(_, tension)| tension.abs());
-        let joints = self.joints.iter().map(|(.., force)| force.norm());
-        let largest = links.chain(joints).fold(0.0, f64::max);
-        if largest == 0.0 {
-            0.0
-        } else {
-            largest / self.largest_load
-        }
-    }
-}
-
 /// The statements of a listing that hold its points.
 pub struct Structure<'l> {
     /// They, in the order of their equations.
@@ -67,6 +41,8 @@ pub struct Structure<'l> {
     part_forces: Vec<PartForces>,
     /// Of each measure the shares of parts in what acts along it.
     measured: Vec<Vec<AngleShare>>,
+    /// Of each measure the points on which it acts with forces.
+    measured_points: Vec<Vec<usize>>,
     /// How many chassis points there are, the first of all points.
     chassis: usize,
     /// Markers with three points of the body that carries each.
@@ -80,6 +56,7 @@ impl<'l> Structure<'l> {
         Self {
             part_forces: listing.part_forces(),
             measured: listing.shares_in_measures(),
+            measured_points: listing.points_of_measures(),
             carriers: listing.carriers(),
             chassis: listing.count(listing::Kind::ChassisPoint),
             statements: listing.parts().collect(),
@@ -99,6 +76,7 @@ impl<'l> Structure<'l> {
             on_drives,
             by_parts,
         } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
+        let at_ends = self.at_ends(&here, &[case.along.as_slice(), &in_measures].concat());
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
             in_measures,
@@ -113,8 +91,56 @@ impl<'l> Structure<'l> {
             let own = forces.iter();
             let own = own.filter(|force| force.is_on(number, &self.statements[number]));
             self.add(&mut outcome, number, (by, own.collect()), here.points());
+            self.add_at_markers(&mut outcome, number, &at_ends);
         }
+        outcome.joints.extend(at_ends);
         Some(outcome)
+    }
+
+    /// The forces of what acts in measures, by number, on the points of each: what acts in one in several ways together.
+    fn at_ends(&self, here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(By, usize, Vector3<f64>)> {
+        let measures = self.measured_points.iter().enumerate();
+        let at_ends = measures.flat_map(|(measure, points)| {
+            let in_it = acting.iter().filter(|(acting, _)| *acting == measure);
+            let in_it: Vec<f64> = in_it.map(|(_, along)| *along).collect();
+            let gradient = match in_it.as_slice() {
+                [] => Vec::new(),
+                _ => here.mechanism.gradient(here.state, measure),
+            };
+            let along: f64 = in_it.iter().sum();
+            let at = move |point: &usize| {
+                let gradient = gradient.get(*point)?;
+                Some((By::Measure(measure), *point, gradient * along))
+            };
+            points.iter().filter_map(at)
+        });
+        at_ends.collect()
+    }
+
+    /// Adds what a body bears `at_ends` of measures that are its markers: it exerts the opposite there.
+    fn add_at_markers(
+        &self,
+        outcome: &mut Outcome,
+        number: usize,
+        at_ends: &[(By, usize, Vector3<f64>)],
+    ) {
+        let points = &self.statements[number].points;
+        let is_own = |body: &[usize; 3]| body.iter().all(|point| points.contains(point));
+        for (marker, _) in self.carriers.iter().filter(|(_, body)| is_own(body)) {
+            let there = at_ends.iter().filter(|(_, point, _)| point == marker);
+            let forces = there.map(|(.., force)| -force);
+            if let Some(force) = forces.reduce(|sum, force| sum + force) {
+                outcome.joints.push((By::Part(number), *marker, force));
+            }
+        }
+    }
+
+    /// The name of what exerts a force at a joint.
+    pub fn name_of<'n>(&'n self, by: By, names: &'n Names) -> &'n str {
+        match by {
+            By::Part(number) => self.statements[number].name,
+            By::Measure(number) => &names.measures[number].name,
+        }
     }
 
     /// Where the loads of a case act at places, in the file's coordinates, and their forces, N.
@@ -175,7 +201,7 @@ impl<'l> Structure<'l> {
             }
         }
         let joints = statement.points.iter();
-        let joints = joints.map(|point| (number, *point, by[*point]));
+        let joints = joints.map(|point| (By::Part(number), *point, by[*point]));
         outcome.joints.extend(joints);
     }
 }
@@ -187,53 +213,6 @@ fn share_along(by: &mut [Vector3<f64>], ends: [usize; 2], at: &[Vector3<f64>]) {
     let apart = 0.5 * (by[second] - by[first]).dot(&axis);
     by[first] += axis * apart;
     by[second] -= axis * apart;
-}
-
-/// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.
-const ROUNDING: f64 = 1e-12;
-
-/// Whether columns depend on each other but for rounding, whatever the units of columns and rows.
-fn is_singular(mut matrix: DMatrix<f64>) -> bool {
-    for mut column in matrix.column_iter_mut() {
-        column.unscale_mut(column.amax());
-    }
-    for mut row in matrix.row_iter_mut() {
-        row.unscale_mut(row.amax());
-    }
-    let is_finite = matrix.iter().all(|entry| entry.is_finite());
-    !is_finite || matrix.singular_values().min() < ROUNDING
-}
-
-/// What measures must bear so that their drives bear nothing; `None` where they cannot.
-fn bearing(
-    here: &Here<'_>,
-    borne_by: &[(usize, usize)],
-    forces: &[Force],
-) -> Option<Vec<(usize, f64)>> {
-    if borne_by.is_empty() {
-        return Some(Vec::new());
-    }
-    let on_drives = |forces: &[Force]| {
-        let borne = here.under(&summed(forces, here.points()), &[])?.on_drives;
-        let relieved = borne_by.iter().map(|(drive, _)| borne[*drive]);
-        Some(DVector::from_iterator(borne_by.len(), relieved))
-    };
-    let of_unit = |measure: usize| {
-        let acting = here.in_measure(measure, 1.0);
-        let rounding = ROUNDING * acting.iter().map(|each| each.force.norm()).sum::<f64>();
-        let borne = on_drives(&acting)?;
-        Some(borne.map(|borne| if borne.abs() > rounding { borne } else { 0.0 }))
-    };
-    let of_units = borne_by.iter().map(|(_, measure)| of_unit(*measure));
-    let of_units: Vec<DVector<f64>> = of_units.collect::<Option<_>>()?;
-    let matrix = DMatrix::from_columns(&of_units);
-    if is_singular(matrix.clone()) {
-        return None;
-    }
-    let along = matrix.lu().solve(&-on_drives(forces)?)?;
-    let measures = borne_by.iter().map(|(_, measure)| *measure);
-    let is_finite = along.iter().all(|along| along.is_finite());
-    is_finite.then(|| measures.zip(along.iter().copied()).collect())
 }
 
 /// Moments about angles per metre, not per the unit of lengths.

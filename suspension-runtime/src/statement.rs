@@ -1,9 +1,11 @@
 //! The statements of a listing that have equations.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use suspension_listing::Kind;
-use suspension_listing::system::{Equation, Site};
+use suspension_listing::name::Name;
+use suspension_listing::system::{Equation, Quantity, Site};
 
 use crate::listing::Listing;
 
@@ -76,6 +78,25 @@ impl Listing {
         let frames = system.markers.iter().map(|marker| marker.frame.each_ref());
         let places = frames.map(|frame| frame.map(|site: &Site| self.place_of(site)));
         (before..).zip(places).collect()
+    }
+
+    /// Of each measure the points that its value is of, by their places among all points; none of an angle.
+    pub fn points_of_measures(&self) -> Vec<Vec<usize>> {
+        let measures = self.system().measures.iter();
+        let names = measures.map(|measure| match &measure.quantity {
+            Quantity::Sum(terms) => terms.iter().map(|term| &term.point).collect(),
+            Quantity::Length { line } => line.iter().collect(),
+            Quantity::Along { point, .. } => vec![point],
+            Quantity::Angle { .. } | Quantity::Between { .. } => Vec::new(),
+        });
+        let places = names.map(|names: Vec<&Name>| {
+            let places = names
+                .into_iter()
+                .filter_map(|name| self.point(name.as_str()));
+            let distinct: BTreeSet<usize> = places.collect();
+            distinct.into_iter().collect()
+        });
+        places.collect()
     }
 }
 

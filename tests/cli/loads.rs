@@ -1,6 +1,7 @@
 //! Forces under load cases.
 
 mod cases;
+mod measures;
 mod moments;
 mod places;
 

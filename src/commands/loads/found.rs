@@ -2,8 +2,6 @@
 
 use std::rc::Rc;
 
-use nalgebra::Vector3;
-
 use crate::loads::{Case, Outcome};
 
 /// A case with what it does over the places that have an answer.
@@ -81,7 +79,7 @@ impl Extreme {
 /// A number of each part.
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = outcome.joints.iter();
-    along(outcome).chain(joints.map(|(.., force): &(usize, usize, Vector3<f64>)| force.norm()))
+    along(outcome).chain(joints.map(|(.., force)| force.norm()))
 }
 
 /// What drives, measures and links bear.

@@ -44,9 +44,9 @@ impl Report<'_> {
         let links = first.links.iter();
         let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
         table(["link", "tension"], links.collect());
-        let joints = first.joints.iter().map(|(statement, point, force)| {
-            let statement = structure.statements[*statement].name;
-            let of_several = line(&format!("{statement} at {}", names.points[*point]), "N");
+        let joints = first.joints.iter().map(|(by, point, force)| {
+            let by = structure.name_of(*by, names);
+            let of_several = line(&format!("{by} at {}", names.points[*point]), "N");
             match found.places {
                 1 => Line {
                     numbers: force.iter().copied().collect(),

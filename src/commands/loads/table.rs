@@ -59,10 +59,10 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
     });
     let links = shape.links.iter();
     let links = links.map(|(statement, _)| format!("{case}_{}_N", statements[*statement].name));
-    let joints = shape.joints.iter().flat_map(|(statement, point, _)| {
-        let statement = statements[*statement].name;
+    let joints = shape.joints.iter().flat_map(|(by, point, _)| {
+        let by = structure.name_of(*by, &mechanism.names);
         let point = &mechanism.names.points[*point];
-        ["x", "y", "z"].map(|axis| format!("{case}_{statement}_{point}_{axis}_N"))
+        ["x", "y", "z"].map(|axis| format!("{case}_{by}_{point}_{axis}_N"))
     });
     drives.chain(bearing).chain(links).chain(joints).collect()
 }
