@@ -5,6 +5,7 @@ mod bearing;
 mod forces;
 mod outcome;
 mod site;
+mod unborne;
 
 use nalgebra::Vector3;
 use suspension_core::listing::{self, Parts};

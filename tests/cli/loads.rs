@@ -4,6 +4,7 @@ mod cases;
 mod measures;
 mod moments;
 mod places;
+mod springs;
 
 use std::collections::BTreeMap;
 

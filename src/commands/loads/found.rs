@@ -9,6 +9,8 @@ pub(super) struct Found<'a> {
     pub(super) case: &'a Case,
     /// That of the first place: all have the same parts.
     pub(super) first: Outcome,
+    /// Drives that bear loads at the first place, each with a spring that could, as [`unborne`](crate::loads::Structure::unborne).
+    pub(super) unborne: Vec<(usize, usize)>,
     /// How many places there are.
     pub(super) places: usize,
     /// The numbers of the first place; which of them are others elsewhere.
@@ -29,7 +31,11 @@ pub(super) struct Extreme {
 
 impl<'a> Found<'a> {
     /// A case of which no place is counted yet.
-    pub(super) fn new(case: &'a Case, first: Outcome, place: &Rc<[f64]>) -> Self {
+    pub(super) fn new(
+        (case, unborne): (&'a Case, Vec<(usize, usize)>),
+        first: Outcome,
+        place: &Rc<[f64]>,
+    ) -> Self {
         let extreme = |value| Extreme {
             value,
             place: place.clone(),
@@ -37,6 +43,7 @@ impl<'a> Found<'a> {
         let nothing = [f64::INFINITY, f64::NEG_INFINITY].map(extreme);
         Self {
             case,
+            unborne,
             places: 0,
             place: place.clone(),
             varies: vec![false; place.len()],

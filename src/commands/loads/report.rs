@@ -5,7 +5,7 @@ use suspension_core::listing::{DriveKind, MeasureKind};
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
 use crate::loads::Structure;
-use crate::mechanism::{Description, Drive, Measure};
+use crate::mechanism::{Description, Drive, Measure, Names};
 use crate::number::fixed;
 use crate::output::text_table::{TextColumn, laid_out};
 
@@ -37,8 +37,8 @@ impl Report<'_> {
         let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
         table(["drive", "bears"], drives.collect());
         let bearing = first.in_measures.iter().map(|(measure, _)| {
-            let measure = &names.measures[*measure];
-            line(&measure.name, unit_in(measure))
+            let unit = unit_in(&names.measures[*measure]);
+            line(&with_springs(names, *measure), unit)
         });
         table(["measure", "bears"], bearing.collect());
         let links = first.links.iter();
@@ -131,6 +131,19 @@ struct Line {
     numbers: Vec<f64>,
     unit: &'static str,
     places: [String; 2],
+}
+
+/// A measure with the springs of the file that act along it.
+fn with_springs(names: &Names, measure: usize) -> String {
+    let along = names.vehicle.springs.iter();
+    let along = along.filter(|spring| spring.measure == measure);
+    let springs: Vec<&str> = along.map(|spring| spring.name.as_str()).collect();
+    let name = &names.measures[measure].name;
+    match springs.as_slice() {
+        [] => name.clone(),
+        [spring] => format!("{name} (spring {spring})"),
+        _ => format!("{name} (springs {})", springs.join(" and ")),
+    }
 }
 
 /// A force for people.

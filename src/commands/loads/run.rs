@@ -10,6 +10,7 @@ use suspension_runtime::Listing;
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
+use crate::commands::loads::note::springs_bear_nothing;
 use crate::commands::loads::report::Report;
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
@@ -54,7 +55,7 @@ impl<'a> Run<'a> {
             let state = place.state();
             let (at, outcomes): (Rc<[f64]>, _) =
                 (leading.read(&state).into(), self.outcomes(&state));
-            start(&mut found, self.cases, &outcomes, &at);
+            self.start(&mut found, &outcomes, (&state, &at));
             count(&mut found, &outcomes, &at);
             let drawn = self.drawings.is_some().then_some(state);
             (at, outcomes, drawn)
@@ -91,7 +92,7 @@ impl<'a> Run<'a> {
         self.mechanism.move_through(instants, &mut |state| {
             progress.step();
             let at = leading.read(&state).into();
-            start(&mut found, self.cases, &self.outcomes(&state), &at);
+            self.start(&mut found, &self.outcomes(&state), (&state, &at));
             Ok(go_on(found.iter().all(Option::is_some) || is_over()))
         })?;
         drop(progress);
@@ -133,6 +134,22 @@ impl<'a> Run<'a> {
         outcomes.collect()
     }
 
+    /// Begins cases that have their first answer.
+    fn start(
+        &self,
+        found: &mut [Option<Found<'a>>],
+        outcomes: &[Option<Outcome>],
+        (state, at): (&State, &Rc<[f64]>),
+    ) {
+        for ((found, case), outcome) in found.iter_mut().zip(self.cases).zip(outcomes) {
+            if let (None, Some(outcome)) = (&found, outcome) {
+                let first = (state, outcome);
+                let unborne = self.structure.unborne(self.mechanism, case, first);
+                *found = Some(Found::new((case, unborne), outcome.clone(), at));
+            }
+        }
+    }
+
     /// The table, where one is to be written and a case has an answer.
     fn rows(
         &self,
@@ -168,6 +185,9 @@ impl<'a> Run<'a> {
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
+        springs_bear_nothing(self.source, &self.mechanism.names, found)
+            .into_iter()
+            .for_each(tell);
         if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
             return Ok(());
         }
@@ -210,20 +230,6 @@ impl<'a> Run<'a> {
                 Err(failure)
             }
             (None, without) => without.map_or(Ok(()), |without| Err(Failure::Solver(without))),
-        }
-    }
-}
-
-/// Begins cases that have their first answer.
-fn start<'a>(
-    found: &mut [Option<Found<'a>>],
-    cases: &'a [Case],
-    outcomes: &[Option<Outcome>],
-    at: &Rc<[f64]>,
-) {
-    for ((found, case), outcome) in found.iter_mut().zip(cases).zip(outcomes) {
-        if let (None, Some(outcome)) = (&found, outcome) {
-            *found = Some(Found::new(case, outcome.clone(), at));
         }
     }
 }

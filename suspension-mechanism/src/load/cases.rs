@@ -1,16 +1,18 @@
 //! The load cases of a motion file.
 
+mod borne;
+
 use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
-use suspension_listing::did_you_mean::{did_you_mean, unknown};
+use suspension_listing::did_you_mean::did_you_mean;
 use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{Load, MotionFile, Source, Wrench, in_order};
 use crate::loads::{Case, Site};
-use crate::mechanism::{Description, Spring, Wheel};
+use crate::mechanism::{Description, Wheel};
 
 /// Where a wheel touches the ground, in the names of loads.
 const CONTACT: &str = "contact";
@@ -92,16 +94,19 @@ impl Reader<'_> {
         if numbers.any(|number| !number.is_finite()) {
             return refuse(format!("load `{name}` is not finite"));
         }
-        let named = |names: Vec<&str>, name: &str| names.iter().position(|each| *each == name);
-        let measure = |name: &str| named(self.mechanism.names.of_measures(), name);
-        let drive = named(self.mechanism.names.of_drives(), name);
-        match (load.get_ref(), measure(name)) {
+        match (load.get_ref(), self.measure(name)) {
+            (Load::By(by), _) => match self.borne_by(case, name, by) {
+                Ok(borne_by) => case.borne_by.push(borne_by),
+                Err(message) => return refuse(message),
+            },
             (Load::Along(along), Some(measure)) => case.along.push((measure, *along)),
             (Load::At(_), Some(_)) => {
                 return refuse(format!(
-                    "`{name}` is a measure: write one number, positive where it makes the measure larger"
+                    "`{name}` is {}: write one number, positive where it makes the measure larger",
+                    self.kind_of_measure(name)
                 ));
             }
+            (_, None) if self.drive(name).is_some() => return refuse(self.no_load_of_drive(name)),
             (Load::Along(_), None) => {
                 self.site(place, false)?;
                 return refuse(format!("`{name}` is a place: write a force [x, y, z] in N"));
@@ -111,41 +116,8 @@ impl Reader<'_> {
                 let load = [Vector3::from(*force), Vector3::from(*moment)];
                 case.at.push((site, load));
             }
-            (Load::By(by), _) => match (drive, measure(by).or(self.measure_of_spring(by))) {
-                (Some(drive), Some(measure)) => {
-                    if let Some((other, _)) = case.borne_by.iter().find(|(_, own)| *own == measure)
-                    {
-                        let other = &self.mechanism.names.drives[*other].name;
-                        return refuse(format!(
-                            "`{by}` is to bear the loads of both `{other}` and `{name}`, and one spring bears that of one drive; name \
-                             another spring or measure for `{name}`"
-                        ));
-                    }
-                    case.borne_by.push((drive, measure));
-                }
-                (None, _) => {
-                    let drives = self.mechanism.names.of_drives().join(", ");
-                    return refuse(format!("`{name}` is no drive; the drives are {drives}"));
-                }
-                (_, None) => {
-                    let mut known = self.mechanism.names.of_measures();
-                    known.extend(self.springs().map(|spring| spring.name.as_str()));
-                    return refuse(unknown("measure or spring", by, &known));
-                }
-            },
         }
         Ok(())
-    }
-
-    fn springs(&self) -> impl Iterator<Item = &Spring> {
-        self.mechanism.names.vehicle.springs.iter()
-    }
-
-    /// The measure along which a spring of that name acts.
-    fn measure_of_spring(&self, name: &str) -> Option<usize> {
-        let mut springs = self.springs();
-        let spring = springs.find(|spring| spring.name == name)?;
-        Some(spring.measure)
     }
 
     /// What a field that the case states adds: gravity in place of the usual one, and the chassis' acceleration, m/s^2.

@@ -2,10 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::loads::forces::{Force, Here, summed};
-
-/// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.
-const ROUNDING: f64 = 1e-12;
+use crate::loads::forces::{Force, Here, ROUNDING, summed};
 
 /// Whether columns depend on each other but for rounding, whatever the units of columns and rows.
 fn is_singular(mut matrix: DMatrix<f64>) -> bool {

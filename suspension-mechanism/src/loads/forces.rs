@@ -10,6 +10,9 @@ use crate::kinematics::Kinematics;
 use crate::loads::site::Site;
 use crate::mechanism::{Borne, Mass, State};
 
+/// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.
+pub(super) const ROUNDING: f64 = 1e-12;
+
 /// A force at a point, and what it acts on there.
 pub(super) struct Force {
     pub(super) point: usize,

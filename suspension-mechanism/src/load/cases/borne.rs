@@ -1,0 +1,100 @@
+//! What bears the load of a drive in a load case.
+
+use suspension_listing::did_you_mean::unknown;
+
+use crate::load::cases::Reader;
+use crate::loads::Case;
+use crate::mechanism::Spring;
+
+impl Reader<'_> {
+    /// A drive that bears nothing, with the measure that does, both by number.
+    ///
+    /// # Errors
+    ///
+    /// What to write, where `name` is no drive, `by` no measure and no spring, or has the load of another drive.
+    pub(super) fn borne_by(
+        &self,
+        case: &Case,
+        name: &str,
+        by: &str,
+    ) -> Result<(usize, usize), String> {
+        let Some(drive) = self.drive(name) else {
+            return Err(self.no_drive(name, by));
+        };
+        let Some(measure) = self.measure(by) else {
+            return Err(unknown("measure or spring", by, &self.bearing()));
+        };
+        let mut stated = case.borne_by.iter();
+        if let Some((other, _)) = stated.find(|(_, own)| *own == measure) {
+            let other = &self.mechanism.names.drives[*other].name;
+            return Err(format!(
+                "`{by}` is to bear the loads of both `{other}` and `{name}`, and one spring bears that of one drive; name another \
+                 spring or measure for `{name}`"
+            ));
+        }
+        Ok((drive, measure))
+    }
+
+    pub(super) fn drive(&self, name: &str) -> Option<usize> {
+        let mut drives = self.mechanism.names.of_drives().into_iter();
+        drives.position(|drive| drive == name)
+    }
+
+    /// The measure of that name, or along which a spring of that name acts.
+    pub(super) fn measure(&self, name: &str) -> Option<usize> {
+        let mut measures = self.mechanism.names.of_measures().into_iter();
+        let measure = measures.position(|measure| measure == name);
+        let spring = || self.springs().find(|spring| spring.name == name);
+        measure.or_else(|| Some(spring()?.measure))
+    }
+
+    /// Whether a name that has a measure is that of the measure or of a spring, in words.
+    pub(super) fn kind_of_measure(&self, name: &str) -> &'static str {
+        if self.mechanism.names.of_measures().contains(&name) {
+            "a measure"
+        } else {
+            "a spring"
+        }
+    }
+
+    /// What may stand for a drive in place of a force.
+    pub(super) fn no_load_of_drive(&self, drive: &str) -> String {
+        let known = self.bearing().join(", ");
+        format!(
+            "`{drive}` is a drive: write the name of the measure or spring that bears its load, or a force where it acts; measures and \
+             springs are {known}"
+        )
+    }
+
+    /// What to write where what is to bear a load stands before the drive, or something else does.
+    fn no_drive(&self, name: &str, by: &str) -> String {
+        let names = &self.mechanism.names;
+        let known = names.of_drives();
+        if self.measure(name).is_some() && self.drive(by).is_some() {
+            let kind = self.kind_of_measure(name);
+            return format!(
+                "`{name}` is {kind} and `{by}` a drive, which stands first: write {by} = \"{name}\""
+            );
+        }
+        let drives = known.join(", ");
+        let message = format!("`{name}` is no drive; the drives are {drives}");
+        let travel = names.vehicle.travel.first().copied().unwrap_or_default();
+        match (self.measure(by), known.get(travel)) {
+            (Some(_), Some(drive)) => format!(
+                "{message}; the drive whose load `{by}` is to bear stands first: write {drive} = \"{by}\""
+            ),
+            _ => message,
+        }
+    }
+
+    fn springs(&self) -> impl Iterator<Item = &Spring> {
+        self.mechanism.names.vehicle.springs.iter()
+    }
+
+    /// The names of what may bear loads.
+    fn bearing(&self) -> Vec<&str> {
+        let springs = self.springs().map(|spring| spring.name.as_str());
+        let measures = self.mechanism.names.of_measures().into_iter();
+        measures.chain(springs).collect()
+    }
+}

@@ -1,0 +1,125 @@
+//! Springs of the file: what is said where they bear a load, where they do not, and where a case names them the wrong way round.
+
+use super::super::program::{folder, run, text};
+use super::loaded;
+
+const SPRINGS: &str = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n";
+const CASE: &str = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n";
+
+/// What is printed and what is said of a file.
+fn told(file: &str, more: &[&str]) -> (String, String) {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &[&["loads", "a.toml"], more].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [printed, said] = [&output.stdout, &output.stderr].map(|bytes| text(bytes).to_owned());
+    (printed, said)
+}
+
+#[test]
+fn the_spring_that_bears_a_load_is_named() {
+    let helper = "[springs.helper]\nalong = \"damper\"\nrate = 1000.0\n";
+    for (springs, expected) in [
+        ("", "\ndamper  "),
+        (SPRINGS, "\ndamper (spring coil)  "),
+        (
+            &format!("{SPRINGS}{helper}"),
+            "\ndamper (springs coil and helper)  ",
+        ),
+    ] {
+        for by in ["coil", "damper"] {
+            if springs.is_empty() && by == "coil" {
+                continue;
+            }
+            let (report, said) = told(&loaded(&format!("{springs}{CASE}bump = \"{by}\"\n")), &[]);
+            assert!(report.contains(expected), "{report}");
+            assert_eq!(said, "");
+        }
+    }
+}
+
+/// A drive that bears the load leaves the springs nothing: one note says so for all cases.
+#[test]
+fn springs_that_bear_nothing_are_noted_once() {
+    let second = "[loads.b]\ncontact = [0.0, 3500.0, 5000.0]\n";
+    let expected = "a.toml: the drive `bump` bears the load of [loads.a] and [loads.b], and no spring does; write bump = \"coil\" there for \
+                    the spring to bear it\n";
+    let both = loaded(&format!("{SPRINGS}{CASE}{second}"));
+    for more in [
+        &[][..],
+        &["--csv", "-"],
+        &["--drive", "bump=-0.04:0.04:3", "--json", "-"],
+        &["--motion", "--csv", "-"],
+    ] {
+        let (_, said) = told(&both, more);
+        assert_eq!(said, expected, "{more:?}");
+    }
+    let (_, said) = told(
+        &loaded(&format!("{SPRINGS}{CASE}bump = \"coil\"\n{second}")),
+        &[],
+    );
+    assert!(said.contains("the load of [loads.b], and no"), "{said}");
+    for no_note in [
+        format!("{SPRINGS}{CASE}damper = 3800.0\n"),
+        format!("{SPRINGS}{CASE}coil = 3800.0\n"),
+        format!("{SPRINGS}[loads.a]\nrack = [0.0, 100.0, 0.0]\n"),
+        CASE.to_owned(),
+    ] {
+        let (_, said) = told(&loaded(&no_note), &[]);
+        assert_eq!(said, "", "{no_note}");
+    }
+}
+
+/// Each drive of an axle has the spring of its own side, and not the bar.
+#[test]
+fn each_wheel_of_an_axle_has_its_own_spring() {
+    let file = "linkage = \"live_axle_panhard\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
+                drives = { bump_left = 0.31, bump_right = 0.31 }\n\
+                springs.bar = { along = \"roll_travel\", rate = 90000.0 }\n\
+                springs.left = { along = \"damper_left\", rate = 30000.0 }\n\
+                springs.right = { along = \"damper_right\", rate = 30000.0 }\n\
+                loads.a = { left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 2000.0] }\n";
+    let (_, said) = told(file, &[]);
+    let expected = "a.toml: the drives `bump_left` and `bump_right` bear the load of [loads.a], and no spring does; write bump_left = \
+                    \"left\" and bump_right = \"right\" there for the springs to bear it\n";
+    assert_eq!(said, expected);
+}
+
+#[test]
+fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
+    for (line, expected) in [
+        (
+            "spring = \"damper\"",
+            "`spring` is no drive; the drives are bump, steer; the drive whose load `damper` is to bear stands first: write bump = \"damper\"",
+        ),
+        (
+            "damper = \"coil\"",
+            "`damper` is no drive; the drives are bump, steer; the drive whose load `coil` is to bear stands first: write bump = \"coil\"",
+        ),
+        (
+            "coil = \"bump\"",
+            "`coil` is a spring and `bump` a drive, which stands first: write bump = \"coil\"",
+        ),
+        (
+            "damper = \"bump\"",
+            "`damper` is a measure and `bump` a drive, which stands first: write bump = \"damper\"",
+        ),
+        (
+            "bump = 4000.0",
+            "`bump` is a drive: write the name of the measure or spring that bears its load, or a force where it acts; measures and springs \
+             are damper, bar_arm, coil",
+        ),
+        (
+            "coil = [0.0, 0.0, 4000.0]",
+            "`coil` is a spring: write one number, positive where it makes the measure larger",
+        ),
+    ] {
+        let folder = folder();
+        let file = loaded(&format!("{SPRINGS}{CASE}{line}\n"));
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
+        let said = text(&output.stderr);
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+}
