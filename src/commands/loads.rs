@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::Swept;
 use crate::load::load;
-use crate::loads::Structure;
+use crate::loads::{Structure, contact_of};
 use crate::mechanism::Names;
 use crate::output::beside::{in_out, name_of};
 use crate::output::rows::Forms;
@@ -172,8 +172,11 @@ fn no_case(names: &Names) -> String {
         let (drive, spring) = (&names.drives[*drive].name, &spring.name);
         format!(", and {drive} = \"{spring}\" for the spring to bear what the drive would")
     });
+    let place = names.wheels.first().map(contact_of);
+    let place = place.or_else(|| names.points.get(names.chassis).cloned());
     format!(
-        "no load case; write [loads.braking] with a line for each load, as contact = [-3000.0, 0.0, 4000.0]{}",
+        "no load case; write [loads.braking] with a line for each load, as {} = [-3000.0, 0.0, 4000.0]{}",
+        place.unwrap_or_default(),
         borne.unwrap_or_default()
     )
 }

@@ -18,7 +18,7 @@ use bearing::bearing;
 use forces::{Force, Here, summed};
 
 pub use outcome::{By, Outcome};
-pub use site::Site;
+pub use site::{Site, contact_of};
 
 /// A load case: what acts where.
 #[derive(Clone, Debug, PartialEq)]

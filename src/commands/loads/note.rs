@@ -35,7 +35,7 @@ pub(super) fn springs_bear_nothing(
             _ => ["drives", "bear", "springs"],
         };
         format!(
-            "{file}: the {subject} {} {is} the load of {}, and no spring does; write {} there for the {it} to bear it",
+            "note: {file}: the {subject} {} {is} the load of {}, and no spring does; write {} there for the {it} to bear it",
             all(drives),
             all(tables),
             all(lines)

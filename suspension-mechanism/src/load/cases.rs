@@ -11,11 +11,8 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{Load, MotionFile, Source, Wrench, in_order};
-use crate::loads::{Case, Site};
-use crate::mechanism::{Description, Wheel};
-
-/// Where a wheel touches the ground, in the names of loads.
-const CONTACT: &str = "contact";
+use crate::loads::{Case, Site, contact_of};
+use crate::mechanism::Description;
 
 /// What acts on all masses.
 const GRAVITY: &str = "gravity";
@@ -191,10 +188,6 @@ impl Reader<'_> {
     /// `contact`, or of a named wheel `left_contact`.
     fn contact(&self, place: &Spanned<String>) -> Result<Site, Failure> {
         let names = &self.mechanism.names;
-        let contact_of = |wheel: &Wheel| match wheel.name.as_str() {
-            "" => CONTACT.to_owned(),
-            name => format!("{name}_{CONTACT}"),
-        };
         let contacts: Vec<String> = names.wheels.iter().map(contact_of).collect();
         let name = place.get_ref();
         let Some(wheel) = contacts.iter().position(|contact| contact == name) else {

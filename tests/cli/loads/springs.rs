@@ -42,7 +42,7 @@ fn the_spring_that_bears_a_load_is_named() {
 #[test]
 fn springs_that_bear_nothing_are_noted_once() {
     let second = "[loads.b]\ncontact = [0.0, 3500.0, 5000.0]\n";
-    let expected = "a.toml: the drive `bump` bears the load of [loads.a] and [loads.b], and no spring does; write bump = \"coil\" there for \
+    let expected = "note: a.toml: the drive `bump` bears the load of [loads.a] and [loads.b], and no spring does; write bump = \"coil\" there for \
                     the spring to bear it\n";
     let both = loaded(&format!("{SPRINGS}{CASE}{second}"));
     for more in [
@@ -80,7 +80,7 @@ fn each_wheel_of_an_axle_has_its_own_spring() {
                 springs.right = { along = \"damper_right\", rate = 30000.0 }\n\
                 loads.a = { left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 2000.0] }\n";
     let (_, said) = told(file, &[]);
-    let expected = "a.toml: the drives `bump_left` and `bump_right` bear the load of [loads.a], and no spring does; write bump_left = \
+    let expected = "note: a.toml: the drives `bump_left` and `bump_right` bear the load of [loads.a], and no spring does; write bump_left = \
                     \"left\" and bump_right = \"right\" there for the springs to bear it\n";
     assert_eq!(said, expected);
 }
@@ -119,6 +119,34 @@ fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["loads", "a.toml"]);
         assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
+        let said = text(&output.stderr);
+        assert!(said.contains(expected), "{expected}: {said}");
+    }
+}
+
+/// The contact points of an axle have the names of its wheels.
+#[test]
+fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
+    for (layout, drives, expected) in [
+        (
+            "live_axle_panhard",
+            "bump_left = 0.31, bump_right = 0.31",
+            "as left_contact = [-3000.0, 0.0, 4000.0]",
+        ),
+        (
+            "trailing_arm",
+            "bump = 0.29",
+            "as contact = [-3000.0, 0.0, 4000.0]",
+        ),
+    ] {
+        let file = format!(
+            "linkage = \"{layout}\"\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ {drives} }}\n"
+        );
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
         let said = text(&output.stderr);
         assert!(said.contains(expected), "{expected}: {said}");
     }
