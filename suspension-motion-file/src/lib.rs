@@ -32,7 +32,7 @@ pub use dimension::Dimension;
 pub use explain::{is_listing, is_motion};
 pub use instants::Instants;
 pub use leading::{StandIn, stand_in};
-pub use load::{Load, Wrench};
+pub use load::{Load, LoadCase, Wrench};
 pub use mass::{BodyMass, Centre, MassTable};
 pub use motion_file::{Coefficients, MotionFile, Offset, Position, Time, VehicleTable};
 pub use number_list::NumberList;

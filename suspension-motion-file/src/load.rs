@@ -1,5 +1,6 @@
 //! A load of a load case.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Deserialize;
@@ -7,6 +8,7 @@ use serde::de::{
     self, MapAccess, SeqAccess, Visitor,
     value::{MapAccessDeserializer, SeqAccessDeserializer},
 };
+use toml::Spanned;
 
 use crate::number_list::number_list;
 
@@ -20,6 +22,10 @@ pub enum Load {
     /// A drive bears nothing: the measure of this name does.
     By(String),
 }
+
+/// What stands in the table of a load case, by the names of places, measures and drives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadCase(pub BTreeMap<Spanned<String>, Spanned<Load>>);
 
 /// A force and a moment, in the file's axes.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
@@ -41,6 +47,26 @@ impl Load {
             Self::At(Wrench { force, moment }) => [*force, *moment].concat(),
             Self::By(_) => Vec::new(),
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for LoadCase {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(LoadCaseVisitor)
+    }
+}
+
+struct LoadCaseVisitor;
+
+impl<'de> Visitor<'de> for LoadCaseVisitor {
+    type Value = LoadCase;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a load case, which has a name: write its lines under [loads.NAME]")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LoadCase, A::Error> {
+        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(LoadCase)
     }
 }
 

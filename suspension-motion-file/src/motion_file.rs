@@ -13,7 +13,7 @@ use toml::Spanned;
 
 use crate::explain::explained;
 use crate::failure::Failure;
-use crate::load::Load;
+use crate::load::LoadCase;
 use crate::mass::MassTable;
 use crate::number_list::number_list;
 use crate::per_wheel::PerWheel;
@@ -57,7 +57,7 @@ pub struct MotionFile {
     /// Masses of moving parts by name.
     pub masses: Option<Table<MassTable>>,
     /// Load cases by name, each with what acts where.
-    pub loads: Option<Table<BTreeMap<Spanned<String>, Spanned<Load>>>>,
+    pub loads: Option<Table<LoadCase>>,
     /// Standard deviations of points and links by name, in the unit.
     pub tolerances: Option<Table<f64>>,
     /// What may be moved to reach which curves.

@@ -2,15 +2,13 @@
 
 mod borne;
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 use suspension_listing::did_you_mean::did_you_mean;
 use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Load, MotionFile, Source, Wrench, in_order};
+use crate::file::{Load, LoadCase, MotionFile, Source, Wrench, in_order};
 use crate::loads::{Case, Site, contact_of};
 use crate::mechanism::Description;
 
@@ -45,9 +43,6 @@ pub(super) fn cases(
         .collect()
 }
 
-/// What stands in the table of a case.
-type Loads = BTreeMap<Spanned<String>, Spanned<Load>>;
-
 struct Reader<'a> {
     source: &'a Source,
     listing: &'a Listing,
@@ -56,7 +51,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn case(&self, name: &Spanned<String>, loads: &Loads) -> Result<Case, Failure> {
+    fn case(&self, name: &Spanned<String>, LoadCase(loads): &LoadCase) -> Result<Case, Failure> {
         let ends_names = |c: char| c.is_control() || ['/', '\\', ':'].contains(&c);
         if name.get_ref().contains(ends_names) {
             let message = "the name of a load case is part of names of files and columns; leave out `/`, `\\` and `:`";

@@ -12,6 +12,10 @@ fn what_is_no_load_is_refused_with_its_place() {
             "4000.0], and bump = \"coil\" for the spring to bear what the drive would",
         ),
         (
+            "[loads]\ncontact = [0.0, 0.0, 4000.0]\n",
+            "invalid type: sequence, expected a load case, which has a name: write its lines under [loads.NAME]",
+        ),
+        (
             "[loads.a]\ncontakt = [0.0, 0.0, 1.0]\n",
             "unknown place `contakt`; loads act at contact, ",
         ),
