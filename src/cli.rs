@@ -5,7 +5,7 @@ use std::io::Write;
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
@@ -99,8 +99,11 @@ impl Options {
     /// What the program was given. Prints the help that was asked for, or a mistake with what may have been meant, and ends.
     pub fn given() -> Self {
         let arguments: Vec<OsString> = std::env::args_os().collect();
-        Self::try_parse_from(&arguments)
-            .unwrap_or_else(|mistake| end(&with_suggestion(mistake, &Self::command(), &arguments)))
+        let mut program = program(&arguments);
+        let matches = program.try_get_matches_from_mut(&arguments);
+        matches
+            .and_then(|matches| Self::from_arg_matches(&matches))
+            .unwrap_or_else(|mistake| end(&with_suggestion(mistake, &program, &arguments)))
     }
 
     /// Does what the command asks for, or without one the published motion.
@@ -127,6 +130,18 @@ impl Options {
             Some(Command::Tables(arguments)) => arguments.run(interrupted),
             Some(Command::Tune(arguments)) => arguments.run(interrupted),
         }
+    }
+}
+
+/// The commands and their options. The help of `motion` is only written where it is asked for: it names the quantities of a listing,
+/// whose equations take longer to order than most commands take.
+fn program(arguments: &[OsString]) -> clap::Command {
+    let program = Options::command();
+    let has = |word: &str| arguments.iter().any(|argument| argument == word);
+    if has("motion") && (has("--help") || has("help")) {
+        program.mut_subcommand("motion", |motion| motion.after_long_help(motion::help()))
+    } else {
+        program
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
+pub use help::text as help;
 
 use crate::failure::Failure;
 use crate::file::Source;
@@ -21,7 +22,6 @@ use crate::output::target::Target;
 
 /// What `suspension motion` is given.
 #[derive(Args, Clone, Debug)]
-#[command(after_long_help = help::text())]
 pub struct Arguments {
     /// The motion file (TOML): linkage, points, lengths, instants, drives.
     file: PathBuf,

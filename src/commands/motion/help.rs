@@ -9,7 +9,7 @@ use crate::mechanism::{
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
 /// The file, the results with the names that they have for the published linkage, the exit codes.
-pub(super) fn text() -> String {
+pub fn text() -> String {
     let tabled = catalogue().filter(|quantity| quantity.shown != Shown::InSummaries);
     let published = layouts::listing("attia2003").map(Listing::parse);
     let Some(Ok(linkage)) = published else {

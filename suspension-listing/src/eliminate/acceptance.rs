@@ -61,11 +61,13 @@ impl Acceptance {
         }
     }
 
-    /// Takes a pivot of these values.
-    pub(super) fn take(&mut self, values: &[f64], least: &[f64]) {
+    /// Takes a pivot of these values; returns whether fewer positions are served.
+    pub(super) fn take(&mut self, values: &[f64], least: &[f64]) -> bool {
+        let before = self.count();
         for ((serves, value), least) in self.serves.iter_mut().zip(values).zip(least) {
             *serves &= value.abs() >= *least;
         }
+        self.count() < before
     }
 
     /// Of an entry's values those in positions that count.

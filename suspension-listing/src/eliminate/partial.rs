@@ -9,17 +9,28 @@ use super::preference::Preference;
 /// What is known of an entry during elimination.
 #[derive(Clone, Debug)]
 struct Cell {
-    /// In each position; none where they are not known. Attempts share what they have in common.
+    /// In each position; none where they are not known, nor where those that they are made of are not. Attempts share what they have
+    /// in common.
     values: Rc<[f64]>,
     unit: bool,
     carried: bool,
     /// When it is ready, in operations from the start.
     ready: usize,
+    /// What it loses as the pivot, as [`Acceptance::lost`]: kept, because an attempt looks at each entry in each step, and few change.
+    lost: Option<usize>,
 }
 
-/// Position by position; none where one of them is not known.
-fn combined(a: &[f64], b: &[f64], combine: impl Fn(f64, f64) -> f64) -> Rc<[f64]> {
-    a.iter().zip(b).map(|(a, b)| combine(*a, *b)).collect()
+impl Cell {
+    /// An entry that is not known yet to be large enough for a pivot.
+    fn new(values: Rc<[f64]>, ready: usize) -> Self {
+        Self {
+            values,
+            unit: false,
+            carried: false,
+            ready,
+            lost: None,
+        }
+    }
 }
 
 /// A partly eliminated matrix.
@@ -50,10 +61,9 @@ impl Partial {
         };
         for entry in entries {
             let cell = Cell {
-                values: entry.values.as_slice().into(),
                 unit: entry.unit,
                 carried: entry.carried,
-                ready: 0,
+                ..Cell::new(entry.values.as_slice().into(), 0)
             };
             partial.put(entry.row, entry.column, cell);
         }
@@ -96,8 +106,11 @@ impl Partial {
     /// Eliminates with a pivot.
     fn take(&mut self, row: usize, column: usize) -> Option<()> {
         let pivot = self.cells[row][column].clone()?;
-        self.acceptance.take(&pivot.values, &self.least[column]);
+        let narrowed = self.acceptance.take(&pivot.values, &self.least[column]);
         self.step(row, column, pivot);
+        if narrowed {
+            (0..self.cells.len()).for_each(|column| self.update_least(column));
+        }
         Some(())
     }
 
@@ -118,16 +131,17 @@ impl Partial {
     /// lowest.
     fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
         let mut best = None;
-        let columns = self.rows_of.iter().zip(&self.least).enumerate();
-        for (column, (rows, least)) in columns {
+        for (column, rows) in self.rows_of.iter().enumerate() {
             for &row in rows {
-                let Some(lost) = self.acceptance.lost(self.values(row, column), least) else {
+                let Some(Cell {
+                    lost: Some(lost),
+                    ready,
+                    ..
+                }) = self.cells[row][column]
+                else {
                     continue;
                 };
                 let markowitz = (rows.len() - 1) * (self.columns_of[row].len() - 1);
-                let ready = self.cells[row][column]
-                    .as_ref()
-                    .map_or(0, |cell| cell.ready);
                 let rank = (lost, preference.rank(markowitz, ready));
                 if best.is_none_or(|(lowest, _)| rank < lowest) {
                     best = Some((rank, (row, column)));
@@ -137,10 +151,16 @@ impl Partial {
         best.map(|(_, pivot)| pivot)
     }
 
+    /// Finds anew how large a pivot of the column must be, and which of its entries are.
     fn update_least(&mut self, column: usize) {
         let rows = self.rows_of[column].iter();
         let values = rows.map(|&row| self.values(row, column));
         self.least[column] = self.acceptance.least(values);
+        for &row in &self.rows_of[column] {
+            if let Some(cell) = &mut self.cells[row][column] {
+                cell.lost = self.acceptance.lost(&cell.values, &self.least[column]);
+            }
+        }
     }
 
     /// An entry's values.
@@ -167,12 +187,11 @@ impl Partial {
             let Some(entry) = &self.cells[other][column] else {
                 continue;
             };
-            let multiplier = Cell {
-                values: combined(&entry.values, &pivot.values, |a, p| a / p),
-                unit: false,
-                carried: false,
-                ready: inverse_ready.max(entry.ready) + scaled,
-            };
+            let values = entry.values.iter().zip(&*pivot.values);
+            let multiplier = Cell::new(
+                values.map(|(value, pivot)| value / pivot).collect(),
+                inverse_ready.max(entry.ready) + scaled,
+            );
             self.order.chain = self.order.chain.max(multiplier.ready);
             self.order.grow(self.acceptance.known(&multiplier.values));
             self.subtract(&multiplier, row, other, &right);
@@ -218,21 +237,18 @@ impl Partial {
             let Some(of_pivot) = &self.cells[pivot][column] else {
                 continue;
             };
-            let product = combined(&multiplier.values, &of_pivot.values, |m, u| m * u);
+            let factors = multiplier.values.iter().zip(&*of_pivot.values);
+            let products = factors.map(|(m, u)| m * u);
             let product_ready = multiplier.ready.max(of_pivot.ready) + 1;
             let cell = match &self.cells[other][column] {
-                Some(before) => Cell {
-                    values: combined(&before.values, &product, |a, b| a - b),
-                    unit: false,
-                    carried: false,
-                    ready: before.ready.max(product_ready) + 1,
-                },
-                None => Cell {
-                    values: product.iter().map(|value| -value).collect(),
-                    unit: false,
-                    carried: false,
-                    ready: product_ready,
-                },
+                Some(before) => {
+                    let values = before.values.iter().zip(products);
+                    Cell::new(
+                        values.map(|(value, product)| value - product).collect(),
+                        before.ready.max(product_ready) + 1,
+                    )
+                }
+                None => Cell::new(products.map(|product| -product).collect(), product_ready),
             };
             self.order.chain = self.order.chain.max(cell.ready);
             if self.put(other, column, cell) {
