@@ -23,6 +23,7 @@ mod said_of_wheels;
 mod springs;
 mod start;
 mod stated;
+mod steering_wheel;
 mod task;
 mod tolerances;
 mod tuning;

@@ -58,6 +58,6 @@ pub use state::{Moved, Movement, State};
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
 pub use through::OnState;
 pub use under::Borne;
-pub use vehicle::{Coupling, Pair, Vehicle, Wheel, WheelPoints};
+pub use vehicle::{Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints};
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::advice;

@@ -121,8 +121,8 @@ pub fn known_names<V>(
 fn home(key: &str) -> Option<&'static str> {
     match key {
         "unit" | "angle" | "axes" | "linkage" | "listing" => Some("above the first table"),
-        "wheel_radius" | "travel" | "wheelbase" | "cg_height" | "brake_share" | "drive_share"
-        | "brake_torque" | "drive_torque" => Some("under [vehicle]"),
+        "wheel_radius" | "travel" | "rack_per_turn" | "wheelbase" | "cg_height" | "brake_share"
+        | "drive_share" | "brake_torque" | "drive_torque" => Some("under [vehicle]"),
         _ => None,
     }
 }

@@ -206,6 +206,8 @@ pub struct VehicleTable {
     pub travel: Option<Spanned<PerWheel<String>>>,
     /// The drive that steers it.
     pub steer: Option<Spanned<PerWheel<String>>>,
+    /// How far that drive moves in a turn of the steering wheel, in the unit.
+    pub rack_per_turn: Option<Spanned<f64>>,
     /// Which axle the wheels are on, where their names do not tell.
     pub axle: Option<Axle>,
     /// From axle to axle, in the unit.

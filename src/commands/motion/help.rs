@@ -4,7 +4,7 @@ use suspension_core::listing::MeasureKind;
 use suspension_runtime::{Listing, catalogue as layouts};
 
 use crate::mechanism::{
-    Axle, Coupling, Mass, Names, Spring, Torque, Unit, Vehicle, Wheel, WheelPoints,
+    Axle, Coupling, Mass, Names, Spring, SteeringWheel, Torque, Unit, Vehicle, Wheel, WheelPoints,
 };
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
@@ -33,6 +33,12 @@ fn names_on(axle: Axle, linkage: &Listing) -> Names {
         vehicle: Vehicle {
             travel: vec![0],
             steer: vec![0],
+            steering_wheel: Some(SteeringWheel {
+                drive: 0,
+                turned: vec![0, 1],
+                per_turn: 0.052,
+                design: 0.0,
+            }),
             wheelbase: Some(2.6),
             cg_height: Some(0.5),
             springs: [Spring {
@@ -105,6 +111,8 @@ const FILE: &str = r#"The file:
                                      # { left = "bump_left", right = "bump_right" }; if left out, the drive
                                      # named bump_left or left_bump for the wheel left, or bump
   steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left, left_steer or steer
+  rack_per_turn = 0.052              # how far that drive moves in a turn of the steering wheel, in the unit (the C-factor):
+                                     # angle of the steering wheel, steering ratio
   wheelbase = 2.6                    # in the unit: Ackermann, turning circle
   axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
   cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit

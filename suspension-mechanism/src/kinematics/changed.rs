@@ -118,6 +118,9 @@ fn at_rest<L: Suspension<N>, const N: usize>(
         ..spring.clone()
     });
     names.vehicle.springs = springs.collect();
+    if let Some(wheel) = &mut names.vehicle.steering_wheel {
+        wheel.design = mechanism.given_of(&drives)[wheel.drive];
+    }
     let masses = names.vehicle.masses.iter();
     let metre = mechanism.unit.metre();
     names.vehicle.masses = masses.map(|mass| mass.held_at(&places, metre)).collect();

@@ -10,6 +10,7 @@ use crate::load::masses::masses;
 use crate::load::notes::{loose_markers, notes, short_of_stop};
 use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
+use crate::load::steering_wheel::steering_wheel;
 use crate::load::usual_drives::in_effect;
 use crate::load::{
     columns, led, missing_travel, said_of_drives, said_of_wheels, start, wrong_side,
@@ -33,7 +34,8 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
         None => Vec::new(),
     };
-    let (names, of_drives) = in_effect(&task, design);
+    let (mut names, of_drives) = in_effect(&task, design);
+    names.vehicle.steering_wheel = steering_wheel(&task, &names, design)?;
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
     let outlier = assembled.outlier.as_ref();

@@ -101,11 +101,15 @@ pub(super) fn turns(
     (points, rates): (&[Vector3<f64>], &[Vector3<f64>]),
     size: f64,
 ) -> bool {
+    turn_rate(wheel, points, rates).abs() * size > MOVES * fastest(rates)
+}
+
+/// How fast a wheel turns about the z axis of its points.
+pub(super) fn turn_rate(wheel: &Wheel, points: &[Vector3<f64>], rates: &[Vector3<f64>]) -> f64 {
     let [inner, centre] = wheel.points.axis;
     let along = (points[centre] - points[inner]).xy();
     let rate = (rates[centre] - rates[inner]).xy();
-    let turn = along.perp(&rate) / along.norm_squared();
-    turn.abs() * size > MOVES * fastest(rates)
+    along.perp(&rate) / along.norm_squared()
 }
 
 /// What to write where other drives move the wheels up and down.

@@ -11,7 +11,8 @@ use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
 use crate::mechanism::{Names, Vehicle, Wheel, is_within};
 use forces::{car, torques};
-use per_wheel::{checked_length, length, of_each, optional};
+pub(super) use per_wheel::length;
+use per_wheel::{checked_length, of_each, optional};
 
 /// The drives of travel and of steering where the file does not name them.
 const TRAVEL: &str = "bump";
@@ -52,6 +53,7 @@ pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     names.vehicle = Vehicle {
         travel: each(|wheel| wheel.travel),
         steer: each(|wheel| wheel.steer),
+        steering_wheel: None,
         wheelbase,
         cg_height,
         springs: [].into(),

@@ -1,5 +1,6 @@
 //! The wheels of a listing, and what a motion file says of their vehicle.
 
+use std::f64::consts::TAU;
 use std::rc::Rc;
 
 use nalgebra::Vector3;
@@ -16,6 +17,8 @@ pub struct Vehicle {
     pub travel: Vec<usize>,
     /// The numbers of the drives that steer them, likewise.
     pub steer: Vec<usize>,
+    /// The steering wheel, where it is known how far it moves the drive of steering.
+    pub steering_wheel: Option<SteeringWheel>,
     /// From axle to axle, in the unit of lengths.
     pub wheelbase: Option<f64>,
     /// The height of the centre of gravity above the ground, in the unit of lengths.
@@ -30,6 +33,32 @@ impl Vehicle {
     /// Whether a drive moves or steers a wheel.
     pub fn is_moved_by(&self, drive: usize) -> bool {
         self.travel.contains(&drive) || self.steer.contains(&drive)
+    }
+}
+
+/// A steering wheel that moves a drive in proportion, as a rack and pinion does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteeringWheel {
+    /// The number of the drive.
+    pub drive: usize,
+    /// The numbers of the wheels that the drive turns at the design position.
+    pub turned: Vec<usize>,
+    /// How far the drive moves in a turn to the left, in the unit of lengths: negative where less of the drive turns the wheels to
+    /// the left at the design position.
+    pub per_turn: f64,
+    /// The drive's value at the design position, in the file's coordinates.
+    pub design: f64,
+}
+
+impl SteeringWheel {
+    /// How far it is turned for a unit of the drive, in radians, positive to the left.
+    pub fn per_drive(&self) -> f64 {
+        TAU / self.per_turn
+    }
+
+    /// How far it is turned from the design position, of the values of all drives.
+    pub fn angle(&self, drives: &[f64]) -> f64 {
+        (drives[self.drive] - self.design) * self.per_drive()
     }
 }
 

@@ -55,7 +55,8 @@ pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, 
 pub use results::{ITERATIONS, MEASURES, RESIDUAL};
 pub use springs::{SPRING_FORCES, SPRING_LOAD, WHEEL_RATE};
 pub use steering::{
-    VIRTUAL_CASTER, VIRTUAL_KINGPIN, VIRTUAL_PITCH, VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL,
+    STEERING_RATIO, STEERING_WHEEL_ANGLE, VIRTUAL_CASTER, VIRTUAL_KINGPIN, VIRTUAL_PITCH,
+    VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL,
 };
 pub use travel::{
     ANTI_DIVE, ANTI_LIFT, ANTI_LIFT_IN_DRIVE, ANTI_SQUAT, BRAKE_ANGLE, DRIVE_ANGLE, FRONT_ARM,
@@ -73,7 +74,10 @@ pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {
 
 /// The rows of what is zero at the design position.
 pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
-    from_design::ROWS.iter().copied().chain([&TRACK_CHANGE])
+    from_design::ROWS
+        .iter()
+        .copied()
+        .chain([&TRACK_CHANGE, &STEERING_WHEEL_ANGLE])
 }
 
 /// All rows, in the order in which tables have them.

@@ -111,7 +111,8 @@ impl Layout {
         for (name, drive) in names.iter().zip(drives) {
             file += &format!("drives.{name} = {drive:?}\n");
         }
-        file + &car.vehicle(names[travel_and_steering(&names).0])
+        let (travel, steer) = travel_and_steering(&names);
+        file + &car.vehicle(names[travel], steer.is_some())
     }
 
     /// The rows at the design position and at the other place, with derivatives up to an order.

@@ -13,7 +13,7 @@ use suspension_runtime::{Room, Size};
 
 use super::lattice::{Lattice, Steps};
 use super::wheel::{
-    Named, RADIUS, Vector, coordinates, moving_carrier, of_steering, of_wheel, on_ground,
+    Named, PER_TURN, RADIUS, Vector, coordinates, moving_carrier, of_steering, of_wheel, on_ground,
 };
 
 /// Wheelbase, m.
@@ -36,7 +36,7 @@ pub(super) enum Car {
 impl Car {
     /// The line of a motion file that describes the vehicle. Without a word `steer` is the drive of steering, and those of
     /// travel are the ones named after the wheels.
-    pub(super) fn vehicle(self, travel: &str) -> String {
+    pub(super) fn vehicle(self, travel: &str, steers: bool) -> String {
         let axle = match self {
             Self::Front => "front",
             Self::Rear => "rear",
@@ -45,8 +45,12 @@ impl Car {
             "bump_left" => String::new(),
             travel => format!("travel = \"{travel}\", "),
         };
+        let steering_wheel = match steers {
+            true => format!("rack_per_turn = {PER_TURN}, "),
+            false => String::new(),
+        };
         format!(
-            "vehicle = {{ wheel_radius = {RADIUS}, {travel}axle = \"{axle}\", \
+            "vehicle = {{ wheel_radius = {RADIUS}, {travel}{steering_wheel}axle = \"{axle}\", \
              wheelbase = {WHEELBASE:?}, cg_height = 0.5, brake_share = {BRAKE_SHARE}, drive_share = {DRIVE_SHARE} }}\n"
         )
     }

@@ -1,6 +1,9 @@
 //! What a wheel's points and velocities tell of it, in 32 digits.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Vector3;
+use suspension_core::signal::Number as _;
 use suspension_core::wheel::{
     Carrier, Heading, SteeringAxis, camber, camber_to_ground, caster, contact, kingpin_angle, toe,
 };
@@ -13,6 +16,9 @@ pub(super) type Named = Vec<(String, Number)>;
 
 /// Wheel radius, m.
 pub(super) const RADIUS: f64 = 0.3;
+
+/// How far the rack moves in a turn of the steering wheel, m.
+pub(super) const PER_TURN: f64 = 0.052;
 
 pub(super) fn on_ground([inner, centre]: [Vector; 2]) -> Vector {
     contact(&centre, &(centre - inner), RADIUS.into())
@@ -62,6 +68,10 @@ pub(super) fn of_steering(
     let heading = Heading::of(&axis);
     let screw = SteeringAxis::of_screw(&centre, velocity, omega);
     let pitch = omega.dot(velocity) / omega.dot(omega);
+    let axis_rate = omega.cross(&axis);
+    let steer_rate =
+        (axis.x * axis_rate.y - axis.y * axis_rate.x) / (axis.x * axis.x + axis.y * axis.y);
+    let ratio = Number::from(TAU / PER_TURN) / steer_rate;
     named.extend(
         [
             (
@@ -75,6 +85,11 @@ pub(super) fn of_steering(
             ),
             ("virtual_trail_m", screw.ahead_of(&ground, &heading)),
             ("virtual_pitch_m_rad", pitch),
+            (
+                "steering_ratio_rad_rad",
+                // Of any suspension of the catalogue it is positive.
+                if ratio.is_below_zero() { -ratio } else { ratio },
+            ),
         ]
         .map(|(name, value)| (name.to_owned(), value)),
     );

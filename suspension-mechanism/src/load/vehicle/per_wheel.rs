@@ -57,7 +57,7 @@ pub(super) fn optional<T: Clone>(
 }
 
 /// A length in the unit of the file.
-pub(super) fn length(
+pub(in crate::load) fn length(
     task: &Task<'_>,
     name: &str,
     stated: Option<&Spanned<f64>>,

@@ -1,10 +1,11 @@
-//! The virtual steering axis: about which the carrier turns in steering.
+//! The virtual steering axis, about which the carrier turns in steering, and the steering wheel.
 
 use suspension_core::wheel::{caster, kingpin_angle};
 
 use crate::file::Dimension;
 use crate::quantities::on_ground::of_moving;
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::steering_wheel;
 use crate::quantities::wheel::{Along, Moving};
 
 catalogue! {
@@ -58,5 +59,22 @@ catalogue! {
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::LengthPerAngle, false, Moving::pitch),
+    }
+    STEERING_WHEEL_ANGLE: "angle of the steering wheel" {
+        name: "steering_wheel_angle",
+        sign: "positive where the steering wheel is turned to the left: the way that turns the road wheels to the left at the \
+               design position, whichever way the rack is counted",
+        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves",
+        source: "ISO 8855; rack_per_turn of [vehicle]",
+        shown: Shown::InTables,
+        read: steering_wheel::of_angle,
+    }
+    STEERING_RATIO: "overall steering ratio" {
+        name: "steering_ratio",
+        sign: "positive where the wheel turns the way of the steering wheel",
+        definition: "the derivative of steering_wheel_angle with respect to the steer angle of the wheel, the other drives held",
+        source: "Milliken 1995, chapter 19; rack_per_turn of [vehicle]",
+        shown: Shown::InTables,
+        read: steering_wheel::of_ratio,
     }
 }

@@ -1,0 +1,44 @@
+//! Readings of the steering wheel, and of the wheels that it turns.
+
+use suspension_core::wheel::steer_rate;
+
+use crate::file::Dimension;
+use crate::mechanism::Names;
+use crate::quantities::formulas::Reading;
+use crate::quantities::number::Number;
+use crate::quantities::on_ground::moving;
+use crate::quantities::readings::{of_each_wheel, without_derivatives};
+use crate::quantities::wheel::{Along, Moving};
+
+/// How far the steering wheel is turned from the design position.
+pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
+    let wheel = names.vehicle.steering_wheel.iter();
+    let readings = wheel.cloned().map(|wheel| {
+        without_derivatives(Dimension::Angle, move |state| {
+            Some(wheel.angle(&state.drives))
+        })
+    });
+    readings.collect()
+}
+
+/// How far it turns for the steer angle of each wheel that it steers.
+pub(super) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
+    of_each_wheel(names, &|rolling| {
+        let wheel = names.vehicle.steering_wheel.as_ref();
+        let Some(wheel) = wheel.filter(|wheel| wheel.turned.contains(&rolling.number)) else {
+            return Vec::new();
+        };
+        let per_drive = wheel.per_drive();
+        let ratio = move |moving: &Moving<N>| {
+            let axis_rate = moving.carrier.omega.cross(&moving.axis);
+            N::still(per_drive) / steer_rate(&moving.axis, &axis_rate)
+        };
+        moving(
+            rolling,
+            Along::Steer,
+            Dimension::AnglePerAngle,
+            false,
+            ratio,
+        )
+    })
+}
