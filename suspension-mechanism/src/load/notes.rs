@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_runtime::Listing;
+use toml::Spanned;
 
 use crate::load::design::Design;
 use crate::load::outlier::Outlier;
@@ -219,7 +220,14 @@ fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     let names = task.names;
     let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
     let radius = radii.map(|radius| length(task, "wheel_radius", radius, 0.05..5.0));
+    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
+    let rack_per_turn = vehicle.and_then(|vehicle| vehicle.rack_per_turn.as_ref());
     let of_car = [
+        (
+            "rack_per_turn",
+            rack_per_turn.map(|travel| *travel.get_ref()),
+            0.01..0.5,
+        ),
         ("wheelbase", names.vehicle.wheelbase, 0.5..20.0),
         ("cg_height", names.vehicle.cg_height, 0.05..5.0),
     ];
@@ -236,7 +244,9 @@ fn length(task: &Task<'_>, name: &str, stated: f64, usual: Range<f64>) -> Option
         return None;
     }
     let (length, symbol) = (number(stated), unit.symbol());
-    let doubt = match Length::of_size(stated) {
+    // A length that is usual is about a metre long when divided by this.
+    let middle = (usual.start * usual.end).sqrt();
+    let doubt = match Length::of_size(stated / middle) {
         other if other == unit => "it is in the unit of the file".to_owned(),
         other => format!(
             "is it in {}? The file is in {}",

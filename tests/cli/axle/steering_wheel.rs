@@ -168,6 +168,38 @@ fn only_wheels_that_the_rack_turns_have_a_ratio() {
 }
 
 #[test]
+fn a_travel_per_turn_in_another_unit_is_remarked() {
+    let motion = file("steered_axle", "rack_per_turn = 52.0", DESIGN);
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(
+        text(&output.stderr),
+        "note: a.toml: rack_per_turn is 52 m: is it in mm? The file is in m\n"
+    );
+}
+
+#[test]
+fn a_ratio_is_tuned() {
+    let motion = format!(
+        "{}[tune.moves.tie_ball]\npoints = [\"tie_ball\"]\nalong = \"x\"\nby = [-0.02, 0.02]\n\
+         [tune.targets.ratio]\nof = \"steering_ratio\"\nvalue = 15.0\nwithin = 0.001\n",
+        file(
+            "double_wishbone",
+            &format!("rack_per_turn = {PER_TURN}"),
+            "bump = 0.3\nsteer = 0.34"
+        )
+    );
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+    let output = run(folder.path(), &["tune", "a.toml", "--out", "tuned.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let tuned = std::fs::read_to_string(folder.path().join("tuned.toml")).expect("a file");
+    let row = table(&tuned, &["motion"]).remove(1);
+    assert_near(row["steering_ratio_rad_rad"], 15.0, 1.1e-3, "ratio");
+}
+
+#[test]
 fn a_travel_per_turn_that_makes_no_sense_is_refused() {
     let steered = |vehicle: &str| file("steered_axle", vehicle, DESIGN);
     let vehicle = "[vehicle]\nsteer = \"theta\"\nrack_per_turn = 52.0\n[time]";
