@@ -93,7 +93,7 @@ impl Reading<'_> {
         if let Some(sides) = self.listing.mirror.take()
             && let Err(error) = self.mirror(&Mirror { sides })
         {
-            self.errors.push(error);
+            self.report(error);
         }
         Ok(())
     }

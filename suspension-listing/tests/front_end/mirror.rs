@@ -205,3 +205,23 @@ fn a_sum_of_y_with_other_coordinates_has_no_image() {
         assert_eq!(mistake.line, text.lines().count());
     }
 }
+
+/// Statements that name other images are not blamed for these being missing.
+#[test]
+fn an_image_that_is_stated_too_is_the_only_mistake() {
+    let statements = [
+        "free: right at [0.0, -0.7, 0.2];",
+        "measure stance: length(left_hub -> right_hub);",
+        "measure base: length(left_front -> right_front);",
+    ];
+    let text = format!("{HALF}\n{}", statements.join("\n"));
+    let mistakes = text::parse(&text, "axle", &NoIncludes)
+        .expect_err("stated beside its image")
+        .mistakes;
+    let told: Vec<&str> = mistakes
+        .iter()
+        .map(|mistake| mistake.message.as_str())
+        .collect();
+    let expected = "`right` is the image of `left`; remove it, or give it another name";
+    assert_eq!(told, [expected]);
+}
