@@ -41,7 +41,9 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     let (equations, unknowns) = (system.rows().len(), system.size());
     let remedy = if equations < unknowns {
         let missing = unknowns - equations;
-        let spinning = system.bodies.iter().find_map(|body| spinning(system, body));
+        let mut bodies = system.bodies.iter();
+        let spinning =
+            bodies.find_map(|body| in_line(system, body).or_else(|| on_two(system, body)));
         let spinning = spinning.unwrap_or_default();
         format!("{missing} more needed: add a link, a drive, or list a point in its body{spinning}")
     } else {
@@ -73,7 +75,7 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
 const IN_LINE: f64 = 1e-2;
 
 /// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.
-fn spinning(system: &System, body: &Body) -> Option<String> {
+fn in_line(system: &System, body: &Body) -> Option<String> {
     let stated = |site: &Site| {
         let points = if site.is_free() {
             &system.free
@@ -99,6 +101,29 @@ fn spinning(system: &System, body: &Body) -> Option<String> {
             body.name
         )
     })
+}
+
+/// A hint for a body that other statements or the chassis hold at two points alone; `None` for others, and on the chassis, where it
+/// is meant to turn.
+fn on_two(system: &System, body: &Body) -> Option<String> {
+    let equations = system.equations.iter();
+    let others = equations.filter(|equation| equation.origin.statement != body.name);
+    let held: Vec<&Name> = others
+        .flat_map(|equation| equation.form.equations().sites())
+        .map(|site| &site.name)
+        .collect();
+    let points = body.points();
+    let attached = points.filter(|site| !site.is_free() || held.contains(&&site.name));
+    let [first, second] = attached.collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    if !first.is_free() && !second.is_free() {
+        return None;
+    }
+    Some(format!(
+        "; body `{}` is held at `{}` and `{}` alone and spins about the line through them: an `angle` or a third attachment stops it",
+        body.name, first.name, second.name
+    ))
 }
 
 /// How many equations are of the statements of each kind.

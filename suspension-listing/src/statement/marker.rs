@@ -102,6 +102,7 @@ fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
 fn on_a_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
     format!(
         "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write \
-         `slide {marker}_on_{link}: {marker} on {from} -> {to};` and `link {marker}_from_{from}: {from} -> {marker};`"
+         `slide {marker}_on_{link}: {marker} on {from} -> {to};` and `link {marker}_from_{from}: {from} -> {marker};`; the position of `{marker}` \
+         must lie on the line of the link"
     )
 }

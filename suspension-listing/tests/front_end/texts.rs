@@ -290,7 +290,7 @@ fn a_point_on_a_link_is_told_how_it_is_written() {
     assert_eq!(
         only_message(&format!("{link}{rest}point seat: rod;")),
         "`rod` is a link, which carries no point; declare `seat` under `free:`, and write \
-         `slide seat_on_rod: seat on a -> p;` and `link seat_from_a: a -> seat;`"
+         `slide seat_on_rod: seat on a -> p;` and `link seat_from_a: a -> seat;`; the position of `seat` must lie on the line of the link"
     );
     let free = format!(
         "{link}{rest}free: seat;\nslide seat_on_rod: seat on a -> p;\nlink seat_from_a: a -> seat;"
@@ -311,6 +311,29 @@ fn a_body_in_line_is_said_to_spin_where_an_equation_is_missing() {
     let expected = "; the points of body `rod` lie in line, about which it spins: in its place write `link NAME: p -> q;`, unless another \
                     body keeps these, and for each other point `slide NAME: r on p -> q;` and `link NAME: p -> r;`";
     assert!(said.ends_with(expected), "{said}");
-    let said = only_message(&rod("[0.1, 0.5, 1]"));
+}
+
+#[test]
+fn a_body_on_two_ball_joints_is_said_to_spin_where_an_equation_is_missing() {
+    let with = |statements: &str| {
+        format!(
+            "fixed: a at [0, 0, 0], b at [0, 1, 0], c at [1, 0, 0];\nfree: p at [0, 0, 1], seat at [0.1, 0.5, 1];\n\
+             body rod: a, p, seat;\nlink one: b -> p;\ndrive x: p.x;\n{statements}"
+        )
+    };
+    let said = only_message(&with("measure far: length(seat -> c);"));
+    let expected = "1 more needed: add a link, a drive, or list a point in its body; body `rod` is held at `a` and `p` alone and spins \
+                    about the line through them: an `angle` or a third attachment stops it";
+    assert!(said.ends_with(expected), "{said}");
+    for stops in ["angle still: a -> seat, b -> c;", "link third: c -> seat;"] {
+        let read = text::parse(&with(stops), "corner.linkage", &NoIncludes);
+        assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
+    }
+    let arm = "fixed: a at [0, 0, 0], b at [0, 1, 0], c at [1, 0, 0];\nfree: p at [0, 0, 1], q at [1, 1, 1];\nhinge arm: a, b -> p;\nlink one: c -> q;\n\
+               drive y: q.y;\ndrive z: q.z;";
+    let said = only_message(arm);
+    assert!(!said.contains("spins"), "{said}");
+    let loose = with("free: q at [1, 0, 1];\nlink two: c -> q;\nlink three: seat -> q;");
+    let said = only_message(&loose);
     assert!(said.ends_with("or list a point in its body"), "{said}");
 }
