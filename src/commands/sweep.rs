@@ -25,9 +25,9 @@ use crate::output::target::Target;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value; from where it is at
-    /// the design position, in the file's units. Given several times: a grid. Several drives with commas move
-    /// together, one behind a minus the opposite way: bump_left,-bump_right is roll.
+    /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value: changes from where it
+    /// is at the design position, in the file's units; the drive's column has its own values. Given several times: a
+    /// grid. Several drives with commas move together, one behind a minus the opposite way: bump_left,-bump_right is roll.
     #[arg(
         long = "drive",
         value_name = "NAME=FROM:TO:COUNT",
@@ -35,7 +35,7 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     drives: Vec<Swept>,
-    /// The values are the drives' own, as the file has them.
+    /// The values are the drives' own, as the file and the columns have them.
     #[arg(long)]
     absolute: bool,
     /// Derivatives of each quantity with respect to each drive: none, the first, or the second too.
@@ -127,7 +127,8 @@ fn write(
 const NOTES: &str = "\
 One row a place of the grid, the last drive given changing fastest, its columns: the drives, all quantities that
 positions determine, those that the [vehicle] table of the file makes known among them (suspension motion --help explains
-the quantities and the table).
+the quantities and the table). Columns of drives have the drives' own values, as [drives] of the file has them, also where
+--drive states changes from the design position: bump=-0.08:0.08:161 of a wheel centre 0.30 m high gives 0.22 to 0.38.
 
 Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
 camber_rad_per_bump2 the second. They come from the equations, not from differences.

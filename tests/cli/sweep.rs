@@ -235,3 +235,33 @@ fn what_is_wrong_is_said_in_a_sentence() {
         assert!(message.contains(expected), "{message}");
     }
 }
+
+#[test]
+fn columns_of_drives_have_their_own_values_as_the_help_says() {
+    let folder = folder();
+    let help = run(folder.path(), &["sweep", "--help"]);
+    let help = text(&help.stdout);
+    assert!(
+        help.contains("the drives' own values, as [drives]"),
+        "{help}"
+    );
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let bump = |options: &[&str]| -> Vec<f64> {
+        let sweep = [&["sweep", "a.toml", "--csv", "-"], options].concat();
+        let output = run(folder.path(), &sweep);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let rows = rows(&output.stdout);
+        rows.iter().map(|row| row["bump_m"]).collect()
+    };
+    let design = bump(&["--drive", "bump=0.0"])[0];
+    let changes = bump(&["--drive", "bump=-0.02:0.02:3"]);
+    let [from, to] = [design - 0.02, design + 0.02];
+    let own = bump(&["--drive", &format!("bump={from}:{to}:3"), "--absolute"]);
+    for (one, other) in changes.iter().zip([from, design, to]) {
+        assert!((one - other).abs() < 1e-12, "{changes:?}");
+    }
+    assert_eq!(changes.len(), own.len());
+    for (one, other) in changes.iter().zip(own) {
+        assert!((one - other).abs() < 1e-12, "{changes:?}");
+    }
+}
