@@ -200,3 +200,34 @@ fn a_marker_with_coordinates_goes_where_lengths_put_its_body() {
         }
     }
 }
+
+/// A seat on a link of each side, off the link by the same.
+const SEATS: &str = "unit = \"mm\"
+statements = '''
+mirror: left -> right;
+fixed: left_front at [200, 350, 160], left_rear at [-200, 350, 160], rack_left at [110, 340, 200];
+fixed: left_in at [-50, 330, 400];
+free: left at [0, 700, 200], left_hub at [0, 690, 300], left_out at [-50, 660, 410];
+free: left_seat at [-50, 495, 415];
+hinge left_arm: left_front, left_rear -> left;
+body left_post: left, left_hub, left_out;
+link left_upper: left_in -> left_out;
+link left_tie: rack_left -> left_hub;
+link left_back: left_front -> left_hub;
+slide left_seat_on_upper: left_seat on left_in -> left_out;
+link left_seat_from_in: left_in -> left_seat;
+drive left_bump: left.z;
+'''
+time = { instants = [0.0] }
+drives = { left_bump = 200, right_bump = 200 }
+";
+
+#[test]
+fn of_two_sides_that_are_equal_the_same_one_is_told_throughout() {
+    let told = notes(SEATS);
+    assert!(
+        told.contains("equation `left_seat_on_upper_z`, by 9.99 mm; "),
+        "{told}"
+    );
+    assert!(told.contains("`left_seat` has moved by 10 mm"), "{told}");
+}

@@ -10,7 +10,7 @@ use toml::Spanned;
 use crate::load::design::Design;
 use crate::load::outlier::Outlier;
 use crate::load::task::Task;
-use crate::load::unsatisfied::Unsatisfied;
+use crate::load::unsatisfied::{Unsatisfied, largest};
 use crate::mechanism::{Instants, Length, Suspension, Wheel};
 use crate::number::{number, rounded};
 
@@ -122,7 +122,8 @@ fn furthest<'a, P: Values<Vector3<f64>>>(
     let free = names.len() - task.names.markers().len();
     let pairs = given.values().zip(placed.values()).take(free);
     let off = pairs.map(|(given, placed)| (given - placed).norm());
-    let (point, off) = off.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let off: Vec<f64> = off.collect();
+    let (point, off) = largest(&off)?;
     let unit = task.file.length;
     (off > metres * unit.metre()).then(|| {
         let off = format!("{} {}", rounded(off, 3), unit.symbol());
