@@ -130,6 +130,7 @@ The motion file says what may be moved, and what is to be reached; lengths in it
 
   [tune.moves.turnbuckle]
   length = \"tie_rod\"                # or a link's length, the drives held
+  mirrored = [\"right_tie_rod\"]      # links of the other side become longer by as much
   by = [-0.005, 0.005]
 
   [tune.targets.bump_steer]

@@ -23,7 +23,7 @@ pub struct MoveTable {
     /// Points that move together.
     #[serde(default)]
     pub points: Vec<Spanned<String>>,
-    /// Points that move with them on the other side of the vehicle.
+    /// Points that move with them on the other side of the vehicle, or links that become longer with the one of `length`.
     #[serde(default)]
     pub mirrored: Vec<Spanned<String>>,
     /// The way that points move.

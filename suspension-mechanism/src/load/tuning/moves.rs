@@ -31,7 +31,7 @@ impl Moves<'_> {
                 "`by` is [least, greatest], how far it may be moved, as [-0.010, 0.010] in metres";
             return Err(self.naming.source.refuse(&table.by.span(), message));
         }
-        let of_points = !table.points.is_empty() || !table.mirrored.is_empty();
+        let has_points = !table.points.is_empty();
         if let (Some(length), Some(along)) = (&table.length, &table.along) {
             let message = format!(
                 "`along` is of points; link `{}` becomes longer along itself",
@@ -39,14 +39,11 @@ impl Moves<'_> {
             );
             return Err(self.naming.source.refuse(&along.span(), message));
         }
-        let per_unit = match (&table.length, of_points) {
-            (Some(length), false) => Changes {
-                lengths: vec![(self.length(length)?, 1.0)],
-                ..Changes::default()
-            },
-            (None, true) => self.of_points(name, table)?,
+        let per_unit = match (&table.length, has_points) {
+            (Some(length), false) => self.of_lengths(length, &table.mirrored)?,
+            (None, _) if has_points || !table.mirrored.is_empty() => self.of_points(name, table)?,
             _ => {
-                let message = "a move has `points` with `along`, or `length`, the name of a link";
+                let message = "a move has `points` with `along`, or `length`, the name of a link; `mirrored` are points or links as these are";
                 return Err(self.naming.source.refuse(&name.span(), message));
             }
         };
@@ -55,6 +52,34 @@ impl Moves<'_> {
             per_unit,
             by,
         })
+    }
+
+    /// A link, and those of the other side that become longer by as much.
+    fn of_lengths(
+        &self,
+        length: &Spanned<String>,
+        mirrored: &[Spanned<String>],
+    ) -> Result<Changes, Failure> {
+        let mut lengths: Vec<(usize, f64)> = Vec::new();
+        for name in [length].into_iter().chain(mirrored) {
+            let link = self.length(name)?;
+            if lengths.iter().any(|(other, _)| *other == link) {
+                return Err(self.twice(name));
+            }
+            lengths.push((link, 1.0));
+        }
+        Ok(Changes {
+            lengths,
+            ..Changes::default()
+        })
+    }
+
+    fn twice(&self, name: &Spanned<String>) -> Failure {
+        let message = format!(
+            "`{}` is moved twice by one move; remove one",
+            name.get_ref()
+        );
+        self.naming.source.refuse(&name.span(), message)
     }
 
     fn of_points(&self, name: &Spanned<String>, table: &MoveTable) -> Result<Changes, Failure> {
@@ -72,11 +97,7 @@ impl Moves<'_> {
         for (name, along) in each {
             let point = self.naming.point(name)?;
             if points.iter().any(|(other, _)| *other == point) {
-                let message = format!(
-                    "`{}` is moved twice by one move; remove one",
-                    name.get_ref()
-                );
-                return Err(self.naming.source.refuse(&name.span(), message));
+                return Err(self.twice(name));
             }
             points.push((point, along));
         }
