@@ -9,6 +9,7 @@ mod bad_input;
 mod bake;
 mod check;
 mod compare;
+mod corner;
 mod draw;
 mod exact_derivatives;
 mod figures;

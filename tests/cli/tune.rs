@@ -1,5 +1,6 @@
 //! Hardpoints moved until curves are met.
 
+mod both_sides;
 mod units;
 mod written;
 
@@ -174,39 +175,6 @@ within = 0.1
     );
 }
 
-/// Left as right: the file that is written is symmetric.
-#[test]
-fn mirrored_points_keep_an_axle_symmetric() {
-    let folder = folder();
-    let tune = "\
-[tune.moves.axle]
-points = [\"left_axle\"]
-mirrored = [\"right_axle\"]
-along = [1.0, 1.0, 0.0]
-by = [-0.02, 0.02]
-";
-    let tune = tune.to_owned() + &target("left_toe", 0.1, 1e-5);
-    let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.0";
-    met(folder.path(), &file("steered_axle", drives, &tune));
-    let output = run(
-        folder.path(),
-        &[
-            "sweep",
-            "a_tuned.toml",
-            "--drive",
-            "steer=0.0",
-            "--csv",
-            "-",
-        ],
-    );
-    let row = &rows(&output.stdout)[0];
-    assert!((row["left_toe_deg"] - 0.1).abs() < 1e-5, "{row:?}");
-    assert!(
-        (row["left_toe_deg"] - row["right_toe_deg"]).abs() < 1e-6,
-        "{row:?}"
-    );
-}
-
 /// A turnbuckle: the tie rod's length sets the toe, and the rack stays.
 #[test]
 fn a_length_is_a_move_too() {
@@ -218,39 +186,6 @@ fn a_length_is_a_move_too() {
     assert!((row["toe_deg"] + 0.25).abs() < 1e-5, "{row:?}");
     let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
     assert!(written.contains(&format!("{DRIVES}\n")) && !written.contains("\nrack ="));
-}
-
-/// Turnbuckles of both sides by the same: the file that is written is symmetric.
-#[test]
-fn a_length_of_the_other_side_is_moved_with_it() {
-    let folder = folder();
-    let turnbuckles = |mirrored: &str| {
-        format!(
-            "[tune.moves.turnbuckle]\nlength = \"left_tie_rod\"\nmirrored = [\"{mirrored}\"]\nby = [-0.005, 0.005]\n"
-        ) + &target("left_toe", 0.1, 1e-5)
-    };
-    let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.34";
-    let axle = |mirrored| file("steered_axle", drives, &turnbuckles(mirrored));
-    met(folder.path(), &axle("right_tie_rod"));
-    let sweep = [
-        "sweep",
-        "a_tuned.toml",
-        "--drive",
-        "steer=0.0",
-        "--csv",
-        "-",
-    ];
-    let output = run(folder.path(), &sweep);
-    let row = &rows(&output.stdout)[0];
-    for toe in ["left_toe_deg", "right_toe_deg"] {
-        assert!((row[toe] - 0.1).abs() < 1e-5, "{row:?}");
-    }
-    let output = tuned(folder.path(), &axle("left_tie_rod"));
-    let said = text(&output.stderr);
-    assert!(
-        said.contains("`left_tie_rod` is moved twice by one move"),
-        "{said}"
-    );
 }
 
 /// The rack slides on a line of the chassis, onto which it is assembled.

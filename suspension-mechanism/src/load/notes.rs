@@ -174,7 +174,7 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
     })
 }
 
-/// The spin axis is no such at the design position: one of its points is another one's, as it seems.
+/// At the design position the spin axis is far off the y direction: one of its two points is likely to be a wrong one.
 fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
     let [inner, centre] = wheel.points.axis;

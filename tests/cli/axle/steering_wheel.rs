@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::super::corner;
 use super::{DESIGN, Row, assert_near, file, folder, run, table, text};
 
 /// C-factor, m.
@@ -9,20 +10,6 @@ const PER_TURN: f64 = 0.052;
 
 /// A step of the rack at which differences tell the ratio, m.
 const STEP: f64 = 1e-4;
-
-/// A double wishbone with a rack, each point with a sign of y to be put before it.
-const CORNER: [(&str, [f64; 3]); 10] = [
-    ("lower_front", [0.20, 0.35, 0.16]),
-    ("lower_rear", [-0.20, 0.35, 0.16]),
-    ("upper_front", [0.15, 0.42, 0.42]),
-    ("upper_rear", [-0.15, 0.42, 0.42]),
-    ("rack", [0.11, 0.34, 0.20]),
-    ("lower_ball", [0.005, 0.70, 0.17]),
-    ("upper_ball", [-0.015, 0.66, 0.44]),
-    ("tie_ball", [0.12, 0.68, 0.21]),
-    ("wheel_centre", [0.0, 0.75, 0.30]),
-    ("axle", [0.0, 0.65, 0.30]),
-];
 
 /// A corner with its points in other axes and another unit.
 struct Corner {
@@ -35,7 +22,7 @@ struct Corner {
 impl Corner {
     /// The rows of a sweep of the rack about the design position, 20 mm to either side, each between two others `STEP` away.
     fn swept(&self) -> Vec<[Row; 3]> {
-        let points = CORNER.map(|(name, at)| {
+        let points = corner::POINTS.map(|(name, at)| {
             let at = [0, 1, 2].map(|axis| at[axis] * self.signs[axis] * self.metre);
             format!("{name} = {at:?}\n")
         });

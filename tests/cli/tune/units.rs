@@ -1,5 +1,6 @@
 //! Tuning in other units and axes, and what is refused.
 
+use super::super::corner;
 use super::super::program::{folder, text};
 use super::{FLAT, file, tuned};
 
@@ -42,19 +43,7 @@ fn units_and_axes_do_not_matter() {
         wheel: axle -> wheel_centre;
     """"#;
     let of = |unit: &str, scale: f64, [x, y]: [f64; 2], axes: &str| {
-        let points = [
-            ("lower_front", [0.20, 0.35, 0.16]),
-            ("lower_rear", [-0.20, 0.35, 0.16]),
-            ("upper_front", [0.15, 0.42, 0.42]),
-            ("upper_rear", [-0.15, 0.42, 0.42]),
-            ("rack", [0.11, 0.34, 0.20]),
-            ("lower_ball", [0.005, 0.70, 0.17]),
-            ("upper_ball", [-0.015, 0.66, 0.44]),
-            ("tie_ball", [0.12, 0.68, 0.21]),
-            ("wheel_centre", [0.0, 0.75, 0.30]),
-            ("axle", [0.0, 0.65, 0.30]),
-        ];
-        let points = points.map(|(name, [px, py, pz])| {
+        let points = corner::POINTS.map(|(name, [px, py, pz])| {
             format!(
                 "{name} = [{:?}, {:?}, {:?}]",
                 x * px * scale,
