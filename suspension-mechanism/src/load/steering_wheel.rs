@@ -50,8 +50,8 @@ fn drive(names: &Names, turned: &[Turned]) -> Result<usize, String> {
     let name = |drive: usize| format!("`{}`", names.drives[drive].name);
     match *drives {
         [] => Err(
-            "rack_per_turn needs a drive that steers a wheel, and none is known; write steer = \"NAME\" under [vehicle] \
-             with its name, or leave rack_per_turn out"
+            "rack_per_turn needs a drive that steers a wheel, and no known drive of steering does; write steer = \"NAME\" under \
+             [vehicle] with the name of one that does, or leave rack_per_turn out"
                 .to_owned(),
         ),
         [drive] if names.drives[drive].kind.is_angle() => Err(format!(

@@ -200,8 +200,8 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         (steered("rack_per_turn = inf"), size),
         (
             file("twist_beam", "rack_per_turn = 0.052", beam),
-            "rack_per_turn needs a drive that steers a wheel, and none is known; write steer = \"NAME\" under [vehicle] with \
-             its name, or leave rack_per_turn out",
+            "rack_per_turn needs a drive that steers a wheel, and no known drive of steering does; write steer = \"NAME\" under [vehicle] with \
+             the name of one that does, or leave rack_per_turn out",
         ),
         (
             turned_about_an_axis,

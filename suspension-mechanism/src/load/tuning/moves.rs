@@ -43,7 +43,7 @@ impl Moves<'_> {
             (Some(length), false) => self.of_lengths(length, &table.mirrored)?,
             (None, _) if has_points || !table.mirrored.is_empty() => self.of_points(name, table)?,
             _ => {
-                let message = "a move has `points` with `along`, or `length`, the name of a link; `mirrored` are points or links as these are";
+                let message = "a move has `points` with `along`, or `length`, the name of a link; `mirrored` names points beside `points` and links beside `length`";
                 return Err(self.naming.source.refuse(&name.span(), message));
             }
         };

@@ -12,9 +12,9 @@ catalogue! {
     VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
         name: "virtual_kingpin",
         sign: "positive where the top of the axis leans inboard",
-        definition: "of the screw axis of the wheel's carrier in steering, the other drives held: where travel is driven by the \
-                     wheel's height the axis at constant height, where by a damper's length that with the spring locked, as Adams/Car \
-                     has it, which of a wishbone on two ball joints is the kingpin",
+        definition: "of the screw axis of the wheel's carrier in steering, the other drives held: at constant height where the wheel's \
+                     height drives the travel; with the spring locked, as in Adams/Car, where a damper's length does, and then it is the \
+                     kingpin of a carrier on two ball joints",
         source: "as kingpin",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {
