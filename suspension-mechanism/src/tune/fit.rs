@@ -37,6 +37,10 @@ pub const MOST_STEPS: usize = 100;
 /// The steps of differences, as a part of a box.
 const STEP: f64 = 1e-4;
 
+/// Differences that are no larger than this part of the residuals at the start are rounding: through the whole box they would add up
+/// to 5e-6 of these.
+const ROUNDING: f64 = 1e-9;
+
 /// Sums of squares that differ by less than this part are the same.
 const SAME: f64 = 1e-9;
 
@@ -60,6 +64,7 @@ pub(super) fn fit(
     };
     let mut here = Here {
         at: start,
+        rounding: ROUNDING * first.norm(),
         residuals: first,
         damping: 1e-3,
     };
@@ -80,6 +85,8 @@ pub(super) fn fit(
 struct Here {
     at: DVector<f64>,
     residuals: DVector<f64>,
+    /// Differences that are no larger say nothing.
+    rounding: f64,
     damping: f64,
 }
 
@@ -113,7 +120,7 @@ impl Here {
         false
     }
 
-    /// Central differences; zero where neighbours have no residuals.
+    /// Central differences; zero where they are rounding alone, and where neighbours have no residuals.
     fn jacobian(
         &self,
         boxes: &[Bounds],
@@ -126,10 +133,13 @@ impl Here {
                 at[unknown] += sign * step;
                 residuals(&at)
             };
-            match (at(-1.0), at(1.0)) {
-                (Some(before), Some(behind)) => (behind - before) / (2.0 * step),
-                _ => DVector::zeros(self.residuals.len()),
-            }
+            let difference = at(-1.0).zip(at(1.0));
+            let difference = difference.map(|(before, behind)| behind - before);
+            let difference = difference.filter(|difference| difference.norm() > self.rounding);
+            difference.map_or_else(
+                || DVector::zeros(self.residuals.len()),
+                |difference| difference / (2.0 * step),
+            )
         };
         let columns: Vec<DVector<f64>> = boxes.iter().enumerate().map(column).collect();
         DMatrix::from_columns(&columns)
@@ -209,6 +219,13 @@ mod tests {
     fn what_nothing_depends_on_stays() {
         let at = found(&square(1.0), |at| vec![at[0] - 0.25]);
         assert!((at[0] - 0.25).abs() < 1e-9 && at[1] == 0.0, "{at}");
+    }
+
+    #[test]
+    fn what_rounding_alone_depends_on_stays() {
+        let rounded = |at: &DVector<f64>| vec![at[0] - 0.25, 3.0 + 1e-13 * (1e7 * at[1]).sin()];
+        let at = found(&square(1.0), rounded);
+        assert!((at[0] - 0.25).abs() < 1e-6 && at[1] == 0.0, "{at}");
     }
 
     /// Where there are no residuals beyond 0.7, as where a mechanism locks.
