@@ -21,6 +21,7 @@ mod mechanisms;
 mod messages;
 mod no_alloc;
 mod operations;
+mod own_motion_file;
 mod path;
 mod published_tables;
 mod quantities;

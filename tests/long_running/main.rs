@@ -11,7 +11,6 @@ mod double_wishbone;
 mod f32;
 mod guard;
 mod hostile;
-mod own_motion_file;
 mod properties;
 mod series;
 mod stack;

@@ -9,7 +9,7 @@ use suspension_core::linkage::{Factors as _, Listing as _};
 use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_core::{Linkage, Signal, Values};
 use suspension_double_double::DoubleDouble;
-use suspension_runtime::{Fitted, Model, Room, Size};
+use suspension_runtime::Fitted;
 
 use super::wheel::Vector;
 
@@ -19,6 +19,11 @@ const STEP: f64 = 2e-5;
 /// A correction that leaves 30 digits.
 const LAST_CORRECTION: f64 = 1e-24;
 
+/// Unknowns that there is room for: models of one size serve all layouts, and are compiled once.
+const ROOM: usize = 60;
+
+pub(super) type Model<'m, T> = suspension_runtime::Model<'m, T, ROOM>;
+
 /// Steps of each drive from the place of a row.
 pub(super) type Steps = Vec<i32>;
 
@@ -26,27 +31,21 @@ pub(super) type Steps = Vec<i32>;
 type Known<K> = RefCell<HashMap<K, Rc<[Vector]>>>;
 
 /// A mechanism about the place of a row.
-pub(super) struct Lattice<'m, const N: usize>
-where
-    Room<N>: Size,
-{
-    pub(super) exact: Model<'m, DoubleDouble, N>,
+pub(super) struct Lattice<'m> {
+    pub(super) exact: Model<'m, DoubleDouble>,
     drives: Vec<f64>,
     /// At the start, by which all places near it are corrected.
-    factors: <Model<'m, f64, N> as Linkage<N>>::Factors,
-    start: SVector<f64, N>,
+    factors: <Model<'m, f64> as Linkage<ROOM>>::Factors,
+    start: SVector<f64, ROOM>,
     solved: Known<Steps>,
     moved: Known<(Steps, usize)>,
 }
 
-impl<'m, const N: usize> Lattice<'m, N>
-where
-    Room<N>: Size,
-{
+impl<'m> Lattice<'m> {
     /// The free points and the drives are those of a row.
     pub(super) fn about(
-        rounded: &'m Model<'m, f64, N>,
-        design: &<Model<'m, f64, N> as Linkage<N>>::Points,
+        rounded: &'m Model<'m, f64>,
+        design: &<Model<'m, f64> as Linkage<ROOM>>::Points,
         row: &BTreeMap<String, f64>,
     ) -> Self {
         let free = rounded.count(Kind::ChassisPoint)
@@ -73,8 +72,8 @@ where
 
     /// The configuration with these drives that is near another.
     pub(super) fn near(
-        rounded: &'m Model<'m, f64, N>,
-        start: SVector<f64, N>,
+        rounded: &'m Model<'m, f64>,
+        start: SVector<f64, ROOM>,
         drives: Vec<f64>,
     ) -> Self {
         let coordinates = rounded.coordinates(&Signal::still(Values::from_values(drives.clone())));
@@ -154,7 +153,7 @@ where
     }
 
     /// What the drives prescribe, cosines of all digits.
-    fn coordinates(&self, steps: &Steps) -> <Model<'m, DoubleDouble, N> as Linkage<N>>::Drives {
+    fn coordinates(&self, steps: &Steps) -> <Model<'m, DoubleDouble> as Linkage<ROOM>>::Drives {
         // At an angle of zero the coordinate of a link is its length, and the rate of an angle about an axis a
         // quarter of it.
         let one = DoubleDouble::from(1.0);

@@ -16,9 +16,9 @@ use suspension_core::linkages::LISTINGS;
 use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_core::{Build, Values};
 use suspension_listing::system::System;
-use suspension_runtime::{CatalogueAndFiles, Fitted, Listing, Room, Size, Work};
+use suspension_runtime::{CatalogueAndFiles, Listing};
 
-use lattice::Lattice;
+use lattice::{Lattice, Model};
 use quantities::{Car, Reference, travel_and_steering};
 use sensitivities::Sensitive;
 
@@ -71,13 +71,32 @@ pub struct Worst {
     pub count: usize,
 }
 
-/// A layout whose derivatives are held against the program's.
-struct Derived<'a>(&'a Layout, Program<'a>);
-
 impl Layout {
     /// Derivatives that `suspension sweep` writes against differences.
     pub fn derivatives(&self, program: Program<'_>) -> Worst {
-        self.listing().in_its_size(Derived(self, program))
+        let listing = self.listing();
+        let hardpoints = design(&listing);
+        let model: Model<'_, f64> = listing.model(&hardpoints).expect("a model");
+        let design = Values::from_values(hardpoints.iter().copied());
+        let count = listing.count(Kind::Drive);
+        let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
+        let system = self.system();
+        let mut worst = Worst::default();
+        for car in CARS {
+            let [first, second] =
+                ["1", "2"].map(|order| self.swept((program, order), &listing, car, &drives));
+            for (first, row) in first.iter().zip(second) {
+                worst.compare_rows(self.name, first, &row);
+                let lattice = Lattice::about(&model, &design, &row);
+                let reference = Reference {
+                    system: &system,
+                    car,
+                    design: &hardpoints,
+                };
+                worst.compare(self.name, &lattice, &reference, &row);
+            }
+        }
+        worst
     }
 
     /// Sensitivities that `suspension sensitivities` writes, some of them drawn at random, against differences.
@@ -87,7 +106,7 @@ impl Layout {
             random,
             program,
         };
-        self.listing().in_its_size(sensitive)
+        sensitive.worst(&self.listing())
     }
 
     fn listing(&self) -> Listing {
@@ -170,51 +189,15 @@ fn missing(listing: &Listing) -> impl Iterator<Item = (usize, Vector3<f64>)> {
         .map(|place| (place, Vector3::from(WHEEL_CENTRE)))
 }
 
-impl Work for Derived<'_> {
-    type Answer = Worst;
-
-    fn on<const N: usize>(self, fitted: Fitted<'_, N>) -> Worst
-    where
-        Room<N>: Size,
-    {
-        let Self(layout, program) = self;
-        let listing = fitted.listing();
-        let hardpoints = design(listing);
-        let model = listing.model::<N>(&hardpoints).expect("a model");
-        let design = Values::from_values(hardpoints.iter().copied());
-        let count = listing.count(Kind::Drive);
-        let drives: Vec<f64> = model.drives_at(&design).values().take(count).collect();
-        let system = layout.system();
-        let mut worst = Worst::default();
-        for car in CARS {
-            let [first, second] =
-                ["1", "2"].map(|order| layout.swept((program, order), listing, car, &drives));
-            for (first, row) in first.iter().zip(second) {
-                worst.compare_rows(layout.name, first, &row);
-                let lattice = Lattice::about(&model, &design, &row);
-                let reference = Reference {
-                    system: &system,
-                    car,
-                    design: &hardpoints,
-                };
-                worst.compare(layout.name, &lattice, &reference, &row);
-            }
-        }
-        worst
-    }
-}
-
 impl Worst {
     /// Holds the derivatives of a row against differences.
-    fn compare<const N: usize>(
+    fn compare(
         &mut self,
         layout: &str,
-        lattice: &Lattice<'_, N>,
+        lattice: &Lattice<'_>,
         reference: &Reference<'_>,
         row: &Row,
-    ) where
-        Room<N>: Size,
-    {
+    ) {
         let drives = lattice.drive_names();
         let mut known = BTreeSet::new();
         for (drive, per) in drives.iter().enumerate() {

@@ -9,7 +9,6 @@ use suspension_core::wheel::{Carrier, Turn, contact, steer_angle, toe};
 use suspension_double_double::DoubleDouble as Number;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Quantity, System};
-use suspension_runtime::{Room, Size};
 
 use super::lattice::{Lattice, Steps};
 use super::wheel::{
@@ -72,10 +71,7 @@ pub(super) struct Reference<'a> {
 
 impl Reference<'_> {
     /// All quantities that have derivatives.
-    pub(super) fn all<const N: usize>(&self, lattice: &Lattice<'_, N>, at: &Steps) -> Named
-    where
-        Room<N>: Size,
-    {
+    pub(super) fn all(&self, lattice: &Lattice<'_>, at: &Steps) -> Named {
         let model = &lattice.exact;
         let each = lattice.points(at);
         let (travel, steer) = travel_and_steering(&lattice.drive_names());

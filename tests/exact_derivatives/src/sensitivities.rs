@@ -7,9 +7,9 @@ use nalgebra::Vector3;
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::{Build, Inputs, Linkage, Newton, Signal, Still, Values};
 use suspension_double_double::DoubleDouble;
-use suspension_runtime::{Fitted, Listing, Model, Room, Size, Work};
+use suspension_runtime::Listing;
 
-use super::lattice::{Lattice, first_difference};
+use super::lattice::{Lattice, Model, first_difference};
 use super::quantities::{Car, Reference};
 use super::{Layout, Program, Row, Worst, design, is_of_roll, missing};
 
@@ -73,18 +73,10 @@ impl Sensitive<'_> {
         };
         rows.into_iter().map(row).collect()
     }
-}
 
-impl Work for Sensitive<'_> {
-    type Answer = Worst;
-
-    fn on<const N: usize>(self, fitted: Fitted<'_, N>) -> Worst
-    where
-        Room<N>: Size,
-    {
-        let listing = fitted.listing();
+    pub(super) fn worst(self, listing: &Listing) -> Worst {
         let hardpoints = design(listing);
-        let model = listing.model::<N>(&hardpoints).expect("a model");
+        let model: Model<'_, f64> = listing.model(&hardpoints).expect("a model");
         let points = Values::from_values(hardpoints.iter().copied());
         let count = listing.count(Kind::Drive);
         let drives: Vec<f64> = model.drives_at(&points).values().take(count).collect();
@@ -99,7 +91,7 @@ impl Work for Sensitive<'_> {
         let known = all(listing).filter(|(name, _)| table.contains_key(name));
         for (name, changed) in self.random.choose_multiple(known, DRAWN) {
             let row = &table[&name];
-            let numbers = |by: f64| numbers::<N>(&reference, listing, (&hardpoints, changed), by);
+            let numbers = |by: f64| numbers(&reference, listing, (&hardpoints, changed), by);
             let beside =
                 STEPS.map(|step| [-2.0, -1.0, 1.0, 2.0].map(|steps| numbers(steps * step)));
             let known = &beside[0][0];
@@ -146,20 +138,17 @@ fn difference(beside: &[Numbers; 4], key: &str, step: f64) -> f64 {
 }
 
 /// The numbers of a suspension with one change.
-fn numbers<const N: usize>(
+fn numbers(
     reference: &Reference<'_>,
     listing: &Listing,
     (hardpoints, changed): (&[Vector3<f64>], Changed),
     by: f64,
-) -> Numbers
-where
-    Room<N>: Size,
-{
+) -> Numbers {
     let mut hardpoints = hardpoints.to_vec();
     if let Changed::Point(place, axis) = changed {
         hardpoints[place][axis] += by;
     }
-    let mut model: Model<'_, f64, N> = listing.model(&hardpoints).expect("a model");
+    let mut model: Model<'_, f64> = listing.model(&hardpoints).expect("a model");
     let points = Values::from_values(hardpoints.iter().copied());
     let count = listing.count(Kind::Drive);
     let drives: Vec<f64> = model.drives_at(&points).values().take(count).collect();
