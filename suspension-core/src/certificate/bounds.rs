@@ -1,6 +1,7 @@
 //! The three bounds that the proof needs, with all rounding in them.
 
 use nalgebra::{SMatrix, SVector};
+use num_traits::Zero;
 
 use super::enclosed::Enclosed;
 use crate::error::SolveError;
@@ -51,8 +52,8 @@ impl<T: Real> Bounds<T> {
         factors: &dyn Factors<T, N>,
     ) -> Result<Self, SolveError<T>> {
         let inverse = inverse(factors);
-        let rows = rows(residual, jacobian, curvatures);
-        let mut defects = defect_of_middles(&inverse, jacobian);
+        let (mut defects, spreads) = defects_and_spreads(&inverse, jacobian);
+        let rows = rows(residual, &spreads, curvatures);
         let mut sums = [Row::<T>::default(); N];
         for (column, row) in inverse.iter().zip(&rows) {
             for (sum, entry) in sums.iter_mut().zip(column) {
@@ -111,47 +112,39 @@ fn rounding<T: Real, const N: usize>() -> T {
 #[inline(always)]
 fn rows<T: Real, const N: usize>(
     residual: &SVector<Enclosed<T>, N>,
-    jacobian: &SMatrix<Enclosed<T>, N, N>,
+    jacobian_spreads: &[T; N],
     curvatures: &[T; N],
 ) -> [Row<T>; N] {
-    let mut spreads = [T::SMALLEST; N];
-    for column in &jacobian.data.0 {
-        for (spread, entry) in spreads.iter_mut().zip(column) {
-            *spread += entry.value().abs() * rounding::<T, N>() + entry.radius();
-        }
-    }
     let [residual] = &residual.data.0;
-    let mut rows = [Row {
-        residual: T::zero(),
-        residual_spread: T::zero(),
-        jacobian_spread: T::zero(),
-        curvature: T::zero(),
-    }; N];
-    let known = residual.iter().zip(spreads).zip(curvatures);
+    let mut rows = [Row::default(); N];
+    let known = residual.iter().zip(jacobian_spreads).zip(curvatures);
     for (row, ((residual, jacobian_spread), curvature)) in rows.iter_mut().zip(known) {
         let of_sum = residual.value().abs() * rounding::<T, N>() + T::SMALLEST;
         *row = Row {
             residual: residual.value(),
             residual_spread: residual.radius() + of_sum,
-            jacobian_spread,
+            jacobian_spread: *jacobian_spread,
             curvature: *curvature,
         };
     }
     rows
 }
 
-/// The sums of the magnitudes of each row of `I - A J`, as computed from the middles of `J`.
+/// The sums of the magnitudes of each row of `I - A J`, as computed from the middles of `J`; and of each row of `J`, how far
+/// its entries may be off, with what these sums lose of them in rounding.
 #[inline(always)]
-fn defect_of_middles<T: Real, const N: usize>(
+fn defects_and_spreads<T: Real, const N: usize>(
     inverse: &[[T; N]; N],
     jacobian: &SMatrix<Enclosed<T>, N, N>,
-) -> [T; N] {
+) -> ([T; N], [T; N]) {
     let mut sums = [rounding::<T, N>(); N];
+    let mut spreads = [T::SMALLEST; N];
     for (j, of_jacobian) in jacobian.data.0.iter().enumerate() {
         let [mut column] = unit::<T, N>(j).data.0;
-        for (of_inverse, entry) in inverse.iter().zip(of_jacobian) {
+        for ((of_inverse, entry), spread) in inverse.iter().zip(of_jacobian).zip(&mut spreads) {
             // Most entries are zero.
-            if entry.value() != T::zero() {
+            if !entry.is_zero() {
+                *spread += entry.value().abs() * rounding::<T, N>() + entry.radius();
                 for (left, right) in column.iter_mut().zip(of_inverse) {
                     *left -= *right * entry.value();
                 }
@@ -161,7 +154,7 @@ fn defect_of_middles<T: Real, const N: usize>(
             *sum += left.abs();
         }
     }
-    sums
+    (sums, spreads)
 }
 
 /// A bound of all sums of positive numbers, which rounding made smaller.
