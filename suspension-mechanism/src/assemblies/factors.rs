@@ -1,107 +1,187 @@
 //! Complex matrices, factored: `P A = L U`. The core's are of real numbers.
 
-use std::array;
 use std::ops::Range;
 
-use nalgebra::{Complex, ComplexField, SMatrix, SVector};
+use nalgebra::{Complex, SMatrix, SVector};
+use suspension_core::Scalar;
+
+use crate::assemblies::parts::Part;
 
 /// Unknowns, right-hand sides and residuals.
 pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
 
 type Matrix<const N: usize> = SMatrix<Complex<f64>, N, N>;
 
-/// The factors of a matrix: `L` below the diagonal, its own diagonal of ones left out, `U` on and above it. Most of their
-/// entries are zero, as those of the matrix are.
-pub(crate) struct Factors<const N: usize> {
-    factors: Matrix<N>,
-    /// The row with which each one was swapped.
-    swaps: [usize; N],
-    /// Of each column, the rows below the diagonal that are not zero.
-    below: [Rows<N>; N],
-    /// The same above it.
-    above: [Rows<N>; N],
+/// Which equations are solved together for which unknowns. Each of the other unknowns is given by an equation that says its value.
+pub(crate) struct Solved {
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    /// The other equations, each with its unknown.
+    given: Vec<[usize; 2]>,
 }
 
-/// Some of the rows.
-struct Rows<const N: usize> {
-    rows: [usize; N],
-    count: usize,
-}
-
-impl<const N: usize> Rows<N> {
-    /// Those of a range that are not zero in a column.
-    fn of(matrix: &Matrix<N>, range: Range<usize>, column: usize) -> Self {
-        let (mut rows, mut count) = ([0; N], 0);
-        for row in range.filter(|row| matrix[(*row, column)] != Complex::ZERO) {
-            rows[count] = row;
-            count += 1;
+impl Solved {
+    /// A part's own equations, and one in which the value of a given unknown is not alone.
+    pub(crate) fn of(part: &Part, and: Option<usize>) -> Self {
+        let others = part.others.iter().copied();
+        let (with_others, given): (Vec<_>, Vec<_>) = others.partition(|[row, _]| Some(*row) == and);
+        let together = part.own.iter().chain(&with_others);
+        let (rows, columns) = together.map(|[row, column]| (*row, *column)).unzip();
+        Self {
+            rows,
+            columns,
+            given,
         }
-        Self { rows, count }
     }
 
-    fn iter(&self) -> impl Iterator<Item = usize> {
-        self.rows[..self.count].iter().copied()
+    /// Of the equations solved together, the entries of given unknowns that are not zero: place of the equation, unknown, entry.
+    fn of_given<const N: usize>(&self, jacobian: &Matrix<N>) -> Vec<(usize, usize, Complex<f64>)> {
+        let given = self.given.iter().flat_map(|[_, column]| {
+            let rows = self.rows.iter().enumerate();
+            rows.map(|(place, row)| (place, *column, jacobian[(*row, *column)]))
+        });
+        given
+            .filter(|(.., entry)| *entry != Complex::ZERO)
+            .collect()
     }
 }
 
-impl<const N: usize> Factors<N> {
-    /// Factors a matrix, with partial pivoting.
-    pub(crate) fn of(mut matrix: Matrix<N>) -> Self {
-        let mut swaps = [0; N];
-        for (k, swap) in swaps.iter_mut().enumerate() {
-            let size = |row: &usize| matrix[(*row, k)].norm1();
-            let pivot_row = (k..N).max_by(|a, b| size(a).total_cmp(&size(b)));
-            *swap = pivot_row.unwrap_or(k);
-            matrix.swap_rows(k, *swap);
-            let below = Rows::of(&matrix, k + 1..N, k);
-            let inverse = matrix[(k, k)].inv();
-            for row in below.iter() {
-                matrix[(row, k)] *= inverse;
+/// The factors of the equations that are solved together: `L`, its diagonal of ones left out, and `U`. Most of their
+/// entries are zero, as those of the matrix are.
+pub(crate) struct Factors<'s> {
+    solved: &'s Solved,
+    of_given: Vec<(usize, usize, Complex<f64>)>,
+    /// The row with which each one was swapped.
+    swaps: Vec<usize>,
+    /// Of the pivots that are not zero.
+    inverses: Vec<Complex<f64>>,
+    below: Columns,
+    above: Columns,
+}
+
+/// Entries that are not zero, with their rows, one column after the other.
+struct Columns {
+    entries: Vec<(usize, Complex<f64>)>,
+    ends: Vec<usize>,
+}
+
+impl Columns {
+    fn with_room(columns: usize) -> Self {
+        Self {
+            entries: Vec::with_capacity(columns * columns),
+            ends: Vec::with_capacity(columns),
+        }
+    }
+
+    fn push(&mut self, column: &[Complex<f64>], rows: Range<usize>) {
+        for row in rows {
+            if column[row] != Complex::ZERO {
+                self.entries.push((row, column[row]));
             }
-            for column in k + 1..N {
-                let above = matrix[(k, column)];
-                if above == Complex::ZERO {
-                    continue;
-                }
-                for row in below.iter() {
-                    let multiple = matrix[(row, k)];
-                    matrix[(row, column)] -= multiple * above;
-                }
-            }
+        }
+        self.ends.push(self.entries.len());
+    }
+
+    fn subtract(&self, column: usize, times: Complex<f64>, from: &mut [Complex<f64>]) {
+        let start = column.checked_sub(1).map_or(0, |last| self.ends[last]);
+        for (row, entry) in &self.entries[start..self.ends[column]] {
+            from[*row] = from[*row].minus_product(*entry, times);
+        }
+    }
+}
+
+impl<'s> Factors<'s> {
+    /// Factors the rows of `jacobian` that are solved together, with partial pivoting.
+    pub(crate) fn of<const N: usize>(jacobian: &Matrix<N>, solved: &'s Solved) -> Self {
+        let Solved { rows, columns, .. } = solved;
+        let count = rows.len();
+        let mut matrix = Vec::with_capacity(count * count);
+        for column in columns {
+            let entries = &jacobian.data.0[*column];
+            matrix.extend(rows.iter().map(|row| entries[*row]));
+        }
+        let swaps = eliminate(&mut matrix, count);
+        let (mut below, mut above) = (Columns::with_room(count), Columns::with_room(count));
+        let mut inverses = Vec::with_capacity(count);
+        for (place, column) in matrix.chunks_exact(count).enumerate() {
+            above.push(column, 0..place);
+            below.push(column, place + 1..count);
+            inverses.extend((column[place] != Complex::ZERO).then(|| column[place].inv()));
         }
         Self {
+            solved,
+            of_given: solved.of_given(jacobian),
             swaps,
-            below: array::from_fn(|column| Rows::of(&matrix, column + 1..N, column)),
-            above: array::from_fn(|column| Rows::of(&matrix, 0..column, column)),
-            factors: matrix,
+            inverses,
+            below,
+            above,
         }
     }
 
-    /// Solves `A x = right`; `None` where a pivot is zero.
-    pub(crate) fn solve(&self, right: &Vector<N>) -> Option<Vector<N>> {
-        let mut x = *right;
+    /// Solves `J x = right`; `None` where a pivot is zero.
+    pub(crate) fn solve<const N: usize>(&self, right: &Vector<N>) -> Option<Vector<N>> {
+        if self.inverses.len() < self.swaps.len() {
+            return None;
+        }
+        let mut solution = Vector::zeros();
+        for &[row, column] in &self.solved.given {
+            solution[column] = right[row];
+        }
+        let mut x = [Complex::ZERO; N];
+        for (x, row) in x.iter_mut().zip(&self.solved.rows) {
+            *x = right[*row];
+        }
+        for (place, column, entry) in &self.of_given {
+            x[*place] -= entry * solution[*column];
+        }
         for (k, swap) in self.swaps.iter().enumerate() {
-            x.swap_rows(k, *swap);
+            x.swap(k, *swap);
         }
-        for (column, below) in self.below.iter().enumerate() {
-            let known = x[column];
-            for row in below.iter() {
-                x[row] -= self.factors[(row, column)] * known;
-            }
+        for column in 0..self.swaps.len() {
+            self.below.subtract(column, x[column], &mut x);
         }
-        for (column, above) in self.above.iter().enumerate().rev() {
-            let pivot = self.factors[(column, column)];
-            if pivot == Complex::ZERO {
-                return None;
-            }
-            let known = x[column] / pivot;
-            x[column] = known;
-            for row in above.iter() {
-                x[row] -= self.factors[(row, column)] * known;
-            }
+        for (column, inverse) in self.inverses.iter().enumerate().rev() {
+            x[column] *= inverse;
+            self.above.subtract(column, x[column], &mut x);
         }
-        Some(x)
+        for (column, x) in self.solved.columns.iter().zip(x) {
+            solution[*column] = x;
+        }
+        Some(solution)
     }
+}
+
+/// Puts `L` below the diagonal of a matrix of so many rows, given column by column, and `U` on and above it; and tells the
+/// row with which each one was swapped.
+fn eliminate(entries: &mut [Complex<f64>], count: usize) -> Vec<usize> {
+    let mut swaps = Vec::with_capacity(count);
+    let mut below = Vec::with_capacity(count);
+    for k in 0..count {
+        let sizes = entries[k * count..][k..count].iter().map(Complex::l1_norm);
+        let largest = sizes.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let swap = k + largest.map_or(0, |(place, _)| place);
+        swaps.push(swap);
+        for column in entries.chunks_exact_mut(count) {
+            column.swap(k, swap);
+        }
+        let (done, others) = entries.split_at_mut((k + 1) * count);
+        let column = &mut done[k * count..];
+        let inverse = column[k].inv();
+        below.clear();
+        below.extend((k + 1..count).filter(|row| column[*row] != Complex::ZERO));
+        for row in &below {
+            column[*row] *= inverse;
+        }
+        for other in others.chunks_exact_mut(count) {
+            let above = other[k];
+            if above != Complex::ZERO {
+                for row in &below {
+                    other[*row] = other[*row].minus_product(column[*row], above);
+                }
+            }
+        }
+    }
+    swaps
 }
 
 #[cfg(test)]
@@ -116,11 +196,30 @@ mod tests {
         }) + Matrix::from_fn(|row, column| Complex::from(f64::from(u8::from(row + column == 3))))
     }
 
+    fn solved(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Solved {
+        let part = Part {
+            own: own.to_vec(),
+            others: others.to_vec(),
+            needed: Vec::new(),
+            is_linear: false,
+        };
+        Solved::of(&part, and)
+    }
+
+    const ALL: [[usize; 2]; 4] = [[0, 0], [1, 1], [2, 2], [3, 3]];
+
     #[test]
     fn what_is_solved_is_met() {
         let x = SVector::from_fn(|row, _| Complex::new(row as f64 - 1.5, 2.0 - row as f64));
-        let found = Factors::of(matrix())
-            .solve(&(matrix() * x))
+        let right = matrix() * x;
+        let all = solved(&ALL, &[], None);
+        let found = Factors::of(&matrix(), &all).solve(&right).expect("regular");
+        assert!((found - x).camax() < 1e-13, "{found}");
+        // Equations 1 and 3 give unknowns 2 and 0, equation 3 among the others.
+        let some = solved(&[[0, 3], [2, 1]], &[[1, 2], [3, 0]], Some(3));
+        let given = Vector::from([right[0], x[2], right[2], right[3]]);
+        let found = Factors::of(&matrix(), &some)
+            .solve(&given)
             .expect("regular");
         assert!((found - x).camax() < 1e-13, "{found}");
     }
@@ -130,6 +229,11 @@ mod tests {
         let mut singular = matrix();
         singular.set_row(2, &singular.row(0).into_owned());
         singular.set_column(1, &SVector::zeros());
-        assert!(Factors::of(singular).solve(&SVector::zeros()).is_none());
+        let all = solved(&ALL, &[], None);
+        assert!(
+            Factors::of(&singular, &all)
+                .solve(&Vector::<4>::zeros())
+                .is_none()
+        );
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Complex, SMatrix};
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
-use crate::assemblies::factors::{Factors, Vector};
+use crate::assemblies::factors::{Factors, Solved, Vector};
 use crate::assemblies::parts::{Part, in_order};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::{Plane, Tilt};
@@ -34,6 +34,7 @@ pub(crate) struct Family<G: Listing<N>, const N: usize> {
     /// The longest length of the linkage.
     pub(crate) size: f64,
     pub(crate) part: Part,
+    solved: Solved,
     /// Of an unknown that the part needs, or of its first drive: of what the part's assemblies are a curve over.
     pub(crate) tilt: Option<Tilt<N>>,
 }
@@ -57,6 +58,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         Self {
             model: model_of_complex,
             size: model.size(),
+            solved: Solved::of(&part, tilted),
             part,
             tilt,
         }
@@ -116,9 +118,10 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         self.model.drive_anchors(*self.model.fixed(), drives)
     }
 
-    /// The derivatives where unknowns are given.
-    fn give(&self, jacobian: &mut SMatrix<Complex<f64>, N, N>) {
-        for &[row, column] in &self.part.others {
+    /// The derivatives of an equation, where that gives an unknown of another part.
+    fn give(&self, equation: usize, jacobian: &mut SMatrix<Complex<f64>, N, N>) {
+        let mut given = self.part.others.iter();
+        if let Some(&[row, column]) = given.find(|[row, _]| *row == equation) {
             jacobian.row_mut(row).fill(Complex::ZERO);
             jacobian[(row, column)] = Complex::ONE;
         }
@@ -214,14 +217,14 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     }
 
     /// The factors of `dF/dq`.
-    pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<N> {
+    pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<'_> {
         let fixed = self.family.fixed(&self.drives(s));
         let mut jacobian = self.family.model.jacobian(q, &fixed);
-        self.family.give(&mut jacobian);
         if let Some(tilt) = &self.family.tilt {
+            self.family.give(tilt.row, &mut jacobian);
             tilt.add_gradient(self.plane(s), &mut jacobian);
         }
-        Factors::of(jacobian)
+        Factors::of(&jacobian, &self.family.solved)
     }
 
     /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q`, `u` and the tilt together, so
@@ -230,7 +233,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         &self,
         q: &Vector<N>,
         s: f64,
-        factors: &Factors<N>,
+        factors: &Factors<'_>,
     ) -> Option<[Vector<N>; K]> {
         let Family { model, .. } = self.family;
         let fixed = self.family.fixed(&self.drives(s));

@@ -90,13 +90,13 @@ fn polished<G: Listing<N>, const N: usize>(
 }
 
 /// The longest step of the series that Newton's method confirms: root, place and factors there.
-fn step<G: Listing<N>, const N: usize>(
-    line: &Line<'_, G, N>,
+fn step<'l, G: Listing<N>, const N: usize>(
+    line: &'l Line<'_, G, N>,
     q: &Vector<N>,
     s: f64,
     terms: &[Vector<N>; TERMS],
     scale: f64,
-) -> Option<(Vector<N>, f64, Factors<N>)> {
+) -> Option<(Vector<N>, f64, Factors<'l>)> {
     let mut step = reach(terms, PREDICTION * scale);
     while step >= SHORTEST {
         let there = if step < 1.0 - s { s + step } else { 1.0 };
