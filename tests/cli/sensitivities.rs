@@ -144,7 +144,7 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(
         text(&output.stderr)
-            .contains("no quantity begins with `chamber`; did you mean `camber`? known are "),
+            .contains("no quantity begins with `chamber`; did you mean `camber`? Without --of all quantities are printed\n"),
         "{output:?}"
     );
 }
@@ -178,14 +178,57 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
     let folder = folder();
     let axle = include_str!("../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
-    let output = run(
-        folder.path(),
-        &["sensitivities", "axle.toml", "--of", "toe"],
-    );
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let expected =
-        "no quantity begins with `toe`; did you mean left_toe, right_toe, total_toe? known are ";
-    assert!(text(&output.stderr).contains(expected), "{output:?}");
+    for (of, meant) in [
+        ("toe", "`left_toe`, `right_toe` or `total_toe`"),
+        (
+            "kingpin_offset",
+            "`left_kingpin_offset` or `right_kingpin_offset`",
+        ),
+    ] {
+        let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let expected = format!(
+            "no quantity begins with `{of}`; did you mean {meant}? Without --of all quantities are printed\n"
+        );
+        assert_eq!(text(&output.stderr), expected);
+    }
+}
+
+/// No hardpoint changes what counts from the design position; what it does change is named, of the wheel that was meant.
+#[test]
+fn what_is_zero_at_the_design_names_what_hardpoints_change() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    let axle = axle.replace("[vehicle]", "[vehicle]\nrack_per_turn = 0.052");
+    std::fs::write(folder.path().join("axle.toml"), &axle).expect("written");
+    let counts = "counts from the design position and is zero there, whatever the hardpoints; what hardpoints change is";
+    for (of, expected) in [
+        (
+            "steering_wheel_angle",
+            "is set by the drive of steering, whatever the hardpoints; what hardpoints change is `left_steering_ratio` or \
+             `right_steering_ratio`"
+                .to_owned(),
+        ),
+        (
+            "wheel_travel",
+            format!("{counts} `left_centre_z` or `right_centre_z`"),
+        ),
+        ("left_recession", format!("{counts} `left_centre_x`")),
+        ("track_change", format!("{counts} `track`")),
+    ] {
+        let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert_eq!(text(&output.stderr), format!("`{of}` {expected}\n"));
+        let target = format!(
+            "{axle}[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
+             [tune.targets.wanted]\nof = \"{of}\"\nvalue = 1.0\nwithin = 0.1\n"
+        );
+        std::fs::write(folder.path().join("tuned.toml"), target).expect("written");
+        let output = run(folder.path(), &["tune", "tuned.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let said = text(&output.stderr);
+        assert!(said.ends_with(&format!(": `{of}` {expected}\n")), "{said}");
+    }
 }
 
 /// Arms that are parallel have no instant centre.

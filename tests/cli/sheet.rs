@@ -55,6 +55,28 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
     }
 }
 
+/// What is zero at the design position has curves and no row of numbers; it is defined all the same.
+#[test]
+fn what_curves_alone_show_is_defined() {
+    let folder = folder();
+    let vehicle = "[vehicle]\nrack_per_turn = 0.052";
+    let corner = include_str!("../../examples/double_wishbone.toml").replace("[vehicle]", vehicle);
+    std::fs::write(folder.path().join("a.toml"), corner).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = text(&output.stdout);
+    for (title, name) in [
+        ("angle of the steering wheel", "steering_wheel_angle"),
+        ("wheel travel", "wheel_travel"),
+        ("recession", "recession"),
+        ("change of half track", "half_track_change"),
+    ] {
+        assert!(cells(page, title).is_empty(), "no numbers of {title}");
+        let definition = format!("<code>{name}</code>: ");
+        assert_eq!(page.matches(&definition).count(), 1, "{title}");
+    }
+}
+
 /// The rulers of drawings, which a radius beyond all measure makes tiny, end.
 #[test]
 fn a_wheel_of_an_absurd_radius_ends() {

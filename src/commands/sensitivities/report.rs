@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use suspension_listing::did_you_mean::did_you_mean;
 
+use crate::characteristics::{of_wheels, zero_at_design};
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::sensitivities::Sensitivities;
@@ -128,12 +129,21 @@ impl Report<'_> {
                  have none"
             ));
         }
+        if let Some(zero) = zero_at_design(wanted, self.mechanism) {
+            return Err(zero);
+        }
         let known = titles.iter().filter(|title| !title.contains(' '));
-        let known: Vec<String> = known.cloned().collect();
-        let (meant, known) = (meant(wanted, &known), known.join(", "));
-        Err(format!(
-            "no quantity begins with `{wanted}`{meant} known are {known}"
-        ))
+        let known: Vec<&str> = known.map(String::as_str).collect();
+        let meant = match of_wheels(wanted, known.iter().copied()) {
+            Some(of_wheels) => format!("; did you mean {of_wheels}?"),
+            None => did_you_mean(wanted, known.iter().copied()),
+        };
+        let then = if meant.is_empty() {
+            format!("; known are {}", known.join(", "))
+        } else {
+            format!("{meant} Without --of all quantities are printed")
+        };
+        Err(format!("no quantity begins with `{wanted}`{then}"))
     }
 
     /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
@@ -195,21 +205,5 @@ impl Report<'_> {
         let each = numbers.iter().take(count);
         let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
         each.collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// What a name may have been meant to be: that of a wheel, or one that is near. It ends what is said before.
-fn meant(wanted: &str, known: &[String]) -> String {
-    let known = known.iter().map(String::as_str);
-    let ending = format!("_{wanted}");
-    let of_wheels = known.clone().filter(|name| name.ends_with(&ending));
-    let hint = match of_wheels.collect::<Vec<_>>().as_slice() {
-        [] => did_you_mean(wanted, known),
-        several => format!("; did you mean {}?", several.join(", ")),
-    };
-    if hint.is_empty() {
-        ";".to_owned()
-    } else {
-        hint
     }
 }

@@ -8,7 +8,7 @@ use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
-use crate::quantities::Quantity;
+use crate::quantities::{Quantity, from_design};
 
 /// All that the page shows.
 pub(super) struct Page<'a> {
@@ -61,6 +61,7 @@ impl Page<'_> {
             }
             h2 { "At the design position: " (self.drives) }
             (self.table())
+            (self.of_curves_alone())
             @for curves in &self.curves {
                 (charts(&format!("Over {}", curves.title), &self.charts(curves)))
             }
@@ -121,6 +122,26 @@ impl Page<'_> {
                     @let next = groups.get(number + 1).map(|next| next[0].quantity);
                     @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
                         tr.definition { td colspan=(columns) { (definition(group[0].quantity)) } }
+                    }
+                }
+            }
+        }
+    }
+
+    /// What curves show and the table of the design does not have, as it is zero there.
+    fn of_curves_alone(&self) -> Markup {
+        let is_shown = |quantity: &&Quantity| {
+            let mut lines = self.curves.iter().flat_map(|curves| &curves.lines);
+            lines.any(|line| line.title.of_wheel == quantity.title)
+        };
+        let shown: Vec<&Quantity> = from_design().filter(is_shown).collect();
+        html! {
+            @if !shown.is_empty() {
+                h2 { "In the curves, and zero at the design position" }
+                table {
+                    @for quantity in shown {
+                        tr.first { td { (quantity.title) } }
+                        tr.definition { td { (definition(quantity)) } }
                     }
                 }
             }

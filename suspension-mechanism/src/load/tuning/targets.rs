@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use crate::characteristics::columns;
+use crate::characteristics::{columns, of_wheels, zero_at_design};
 use crate::failure::Failure;
 use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
@@ -56,21 +56,30 @@ impl Targets<'_> {
         let names: Vec<String> = columns.iter().map(Column::title).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let wanted = of.get_ref();
+        let refuse = |message: String| Err(self.0.source.refuse(&of.span(), message));
+        if let Some(message) = zero_at_design(wanted, self.0.mechanism) {
+            return refuse(message);
+        }
+        if !names.contains(&&**wanted)
+            && let Some(meant) = of_wheels(wanted, names.iter().copied())
+        {
+            return refuse(format!(
+                "unknown quantity `{wanted}`; did you mean {meant}?"
+            ));
+        }
         if catalogue().any(|quantity| quantity.name == wanted) && !names.contains(&&**wanted) {
-            let message = format!(
+            return refuse(format!(
                 "there is no `{wanted}` of this mechanism: suspension motion --help says what it needs, the wheel's name before it, \
                  an axis behind it, or a line under [vehicle]"
-            );
-            return Err(self.0.source.refuse(&of.span(), message));
+            ));
         }
         if let Some(name) = names
             .iter()
             .find(|name| wanted.starts_with(&format!("{name}_")))
         {
-            let message = format!(
+            return refuse(format!(
                 "unknown quantity `{wanted}`; did you mean `{name}`? Quantities are named without a unit"
-            );
-            return Err(self.0.source.refuse(&of.span(), message));
+            ));
         }
         let found = self.0.named("quantity", of, &names)?;
         Ok(columns.swap_remove(found))

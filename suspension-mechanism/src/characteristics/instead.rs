@@ -1,0 +1,64 @@
+//! What can be named in place of a quantity that a design does not have under that name.
+
+use crate::characteristics::columns;
+use crate::mechanism::Description;
+use crate::quantities::{
+    Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
+    STEERING_WHEEL_ANGLE, TRACK, TRACK_CHANGE, WHEEL_TRAVEL, WHEELBASE_CHANGE, from_design,
+};
+
+/// The sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that can be named in
+/// its place; `None` of any other name, and where there are none.
+pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
+    let is_called = |quantity: &&Quantity| {
+        let wheel = wanted.strip_suffix(quantity.name);
+        wheel.is_some_and(|wheel| wheel.is_empty() || wheel.ends_with('_'))
+    };
+    let mut quantities = from_design();
+    let quantity = quantities.find(is_called)?;
+    let wheel = wanted.strip_suffix(quantity.name)?;
+    let (instead, axis) = instead_of(quantity)?;
+    let columns = columns(mechanism).into_iter();
+    let columns = columns.filter(|column| column.is(instead) && column.axis == axis);
+    let names = columns.map(|column: Column| column.title());
+    let names = listed(names.filter(|name| name.starts_with(wheel)))?;
+    let why = if std::ptr::eq(quantity, &STEERING_WHEEL_ANGLE) {
+        "is set by the drive of steering, whatever the hardpoints"
+    } else {
+        "counts from the design position and is zero there, whatever the hardpoints"
+    };
+    Some(format!(
+        "`{wanted}` {why}; what hardpoints change is {names}"
+    ))
+}
+
+/// Names of known quantities of wheels or of the axle that end with the wanted one, in words.
+pub fn of_wheels<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let ending = format!("_{wanted}");
+    let known = known.into_iter().filter(|name| name.ends_with(&ending));
+    listed(known.map(str::to_owned))
+}
+
+fn listed(names: impl Iterator<Item = String>) -> Option<String> {
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    let (last, others) = names.split_last()?;
+    Some(match others {
+        [] => last.clone(),
+        others => format!("{} or {last}", others.join(", ")),
+    })
+}
+
+/// What changes as a quantity does that counts from the design position.
+fn instead_of(quantity: &Quantity) -> Option<(&'static Quantity, Option<Axis>)> {
+    let pairs: [(&Quantity, &Quantity, Option<Axis>); 6] = [
+        (&STEERING_WHEEL_ANGLE, &STEERING_RATIO, None),
+        (&WHEEL_TRAVEL, &CENTRE, Some(Axis::Z)),
+        (&RECESSION, &CENTRE, Some(Axis::X)),
+        (&HALF_TRACK_CHANGE, &CONTACT, Some(Axis::Y)),
+        (&WHEELBASE_CHANGE, &CONTACT, Some(Axis::X)),
+        (&TRACK_CHANGE, &TRACK, None),
+    ];
+    let mut pairs = pairs.into_iter();
+    let (_, instead, axis) = pairs.find(|(of, ..)| std::ptr::eq(*of, quantity))?;
+    Some((instead, axis))
+}
