@@ -144,7 +144,7 @@ the masses are at the wheel in travel.
 The drives hold the mechanism where it is: springs of [springs] do not act by themselves. What a drive bears is the work of the
 loads per unit of the drive: what holds the drive must bear it; a note says where springs could, if
 the case leaves them all out. With bump = \"damper\" the drive bears nothing, and the force in the measure damper that takes
-its load is printed: negative where a spring pulls.
+its load is printed: negative where a spring pulls; where the case states a force in the same measure, the sum of both.
 
 Links: tension is positive. Joints: the force that a body, or what else a statement is, exerts at each of its points, on
 the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that

@@ -80,7 +80,7 @@ impl<'l> Structure<'l> {
         let at_ends = self.at_ends(&here, &[case.along.as_slice(), &in_measures].concat());
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
-            in_measures,
+            in_measures: with_stated(in_measures, &case.along),
             links: Vec::new(),
             joints: Vec::new(),
             largest_load: forces
@@ -205,6 +205,15 @@ impl<'l> Structure<'l> {
         let joints = joints.map(|point| (By::Part(number), *point, by[*point]));
         outcome.joints.extend(joints);
     }
+}
+
+/// What measures bear in place of drives, with what the case states in the same ones.
+fn with_stated(in_measures: Vec<(usize, f64)>, stated: &[(usize, f64)]) -> Vec<(usize, f64)> {
+    let together = |(measure, found): (usize, f64)| {
+        let stated = stated.iter().filter(|(along, _)| *along == measure);
+        (measure, stated.fold(found, |sum, (_, along)| sum + along))
+    };
+    in_measures.into_iter().map(together).collect()
 }
 
 /// What two bushes on the axis of a hinge bear along it is not determined by rigid parts: each has half of it.

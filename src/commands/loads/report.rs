@@ -4,7 +4,7 @@ use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
-use crate::loads::Structure;
+use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 use crate::number::fixed;
 use crate::output::text_table::{TextColumn, laid_out};
@@ -38,7 +38,7 @@ impl Report<'_> {
         table(["drive", "bears"], drives.collect());
         let bearing = first.in_measures.iter().map(|(measure, _)| {
             let unit = unit_in(&names.measures[*measure]);
-            line(&with_springs(names, *measure), unit)
+            line(&with_what_acts(names, found.case, *measure), unit)
         });
         table(["measure", "bears"], bearing.collect());
         let links = first.links.iter();
@@ -133,16 +133,24 @@ struct Line {
     places: [String; 2],
 }
 
-/// A measure with the springs of the file that act along it.
-fn with_springs(names: &Names, measure: usize) -> String {
+/// A measure with the springs of the file that act along it, and what the case states in it.
+fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
     let along = names.vehicle.springs.iter();
     let along = along.filter(|spring| spring.measure == measure);
     let springs: Vec<&str> = along.map(|spring| spring.name.as_str()).collect();
-    let name = &names.measures[measure].name;
-    match springs.as_slice() {
+    let springs = match springs.as_slice() {
+        [] => None,
+        [spring] => Some(format!("spring {spring}")),
+        _ => Some(format!("springs {}", springs.join(" and "))),
+    };
+    let Measure { name, .. } = &names.measures[measure];
+    let unit = unit_in(&names.measures[measure]);
+    let stated = case.along.iter().filter(|(along, _)| *along == measure);
+    let stated = stated.map(|(_, along)| format!("the stated {} {unit}", shown(*along)));
+    let acting: Vec<String> = springs.into_iter().chain(stated).collect();
+    match acting.as_slice() {
         [] => name.clone(),
-        [spring] => format!("{name} (spring {spring})"),
-        _ => format!("{name} (springs {})", springs.join(" and ")),
+        acting => format!("{name} ({})", acting.join(" and ")),
     }
 }
 

@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 pub struct Outcome {
     /// What each drive bears: N, or N m about an angle.
     pub on_drives: Vec<f64>,
-    /// What acts in each measure that bears the load of a drive, as in [`Case::along`](crate::loads::Case::along).
+    /// All that acts in each measure that bears the load of a drive, as in [`Case::along`](crate::loads::Case::along): what it bears, and what
+    /// the case states there.
     pub in_measures: Vec<(usize, f64)>,
     /// The force in each link, N, positive in tension, by the number of its statement; of a link with a mass at its middle,
     /// but for what spinning adds.

@@ -163,3 +163,30 @@ fn the_top_mount_has_the_force_of_the_spring() {
         assert!(report.contains(joint), "{joint}: {report}");
     }
 }
+
+/// A force that is stated in the measure whose spring bears the rest: the row has the sum, as the joints at its ends do, and says so.
+#[test]
+fn a_stated_force_is_in_the_row_of_the_spring_beside_it() {
+    let drives = "bump = 0.3\nsteer = 0.34";
+    let alone = braking("double_wishbone_coilover", drives, "bump = \"coil\"");
+    let both = braking(
+        "double_wishbone_coilover",
+        drives,
+        "damper = 1200.0\nbump = \"coil\"",
+    );
+    let (spring, sum) = (&table(&alone, &[])[0], &table(&both, &[])[0]);
+    for row in [spring, sum] {
+        let end = force(row, "a_damper_damper_upper").norm();
+        assert!((row["a_damper_N"] - end).abs() < 1e-8, "{end}: {row:?}");
+    }
+    assert!((sum["a_damper_N"] - spring["a_damper_N"]).abs() < 1e-8);
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), &both).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    let report = text(&output.stdout);
+    let expected = format!(
+        "\ndamper (spring coil and the stated 1200.0 N)  {:.1} N\n",
+        sum["a_damper_N"]
+    );
+    assert!(report.contains(&expected), "{expected}: {report}");
+}
