@@ -32,6 +32,12 @@ impl Check<'_> {
                 (Rigid::Body(_), Rigid::Body(_), 3..) => {
                     self.report(shared_triangle(later_name, earlier_name));
                 }
+                (Rigid::Body([_, _]), Rigid::Body(_), 2) => {
+                    self.report(adds_nothing(later_name, earlier_name));
+                }
+                (Rigid::Body(_), Rigid::Body([_, _]), 2) => {
+                    self.report(adds_nothing(earlier_name, later_name));
+                }
                 (Rigid::Body(_), Rigid::Body(_), _) | (_, _, 0 | 1) => {}
                 (Rigid::Length(_), _, _) => self.report(stated_twice(later_name, earlier_name)),
                 (_, Rigid::Length(_), _) => self.report(stated_twice(earlier_name, later_name)),
@@ -50,6 +56,15 @@ fn stated_twice(name: &Ident, other: &Ident) -> Error {
         name,
         format!(
             "`{name}` joins two points whose distance `{other}` keeps already; remove one of them"
+        ),
+    )
+}
+
+fn adds_nothing(body: &Ident, other: &Ident) -> Error {
+    errors::at(
+        body,
+        format!(
+            "body `{body}` has two points, whose distance body `{other}` keeps already, and adds nothing; remove it, or list its third point"
         ),
     )
 }

@@ -1,5 +1,6 @@
 //! Listings from their text to equations and an order of elimination, called as the macro and models from text call it.
 
+mod bodies;
 mod catalogue;
 mod did_you_mean;
 mod elimination;

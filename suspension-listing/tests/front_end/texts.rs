@@ -12,14 +12,14 @@ fn mistakes(text: &str) -> Vec<Mistake> {
 }
 
 /// Where each mistake is: line, column, length.
-fn places(text: &str) -> Vec<[usize; 3]> {
+pub(super) fn places(text: &str) -> Vec<[usize; 3]> {
     let places = mistakes(text).into_iter();
     places
         .map(|mistake| [mistake.line, mistake.column, mistake.length])
         .collect()
 }
 
-fn only_message(text: &str) -> String {
+pub(super) fn only_message(text: &str) -> String {
     let mistakes = mistakes(text);
     let [mistake] = mistakes.as_slice() else {
         panic!("one mistake: {mistakes:?}");

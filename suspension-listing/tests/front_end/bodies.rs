@@ -1,0 +1,21 @@
+//! Bodies with too few points.
+
+use super::texts::{only_message, places};
+
+/// A body of two points that another body has too adds no equation, as a link there would be one too many.
+#[test]
+fn a_body_that_adds_nothing_is_refused() {
+    let begins = "fixed: a, b;\nfree: p, q, r;\n";
+    let rest = "body plate: p, q, r;\nlink one: a -> p; link two: b -> p; link three: a -> q;\n\
+                drive x: q.x; drive y: q.y; drive z: r.z;\n";
+    for (text, place) in [
+        (format!("{begins}body bar: q, p;\n{rest}"), [3, 6, 3]),
+        (format!("{begins}{rest}body bar: q, p;\n"), [6, 6, 3]),
+    ] {
+        assert_eq!(
+            only_message(&text),
+            "body `bar` has two points, whose distance body `plate` keeps already, and adds nothing; remove it, or list its third point"
+        );
+        assert_eq!(places(&text), [place]);
+    }
+}
