@@ -91,6 +91,22 @@ impl Listing {
         Some(points)
     }
 
+    /// The markers that a body carries by its name.
+    pub(crate) fn markers_on(&self, body: &Ident) -> impl Iterator<Item = &Ident> {
+        let statements = self.statements.iter();
+        statements.filter_map(move |statement| {
+            let (named, _) = statement.named()?;
+            let is_carrier = statement.carriers() == Some(std::slice::from_ref(body));
+            is_carrier.then_some(&named.name)
+        })
+    }
+
+    /// Whether a point is a marker of a body with too few points to carry it.
+    pub(crate) fn is_on_short_body(&self, point: &Ident) -> bool {
+        let mut short = self.bodies().filter(|(_, points)| points.len() < 3);
+        short.any(|(body, _)| self.markers_on(body).any(|marker| marker == point))
+    }
+
     /// The points that carry a point rigidly: of its marker statement, or of a body that lists it.
     fn carriers(&self, point: &Ident) -> impl Iterator<Item = &[Ident]> {
         let statements = self.statements.iter();

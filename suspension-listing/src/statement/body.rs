@@ -49,6 +49,11 @@ impl Statement for Body {
         } else {
             check.not_all_fixed(name, KIND, &self.points);
         }
+        if let [first, second] = self.points.as_slice()
+            && let Some(marker) = check.listing.markers_on(name).next()
+        {
+            check.report(third_point_missing(name, [first, second], marker));
+        }
         check.lengths_stated_once(self, earlier);
     }
 
@@ -65,6 +70,15 @@ fn too_few_points(name: &Ident) -> Error {
     errors::at(
         name,
         format!("body `{name}` needs two points or more; list them, or remove the body"),
+    )
+}
+
+fn third_point_missing(name: &Ident, [first, second]: [&Ident; 2], marker: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "body `{name}` has two points, `{first}` and `{second}`, and needs a third, not in line with these, to carry `{marker}`; list it"
+        ),
     )
 }
 

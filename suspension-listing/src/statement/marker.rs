@@ -44,7 +44,8 @@ impl Statement for Marker {
 
     fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
         match self.carriers.as_slice() {
-            [body] if check.listing.body(body).is_some_and(|body| body.len() >= 3) => {}
+            // What a body lacks is reported at the body.
+            [body] if check.listing.body(body).is_some() => {}
             [_, _, _] => check.sites(&self.carriers),
             _ => check.report_missing(self.bad_carriers(check.listing)),
         }
@@ -93,9 +94,8 @@ impl Marker {
 }
 
 fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
-    let bodies = listing.bodies().filter(|(_, points)| points.len() >= 3);
-    let hint = errors::did_you_mean_name(name, bodies.map(|(body, _)| body));
-    format!("there is no body `{name}` with three points or more to carry `{marker}`{hint}")
+    let hint = errors::did_you_mean_name(name, listing.bodies().map(|(body, _)| body));
+    format!("there is no body `{name}` to carry `{marker}`{hint}")
 }
 
 /// What a point on a link is written as.

@@ -75,7 +75,12 @@ impl Statement for Axis {
         check.placed(&self.ends);
         let [from, to] = &self.ends;
         let known = check.is_declared(from) && check.is_declared(to) && from != to;
-        if self.role == Role::Wheel && known && check.listing.carrier_of(from, to).is_none() {
+        let is_carried = check.listing.carrier_of(from, to).is_some()
+            || self
+                .ends
+                .iter()
+                .any(|end| check.listing.is_on_short_body(end));
+        if self.role == Role::Wheel && known && !is_carried {
             check.report_missing(wheel_without_carrier(from, to));
         }
     }

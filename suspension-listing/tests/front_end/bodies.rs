@@ -19,3 +19,15 @@ fn a_body_that_adds_nothing_is_refused() {
         assert_eq!(places(&text), [place]);
     }
 }
+
+/// The body is told what it lacks, not what it carries or the wheel beyond.
+#[test]
+fn a_body_that_lacks_its_third_point_is_told_so() {
+    let text = "fixed: a, b;\nfree: p, q;\nbody upright: p, q;\nlink one: a -> p; link two: b -> p; link three: a -> q; link four: b -> q;\n\
+                drive z: q.z;\npoint axle: upright;\npoint rim: upright;\nwheel: axle -> q;\n";
+    assert_eq!(
+        only_message(text),
+        "body `upright` has two points, `p` and `q`, and needs a third, not in line with these, to carry `axle`; list it"
+    );
+    assert_eq!(places(text), [[3, 6, 7]]);
+}
