@@ -55,6 +55,9 @@ impl Arguments {
         })?;
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
+        for note in loaded.doubtful_boxes(&moves) {
+            tell(format_args!("note: {note}"));
+        }
         let mut progress = Progress::new(MOST_STEPS, "steps");
         let whole = (source.name(), mechanism);
         let tuned = tune(whole, &moves, &targets, interrupted, || progress.step())?;

@@ -220,7 +220,7 @@ pub(super) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Option<Stri
 fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     let names = task.names;
     let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
-    let radius = radii.map(|radius| length(task, "wheel_radius", radius, 0.05..5.0));
+    let radius = radii.map(|radius| length(task.file.length, "wheel_radius", radius, 0.05..5.0));
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let rack_per_turn = vehicle.and_then(|vehicle| vehicle.rack_per_turn.as_ref());
     let of_car = [
@@ -234,13 +234,12 @@ fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     ];
     let of_car = of_car
         .into_iter()
-        .filter_map(|(name, stated, usual)| length(task, name, stated?, usual));
+        .filter_map(|(name, stated, usual)| length(task.file.length, name, stated?, usual));
     radius.flatten().take(1).chain(of_car)
 }
 
 /// A length that is outside what is usual, in metres.
-fn length(task: &Task<'_>, name: &str, stated: f64, usual: Range<f64>) -> Option<String> {
-    let unit = task.file.length;
+pub(super) fn length(unit: Length, name: &str, stated: f64, usual: Range<f64>) -> Option<String> {
     if usual.contains(&(stated / unit.metre())) {
         return None;
     }

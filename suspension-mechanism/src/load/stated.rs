@@ -1,15 +1,22 @@
 //! What a motion file states for single commands: load cases, tolerances, tuning.
 
+use std::ops::Range;
+
 use crate::failure::Failure;
+use crate::kinematics::Kinematics;
 use crate::load::cases::cases;
 use crate::load::loaded::Loaded;
+use crate::load::notes::length;
 use crate::load::tolerances::tolerances;
 use crate::load::tuning::tuning;
 use crate::loads::Case;
 use crate::mechanism::Description;
-use crate::sensitivities::{Change, coordinates, length};
+use crate::sensitivities::{self, Change, coordinates};
 use crate::tolerances::Tolerance;
 use crate::tune::{Move, Target};
+
+/// How wide the boxes of moves usually are, in metres.
+const BOX: Range<f64> = 5e-4..1.0;
 
 impl Loaded<'_> {
     /// The load cases of the file, in its order.
@@ -36,12 +43,15 @@ impl Loaded<'_> {
     /// # Errors
     ///
     /// As [`tuning`](Self::tuning).
-    pub fn changes(&self, mechanism: &Description) -> Result<Vec<Change>, Failure> {
+    pub fn changes(&self, mechanism: &dyn Kinematics) -> Result<Vec<Change>, Failure> {
         let names = &mechanism.names;
         let followers = self.file.followers(&names.points);
         let points = 0..names.points.len();
         let coordinates = points.flat_map(|point| coordinates(mechanism, point, &followers));
-        let lengths = names.links.iter().map(|link| length(mechanism, *link));
+        let lengths = names
+            .links
+            .iter()
+            .map(|link| sensitivities::length(mechanism, *link));
         let mut changes: Vec<Change> = coordinates.chain(lengths).collect();
         if self.file.tune.is_some() {
             let (moves, _) = self.tuning(mechanism)?;
@@ -56,7 +66,18 @@ impl Loaded<'_> {
     /// # Errors
     ///
     /// [`Failure::Input`] with the place of what is none of the mechanism's, and where nothing is stated.
-    pub fn tuning(&self, mechanism: &Description) -> Result<(Vec<Move>, Vec<Target>), Failure> {
+    pub fn tuning(&self, mechanism: &dyn Kinematics) -> Result<(Vec<Move>, Vec<Target>), Failure> {
         tuning(self.source, &self.file, mechanism)
+    }
+
+    /// Notes on boxes of moves that are in another unit, as it seems.
+    pub fn doubtful_boxes(&self, moves: &[Move]) -> Vec<String> {
+        let name = self.source.name();
+        let boxes = moves.iter().filter_map(|each| {
+            let [least, greatest] = each.by;
+            let what = format!("the width of the box of [tune.moves.{}]", each.name);
+            length(self.file.length, &what, greatest - least, BOX)
+        });
+        boxes.map(|note| format!("{name}: {note}")).collect()
     }
 }

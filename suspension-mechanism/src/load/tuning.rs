@@ -6,7 +6,7 @@ mod targets;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, TuneTable, in_order};
-use crate::mechanism::Description;
+use crate::kinematics::Kinematics;
 use crate::tune::{Move, Target};
 use moves::Moves;
 use naming::Naming;
@@ -16,11 +16,12 @@ use targets::Targets;
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first name that is none of the mechanism's, at what is missing, and at a box without room.
+/// [`Failure::Input`] at the first name that is none of the mechanism's, at what is missing, at a box without room, and at a mirrored
+/// point of the same side.
 pub(super) fn tuning(
     source: &Source,
     file: &MotionFile,
-    mechanism: &Description,
+    mechanism: &dyn Kinematics,
 ) -> Result<(Vec<Move>, Vec<Target>), Failure> {
     let Some(table) = &file.tune else {
         let message = "nothing to tune: write [tune.moves.NAME] and [tune.targets.NAME], see suspension tune --help";
@@ -30,6 +31,7 @@ pub(super) fn tuning(
     let of_moves = Moves {
         naming,
         followers: file.followers(&mechanism.names.points),
+        across: mechanism.points().iter().map(|at| at.y).collect(),
     };
     let of_targets = Targets(naming);
     let TuneTable { moves, targets } = table.get_ref();

@@ -61,3 +61,22 @@ fn a_length_of_the_other_side_is_moved_with_it() {
         "{said}"
     );
 }
+
+/// What moves as in a mirror is on the other side.
+#[test]
+fn a_mirrored_point_of_the_same_side_is_refused() {
+    let folder = folder();
+    let tune = "[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nmirrored = [\"left_lower_ball\"]\nalong = \"z\"\nby = [-0.02, 0.02]\n";
+    let tune = tune.to_owned() + &target("left_toe", 0.1, 1e-5);
+    let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.34";
+    let output = tuned(folder.path(), &file("steered_axle", drives, &tune));
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let said = text(&output.stderr);
+    assert!(
+        said.starts_with(
+            "a.toml:12:13: `left_lower_ball` is on the side of the vehicle that `left_tie_ball` is on; `mirrored` names the points of the \
+             other side"
+        ),
+        "{said}"
+    );
+}

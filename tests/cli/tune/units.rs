@@ -172,6 +172,28 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
     }
 }
 
+/// In a file in metres a box in millimetres is remarked, before anything is found.
+#[test]
+fn a_box_in_another_unit_is_remarked() {
+    let drives = "bump = 0.3\nsteer = 0.34";
+    for (by, expected) in [
+        ("[-0.03, 0.03]", None),
+        (
+            "[-30, 30]",
+            Some(
+                "note: a.toml: the width of the box of [tune.moves.ball_height] is 60 m: is it in mm? The file is in m",
+            ),
+        ),
+    ] {
+        let folder = folder();
+        let tune = FLAT.replace("2]\nby = [-0.03, 0.03]", &format!("2]\nby = {by}"));
+        let output = tuned(folder.path(), &file("double_wishbone", drives, &tune));
+        let said = text(&output.stderr);
+        let note = said.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{said}");
+    }
+}
+
 /// Thirteen places along each of eight drives are more than a computer holds.
 #[test]
 fn too_many_places_are_refused() {

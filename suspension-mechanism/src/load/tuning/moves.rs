@@ -15,6 +15,8 @@ pub(super) struct Moves<'a> {
     pub(super) naming: Naming<'a>,
     /// Markers that are stated off another point, each with that one.
     pub(super) followers: Vec<[usize; 2]>,
+    /// The y coordinate of each point in the design position.
+    pub(super) across: Vec<f64>,
 }
 
 impl Moves<'_> {
@@ -101,10 +103,32 @@ impl Moves<'_> {
             }
             points.push((point, along));
         }
+        self.check_sides(table)?;
         Ok(Changes {
             points: with_markers(points, &self.followers),
             ..Changes::default()
         })
+    }
+
+    /// Refuses a mirrored point that is on the side of a point that it goes with.
+    fn check_sides(&self, table: &MoveTable) -> Result<(), Failure> {
+        let side = |name: &Spanned<String>| {
+            let across = self.across[self.naming.point(name)?];
+            Ok::<f64, Failure>(if across == 0.0 { 0.0 } else { across.signum() })
+        };
+        for mirrored in &table.mirrored {
+            for point in &table.points {
+                if side(mirrored)? * side(point)? > 0.0 {
+                    let (mirrored_name, point) = (mirrored.get_ref(), point.get_ref());
+                    let message = format!(
+                        "`{mirrored_name}` is on the side of the vehicle that `{point}` is on; `mirrored` names the points of the other side, \
+                         which move as in a mirror, and `points` those that move alike"
+                    );
+                    return Err(self.naming.source.refuse(&mirrored.span(), message));
+                }
+            }
+        }
+        Ok(())
     }
 
     fn direction(&self, stated: &Spanned<Direction>) -> Result<Vector3<f64>, Failure> {
