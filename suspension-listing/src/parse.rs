@@ -107,6 +107,7 @@ impl Reading<'_> {
     fn mirror(&mut self, mirror: &Mirror) -> syn::Result<()> {
         self.texts.retain(|text| !is_mirror(text));
         let points = mirror.points(&self.listing)?;
+        mirror.check_stated_once(&self.texts)?;
         let others = self.texts.iter().filter_map(|text| mirror.statement(text));
         let images = points.into_iter().map(Ok).chain(others);
         let images: Vec<syn::Result<TokenStream>> = images.collect();

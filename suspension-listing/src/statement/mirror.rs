@@ -10,8 +10,9 @@ use syn::{Error, Ident, Token};
 use super::include::WORDS;
 use super::operands::arrow;
 use super::points::{FIXED, FREE};
+use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
-use crate::errors;
+use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::lexed::placed;
 use crate::listing::{Listing, Point};
@@ -96,13 +97,7 @@ impl Mirror {
     ///
     /// At a sum of y with other coordinates, of which the exchange of names makes no image.
     pub(crate) fn statement(&self, tokens: &[TokenTree]) -> Option<syn::Result<TokenStream>> {
-        // Behind its docs.
-        let names = tokens
-            .split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ':'));
-        let name = names.into_iter().next()?.last()?;
-        let TokenTree::Ident(name) = name else {
-            return None;
-        };
+        let [_, name] = word_and_name(tokens)?;
         if !self.is_named(name) {
             return None;
         }
@@ -110,6 +105,40 @@ impl Mirror {
             Some(y) => Err(mixed(y)),
             None => Ok(self.tokens(tokens.iter().cloned())),
         })
+    }
+
+    /// Checks that the image of no statement is stated too.
+    ///
+    /// # Errors
+    ///
+    /// At the name of each that is.
+    pub(crate) fn check_stated_once(&self, statements: &[Vec<TokenTree>]) -> syn::Result<()> {
+        let mut errors = Errors::default();
+        let named = || statements.iter().filter_map(|text| word_and_name(text));
+        for [word, name] in named().filter(|[_, name]| self.is_named(name)) {
+            let image = self.exchanged(name);
+            let is_image = |[other, stated]: &[&Ident; 2]| {
+                // Wheels and kingpins share their names with other statements.
+                **stated == image
+                    && has_own_name(word) == has_own_name(other)
+                    && (has_own_name(word) || *other == word)
+            };
+            if let Some([other, stated]) = named().find(is_image) {
+                errors.push(self.made_already([other, stated], [word, name]));
+            }
+        }
+        errors.into_result()
+    }
+
+    fn made_already(&self, [word, image]: [&Ident; 2], [of, name]: [&Ident; 2]) -> Error {
+        let [one, other] = &self.sides;
+        errors::at(
+            image,
+            format!(
+                "`mirror` makes `{word} {image}` already, as the image of `{of} {name}`; remove this one, or, where the sides differ, state both \
+                 under names without `{one}` and `{other}`"
+            ),
+        )
     }
 
     fn tokens(&self, tokens: impl IntoIterator<Item = TokenTree>) -> TokenStream {
@@ -156,6 +185,21 @@ impl Mirror {
         image.set_span(name.span());
         image
     }
+}
+
+/// The word of a statement and its name, behind its docs; `None` of one without a name.
+fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
+    let mut parts =
+        tokens.split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ':'));
+    match parts.next()? {
+        [.., TokenTree::Ident(word), TokenTree::Ident(name)] => Some([word, name]),
+        _ => None,
+    }
+}
+
+/// Whether the names of such statements are of these alone, and not of wheels.
+fn has_own_name(word: &Ident) -> bool {
+    ![WHEEL.word, KINGPIN.word].iter().any(|of| word == of)
 }
 
 /// `x, -y, z` of `x, y, z`.
@@ -211,7 +255,9 @@ fn stated_twice(word: &Ident) -> Error {
 fn stated_beside(name: &Ident, original: &Ident) -> Error {
     errors::at(
         name,
-        format!("`{name}` is the image of `{original}`; remove it, or give it another name"),
+        format!(
+            "`mirror` makes `{name}`, as the image of `{original}`; remove it here, or give it another name"
+        ),
     )
 }
 

@@ -222,6 +222,58 @@ fn an_image_that_is_stated_too_is_the_only_mistake() {
         .iter()
         .map(|mistake| mistake.message.as_str())
         .collect();
-    let expected = "`right` is the image of `left`; remove it, or give it another name";
+    let expected =
+        "`mirror` makes `right`, as the image of `left`; remove it here, or give it another name";
     assert_eq!(told, [expected]);
+}
+
+/// Each statement that is an image's too is told once, at its place, with what makes the image.
+#[test]
+fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
+    for (statement, image, original) in [
+        (
+            "drive right_bump: right along [0.0, -0.6, 0.8];",
+            "drive right_bump",
+            "drive left_bump",
+        ),
+        (
+            "link right_rod: rack_right -> bar;",
+            "link right_rod",
+            "link left_rod",
+        ),
+        (
+            "measure right_spring: length(middle -> right_hub);",
+            "measure right_spring",
+            "measure left_spring",
+        ),
+        (
+            "link right_spring: middle -> right;",
+            "link right_spring",
+            "measure left_spring",
+        ),
+        (
+            "wheel right: right_hub -> right;",
+            "wheel right",
+            "wheel left",
+        ),
+        (
+            "kingpin right: middle -> right;",
+            "kingpin right",
+            "kingpin left",
+        ),
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistakes = text::parse(&text, "axle", &NoIncludes)
+            .expect_err("stated beside its image")
+            .mistakes;
+        let [mistake] = mistakes.as_slice() else {
+            panic!("{mistakes:?}")
+        };
+        let expected = format!(
+            "`mirror` makes `{image}` already, as the image of `{original}`; remove this one, or, where the sides differ, state both under \
+             names without `left` and `right`"
+        );
+        assert_eq!(mistake.message, expected);
+        assert_eq!(mistake.line, text.lines().count());
+    }
 }
