@@ -182,6 +182,33 @@ fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
     );
 }
 
+/// The springs of both press 200 N apart everywhere, of which no place is worth a word; what they press at the wheel varies.
+#[test]
+fn a_difference_that_is_the_same_everywhere_has_no_place() {
+    let of_load = |load: f64| {
+        format!("{CORNER}[springs.a]\nalong = \"damper\"\nrate = 0.0\nload = {load:?}\n")
+    };
+    let (_folder, output) = compare(&of_load(300.0), &of_load(500.0), &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&output);
+    let place = |quantity: &str| {
+        let mut over = rows.iter().filter(|(names, _)| names[0] == "over travel");
+        let row = over.find(|(names, _)| names[1] == quantity);
+        let (_, [at, .., difference]) = row.unwrap_or_else(|| panic!("no {quantity}: {rows:?}"));
+        (*at, *difference)
+    };
+    let (at, difference) = place("a_force");
+    assert!(
+        at.is_nan() && (difference - 200.0).abs() < 1e-9,
+        "{at} {difference}"
+    );
+    let (at, difference) = place("load on the springs at the wheel");
+    assert!(
+        at.is_finite() && difference.abs() > 1.0,
+        "{at} {difference}"
+    );
+}
+
 #[test]
 fn a_table_for_people_and_a_page() {
     let (folder, output) = compare(CORNER, CORNER, &["--html", "c.html", "--csv", "c.csv"]);

@@ -7,7 +7,7 @@ use crate::commands::compare::side::Side;
 pub(super) struct Difference {
     pub(super) quantity: String,
     pub(super) symbol: String,
-    /// Of a curve: the drive's change; `None` where the curves are the same.
+    /// Of a curve: the drive's change; `None` where the curves are the same, or as far apart everywhere.
     pub(super) at: Option<f64>,
     pub(super) values: [f64; 2],
 }
@@ -19,12 +19,12 @@ impl Difference {
         b - a
     }
 
-    /// Whether the second has no more than rounding makes.
-    pub(super) fn is_rounding(&self) -> bool {
+    /// Whether such numbers differ so by rounding alone.
+    pub(super) fn is_rounding_of(&self, off: f64) -> bool {
         /// Relative where above one. Rounding made 7e-14 at most.
         const ROUNDING: f64 = 1e-11;
         let [a, b] = self.values;
-        self.value().abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
+        off.abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
     }
 }
 

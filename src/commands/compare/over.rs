@@ -53,6 +53,8 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
     let both = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
     let apart = |[a, b]: [f64; 2]| (b - a).abs();
+    let differences = both.clone().map(|(_, [a, b])| b - a);
+    let [least, greatest] = [f64::min, f64::max].map(|end| differences.clone().reduce(end));
     let (at, values) = both.reduce(|most, next| {
         if apart(next.1) > apart(most.1) {
             next
@@ -66,6 +68,7 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
         at: None,
         values,
     };
-    difference.at = (!difference.is_rounding()).then_some(at);
+    let is_constant = difference.is_rounding_of(greatest? - least?);
+    difference.at = (!is_constant).then_some(at);
     Some(difference)
 }

@@ -71,6 +71,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let lacks = lacks(a, b, "B").chain(lacks(b, a, "A"));
     let notes = unlike.chain(lacks).chain(across);
     let notes = notes.chain(unlike_steering(sides));
+    let notes = notes.chain(opposite_steering(sides));
     let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
     notes.collect()
 }
@@ -83,6 +84,17 @@ fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
         format!(
             "the drive of travel of {keeps} keeps the height of the wheel centre in steering, that of {other} does not: what is per steer \
              and over steer is not of the same motion"
+        )
+    })
+}
+
+/// Says so where the drives of steering count opposite ways.
+fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
+    let [(a, to_a), (b, to_b)] = [sides[0].steering()?, sides[1].steering()?];
+    (to_a * to_b < 0.0 && across(sides).is_none()).then(|| {
+        format!(
+            "where `{a}` of A and `{b}` of B grow they turn the wheels opposite ways: most of what differs per steer and over steer is the \
+             opposite direction"
         )
     })
 }

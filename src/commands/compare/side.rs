@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
-use crate::quantities::{Axis, CENTRE};
+use crate::quantities::{Axis, CENTRE, TOE};
 
 /// What is compared of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
@@ -96,6 +96,20 @@ impl Side {
             .map(|height| Some(height.per[steer].as_ref()?.value))
             .collect();
         Some(rates?.iter().all(|rate| rate.abs() < ROUNDING))
+    }
+
+    /// The drive of steering, and how fast it turns the wheels to the side of positive y, all together; `None` where no drive does.
+    pub(super) fn steering(&self) -> Option<(&str, f64)> {
+        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let of_wheel = |toe: &Parameter| {
+            let mut others = self.parameters.iter().filter(|of| of.is(&CENTRE, Axis::Y));
+            let centre = others.find(|centre| centre.title.wheel == toe.title.wheel)?;
+            // Toe points inboard.
+            Some(-toe.per[steer].as_ref()?.value * centre.value.signum())
+        };
+        let toes = self.parameters.iter();
+        let toes = toes.filter(|parameter| std::ptr::eq(parameter.quantity, &TOE));
+        Some((&self.drives[steer], toes.filter_map(of_wheel).sum()))
     }
 
     /// The place of what does the same in another suspension: of the drive of travel of a wheel whose name both have, that wheel's.

@@ -296,3 +296,28 @@ fn wheels_on_opposite_sides_are_named() {
         "{output:?}"
     );
 }
+
+/// The rack of one is counted to the left, that of the other to the right.
+#[test]
+fn racks_that_are_counted_opposite_ways_are_told() {
+    let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
+    let led_by = |steer: &str, at: f64| {
+        let listing = listing.replace("drive steer: rack.y;", &format!("drive steer: {steer};"));
+        assert!(listing.contains(steer), "{listing}");
+        format!(
+            "unit = \"m\"\nstatements = '''{listing}'''\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ bump = 0.3, steer = {at:?} }}\n"
+        )
+    };
+    let (left, right) = (
+        led_by("rack.y", 0.34),
+        led_by("rack along [0, -1, 0]", -0.34),
+    );
+    let note = "where `steer` of A and `steer` of B grow they turn the wheels opposite ways: most of what differs per steer and over steer is \
+                the opposite direction\n";
+    for (b, is_told) in [(&right, true), (&left, false)] {
+        let (_folder, output) = compare(&left, b, &[]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        assert_eq!(text(&output.stdout).contains(note), is_told, "{output:?}");
+    }
+}
