@@ -9,6 +9,7 @@ use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
 use crate::failure::Failure;
+use crate::home::home;
 use crate::motion_file::{Coefficients, MotionFile, Offset, Position};
 use crate::number::exact;
 use crate::source::Source;
@@ -115,16 +116,6 @@ pub fn known_names<V>(
     };
     let message = format!("unknown {kind} `{name}`; {has}{hint}");
     Err(source.refuse(&key.span(), message))
-}
-
-/// Where a key stands that has a place of its own in motion files.
-fn home(key: &str) -> Option<&'static str> {
-    match key {
-        "unit" | "angle" | "axes" | "linkage" | "listing" => Some("above the first table"),
-        "wheel_radius" | "travel" | "rack_per_turn" | "wheelbase" | "cg_height" | "brake_share"
-        | "drive_share" | "brake_torque" | "drive_torque" => Some("under [vehicle]"),
-        _ => None,
-    }
 }
 
 /// Checks that all values of a table are finite.

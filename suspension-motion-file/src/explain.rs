@@ -2,6 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
+use crate::home::home_among_keys;
 use crate::source::Source;
 
 /// A mistake in words; `start` is where it begins.
@@ -18,8 +19,11 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
     let hint = if message.starts_with("unknown field") {
-        let hint = did_you_mean(name, quoted);
-        // Where one is near, the others, which may be many, say nothing.
+        let hint = match home_among_keys(name) {
+            Some(home) => format!("; {name} stands {home}"),
+            None => did_you_mean(name, quoted),
+        };
+        // Where one is near, or the place is known, the others, which may be many, say nothing.
         match message.split_once(", expected") {
             Some((unknown, _)) if !hint.is_empty() => return unknown.to_owned() + &hint,
             _ => hint,

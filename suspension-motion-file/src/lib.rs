@@ -7,6 +7,7 @@ pub mod check;
 mod dimension;
 mod explain;
 pub mod failure;
+mod home;
 pub mod inputs;
 mod instants;
 pub mod interrupt;

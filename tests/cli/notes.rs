@@ -117,7 +117,7 @@ fn lengths_of_the_vehicle_in_another_unit_are_remarked() {
         ),
         (
             "wheel_radius = 6000.0".to_owned(),
-            "note: a.toml: wheel_radius is 6000 mm: it is in the unit of the file\n",
+            "note: a.toml: wheel_radius is 6000 mm: it is usually from 50 mm to 5000 mm; is the number right?\n",
         ),
     ] {
         assert_eq!(notes(&file(&vehicle)), expected);

@@ -247,7 +247,10 @@ pub(super) fn length(unit: Length, name: &str, stated: f64, usual: Range<f64>) -
     // A length that is usual is about a metre long when divided by this.
     let middle = (usual.start * usual.end).sqrt();
     let doubt = match Length::of_size(stated / middle) {
-        other if other == unit => "it is in the unit of the file".to_owned(),
+        other if other == unit => {
+            let [from, to] = [usual.start, usual.end].map(|end| rounded(end * unit.metre(), 5));
+            format!("it is usually from {from} {symbol} to {to} {symbol}; is the number right?")
+        }
         other => format!(
             "is it in {}? The file is in {}",
             other.in_words(),

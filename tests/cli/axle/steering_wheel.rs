@@ -156,14 +156,20 @@ fn only_wheels_that_the_rack_turns_have_a_ratio() {
 
 #[test]
 fn a_travel_per_turn_in_another_unit_is_remarked() {
-    let motion = file("steered_axle", "rack_per_turn = 52.0", DESIGN);
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), motion).expect("written");
-    let output = run(folder.path(), &["motion", "a.toml"]);
-    assert_eq!(
-        text(&output.stderr),
-        "note: a.toml: rack_per_turn is 52 m: is it in mm? The file is in m\n"
-    );
+    for (travel, expected) in [
+        ("52.0", "52 m: is it in mm? The file is in m"),
+        (
+            "0.005",
+            "0.005 m: it is usually from 0.01 m to 0.5 m; is the number right?",
+        ),
+    ] {
+        let motion = file("steered_axle", &format!("rack_per_turn = {travel}"), DESIGN);
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), motion).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let expected = format!("note: a.toml: rack_per_turn is {expected}\n");
+        assert_eq!(text(&output.stderr), expected);
+    }
 }
 
 #[test]

@@ -42,6 +42,33 @@ fn a_key_in_the_wrong_table_is_told_where_it_stands() {
     }
 }
 
+/// Among keys alone, above all tables and in tables that have no names in them.
+#[test]
+fn an_unknown_field_that_stands_elsewhere_is_told_where() {
+    let head = "linkage = \"trailing_arm\"\nunit = \"m\"\n";
+    for (lines, key, place) in [
+        ("rack_per_turn = 0.05\n", "rack_per_turn", "under [vehicle]"),
+        ("time = { steer = \"bump\" }\n", "steer", "under [vehicle]"),
+        (
+            "time = { wheelbase = 2.6 }\n",
+            "wheelbase",
+            "under [vehicle]",
+        ),
+        ("vehicle = { step = 0.1 }\n", "step", "under [time]"),
+        ("instants = [0.0]\n", "instants", "under [time]"),
+        (
+            "vehicle = { unit = \"m\" }\n",
+            "unit",
+            "above the first table",
+        ),
+    ] {
+        let file = format!("{head}{lines}");
+        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        let expected = format!("unknown field `{key}`; {key} stands {place}");
+        assert!(said.ends_with(&expected), "{said}");
+    }
+}
+
 #[test]
 fn keys_that_every_file_needs_are_missed_at_once() {
     for (file, missing) in [

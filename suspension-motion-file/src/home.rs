@@ -1,0 +1,22 @@
+//! Where a key stands that has a place of its own in motion files.
+
+/// The place, in words, of a key that is no name which a listing or a file may give.
+pub(crate) fn home(key: &str) -> Option<&'static str> {
+    match key {
+        "unit" | "angle" | "axes" | "linkage" | "listing" | "statements" => {
+            Some("above the first table")
+        }
+        "wheel_radius" | "travel" | "rack_per_turn" | "wheelbase" | "cg_height" | "brake_share"
+        | "drive_share" | "brake_torque" | "drive_torque" => Some("under [vehicle]"),
+        _ => None,
+    }
+}
+
+/// The same where no name stands but keys alone: drives and points may have these names elsewhere.
+pub(crate) fn home_among_keys(key: &str) -> Option<&'static str> {
+    match key {
+        "steer" | "axle" => Some("under [vehicle]"),
+        "start" | "stop" | "step" | "instants" => Some("under [time]"),
+        _ => home(key),
+    }
+}
