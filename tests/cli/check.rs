@@ -134,8 +134,15 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
     );
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let told = line(&output, "elimination");
-    let (_, growth) = told.split_once("rounding grows by ").expect("a growth");
-    let (growth, _) = growth.split_once(',').expect("a number");
+    let (_, growth) = told.split_once("pivot growth ").expect("a growth");
+    let (growth, meaning) = growth.split_once(": ").expect("a number");
+    assert_eq!(
+        meaning,
+        format!(
+            "elimination magnifies rounding errors at most {growth} times, which is good up to 1000; above that a step changes to partial \
+             pivoting and takes longer"
+        )
+    );
     assert!(
         growth.parse::<f64>().is_ok_and(|growth| growth < 1000.0),
         "{told}"

@@ -154,10 +154,11 @@ impl Report<'_> {
             ..
         } = self.names;
         let health = if elimination.growth < elimination.allowed {
+            let growth = rounded(elimination.growth, DIGITS);
+            let allowed = rounded(elimination.allowed, DIGITS + 1);
             format!(
-                "rounding grows by {}, up to {} the order is kept",
-                rounded(elimination.growth, DIGITS),
-                rounded(elimination.allowed, DIGITS + 1),
+                "pivot growth {growth}: elimination magnifies rounding errors at most {growth} times, which is good up to {allowed}; above that \
+                 a step changes to partial pivoting and takes longer"
             )
         } else {
             "partial pivoting takes the place of the fixed order at this position; a step takes longer".to_owned()
