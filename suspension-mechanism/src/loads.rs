@@ -19,6 +19,7 @@ use forces::{Force, Here, summed};
 
 pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
+pub use unborne::{OneSided, Unborne};
 
 /// A load case: what acts where.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,15 +2,15 @@
 
 use std::rc::Rc;
 
-use crate::loads::{Case, Outcome};
+use crate::loads::{Case, Outcome, Unborne};
 
 /// A case with what it does over the places that have an answer.
 pub(super) struct Found<'a> {
     pub(super) case: &'a Case,
     /// That of the first place: all have the same parts.
     pub(super) first: Outcome,
-    /// Drives that bear loads at the first place, each with a spring that could, as [`unborne`](crate::loads::Structure::unborne).
-    pub(super) unborne: Vec<(usize, usize)>,
+    /// Drives that bear loads at the first place.
+    pub(super) unborne: Unborne,
     /// How many places there are.
     pub(super) places: usize,
     /// The numbers of the first place; which of them are others elsewhere.
@@ -32,7 +32,7 @@ pub(super) struct Extreme {
 impl<'a> Found<'a> {
     /// A case of which no place is counted yet.
     pub(super) fn new(
-        (case, unborne): (&'a Case, Vec<(usize, usize)>),
+        (case, unborne): (&'a Case, Unborne),
         first: Outcome,
         place: &Rc<[f64]>,
     ) -> Self {

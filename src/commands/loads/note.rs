@@ -1,8 +1,9 @@
-//! What is said where drives bear loads and the springs of the file bear nothing.
+//! What is said where drives bear loads and the springs of the file bear nothing, or those of one side alone do.
 
 use std::collections::BTreeMap;
 
 use crate::commands::loads::found::Found;
+use crate::loads::{OneSided, Unborne};
 use crate::mechanism::Names;
 
 /// What to write for springs to bear the loads of drives: one note for all cases in which the same drives bear them.
@@ -11,37 +12,90 @@ pub(super) fn springs_bear_nothing(
     names: &Names,
     found: &[Option<Found<'_>>],
 ) -> Vec<String> {
-    let mut cases: BTreeMap<&[(usize, usize)], Vec<&str>> = BTreeMap::new();
+    let by_springs = alike(found, |unborne| &unborne.by_springs);
+    let by_springs = by_springs
+        .iter()
+        .map(|(drives, cases)| own_springs(names, drives, cases));
+    let one_sided = alike(found, |unborne| &unborne.one_sided);
+    let one_sided = one_sided
+        .iter()
+        .map(|(drives, cases)| other_side(names, drives, cases));
+    let notes = by_springs.chain(one_sided);
+    notes.map(|note| format!("note: {file}: {note}")).collect()
+}
+
+/// The cases in which drives are borne alike, by their names.
+fn alike<'a, T: Ord>(
+    found: &'a [Option<Found<'_>>],
+    of: fn(&Unborne) -> &Vec<T>,
+) -> BTreeMap<&'a [T], Vec<&'a str>> {
+    let mut cases: BTreeMap<&[T], Vec<&str>> = BTreeMap::new();
     for found in found.iter().flatten() {
-        if !found.unborne.is_empty() {
-            let alike = cases.entry(&found.unborne).or_default();
-            alike.push(&found.case.name);
+        let unborne = of(&found.unborne);
+        if !unborne.is_empty() {
+            cases.entry(unborne).or_default().push(&found.case.name);
         }
     }
-    let notes = cases.into_iter().map(|(unborne, cases)| {
-        let drives = unborne
-            .iter()
-            .map(|(drive, _)| format!("`{}`", names.drives[*drive].name));
-        let lines = unborne.iter().map(|(drive, spring)| {
-            let (drive, spring) = (
-                &names.drives[*drive].name,
-                &names.vehicle.springs[*spring].name,
-            );
-            format!("{drive} = \"{spring}\"")
-        });
-        let tables = cases.iter().map(|case| format!("[loads.{case}]"));
-        let [subject, is, it] = match unborne {
-            [_] => ["drive", "bears", "spring"],
-            _ => ["drives", "bear", "springs"],
-        };
-        format!(
-            "note: {file}: the {subject} {} {is} the load of {}, and no spring does; write {} there for the {it} to bear it",
-            all(drives),
-            all(tables),
-            all(lines)
-        )
+    cases
+}
+
+/// Drives whose loads springs of the file could bear.
+fn own_springs(names: &Names, unborne: &[(usize, usize)], cases: &[&str]) -> String {
+    let drives = unborne.iter().map(|(drive, _)| *drive);
+    let lines = unborne.iter().map(|(drive, spring)| {
+        let (drive, spring) = (&names.drives[*drive], &names.vehicle.springs[*spring]);
+        format!("{} = \"{}\"", drive.name, spring.name)
     });
-    notes.collect()
+    let it = if unborne.len() == 1 {
+        "spring"
+    } else {
+        "springs"
+    };
+    format!(
+        "{}, and no spring does; write {} there for the {it} to bear it",
+        bear(names, drives, cases),
+        all(lines)
+    )
+}
+
+/// Drives that have no spring, while those of the other side have.
+fn other_side(names: &Names, one_sided: &[OneSided], cases: &[&str]) -> String {
+    let drives = one_sided.iter().map(|each| each.drive);
+    let springs = one_sided.iter().map(|each| {
+        let spring = &names.vehicle.springs[each.spring].name;
+        format!("`{spring}` with `{}`", names.drives[each.opposite].name)
+    });
+    let measure = |each: &OneSided| &names.measures[each.measure].name;
+    let stated = one_sided
+        .iter()
+        .map(|each| format!("along = \"{}\"", measure(each)));
+    let lines = one_sided
+        .iter()
+        .map(|each| format!("{} = \"{}\"", names.drives[each.drive].name, measure(each)));
+    let of_each = if one_sided.len() == 1 { "it" } else { "them" };
+    format!(
+        "{}: no spring of the file moves with {of_each} as {} does; state the other side's too, under [springs.NAME] with {}, and \
+         write {} there",
+        bear(names, drives, cases),
+        all(springs),
+        all(stated),
+        all(lines)
+    )
+}
+
+/// That drives bear the loads of cases.
+fn bear(names: &Names, drives: impl ExactSizeIterator<Item = usize>, cases: &[&str]) -> String {
+    let [subject, bears] = match drives.len() {
+        1 => ["drive", "bears"],
+        _ => ["drives", "bear"],
+    };
+    let drives = drives.map(|drive| format!("`{}`", names.drives[drive].name));
+    let tables = cases.iter().map(|case| format!("[loads.{case}]"));
+    format!(
+        "the {subject} {} {bears} the load of {}",
+        all(drives),
+        all(tables)
+    )
 }
 
 /// Words as `a, b and c`.

@@ -1,42 +1,75 @@
-//! Drives that bear loads which springs of the file could.
+//! Drives that bear loads which springs of the file could, or one more spring, that of the other side.
 
 use crate::kinematics::Kinematics;
 use crate::loads::forces::{ROUNDING, summed};
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::State;
+use crate::mechanism::{Pair, State};
+
+/// The drives of travel that bear a load in a case; drives, springs and measures by number.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Unborne {
+    /// Each with the spring of the file that moves most with it.
+    pub by_springs: Vec<(usize, usize)>,
+    /// Those that no spring of the file moves with, as one does with the other wheel of the axle.
+    pub one_sided: Vec<OneSided>,
+}
+
+/// A drive of travel without a spring of its own, whose opposite has one.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct OneSided {
+    /// The drive.
+    pub drive: usize,
+    /// The measure along which its spring would act.
+    pub measure: usize,
+    /// The drive of the other wheel.
+    pub opposite: usize,
+    /// The spring of that one.
+    pub spring: usize,
+}
 
 impl Structure<'_> {
-    /// The drives of travel that bear a load in a case, each with the spring of the file that moves most with it alone; both by
-    /// number. None where the case states what acts in a spring's measure.
+    /// The drives of travel that bear a load in a case. None where the case states what acts in a spring's measure.
     pub fn unborne(
         &self,
         mechanism: &dyn Kinematics,
         case: &Case,
         (state, outcome): (&State, &Outcome),
-    ) -> Vec<(usize, usize)> {
+    ) -> Unborne {
         let (springs, travel) = (&mechanism.names.vehicle.springs, travel(mechanism));
         let is_stated = |measure| case.along.iter().any(|(stated, _)| *stated == measure);
         if springs.iter().any(|spring| is_stated(spring.measure)) {
-            return Vec::new();
+            return Unborne::default();
         }
-        let bears = |drive: usize| {
-            let is_relieved = case.borne_by.iter().any(|(borne, _)| *borne == drive);
-            !is_relieved && outcome.on_drives[drive].abs() > ROUNDING * outcome.largest_load
+        let bears = |drive: &usize| {
+            let is_relieved = case.borne_by.iter().any(|(borne, _)| borne == drive);
+            !is_relieved && outcome.on_drives[*drive].abs() > ROUNDING * outcome.largest_load
         };
-        if !travel.iter().any(|drive| bears(*drive)) {
-            return Vec::new();
+        let bearing: Vec<usize> = travel.iter().copied().filter(bears).collect();
+        if bearing.is_empty() {
+            return Unborne::default();
         }
-        let is_free = |measure| case.borne_by.iter().all(|(_, bearing)| *bearing != measure);
-        let free = springs.iter().enumerate();
-        let free = free.filter(|(_, spring)| is_free(spring.measure));
-        let moved = free.filter_map(|(number, spring)| {
-            let ratios = self.ratios(mechanism, state, spring.measure)?;
-            Some((number, spring.load, ratios))
-        });
-        let moved: Vec<Moved> = moved.collect();
-        let unborne = travel.iter().filter(|drive| bears(**drive));
-        let unborne = unborne.filter_map(|drive| Some((*drive, most(&moved, *drive, &travel)?)));
-        unborne.collect()
+        let measures = 0..mechanism.names.measures.len();
+        let moved = measures.map(|measure| self.ratios(mechanism, state, measure));
+        let moved = Moved {
+            mechanism,
+            ratios: moved.collect(),
+            travel: &travel,
+        };
+        let mut unborne = Unborne::default();
+        for drive in bearing {
+            let is_taken = |spring: usize| {
+                let measure = springs[spring].measure;
+                let mut bearing = case.borne_by.iter();
+                bearing.any(|(_, by)| *by == measure)
+                    || unborne.by_springs.iter().any(|(_, own)| *own == spring)
+            };
+            if let Some(spring) = moved.spring(drive, &is_taken) {
+                unborne.by_springs.push((drive, spring));
+            } else {
+                unborne.one_sided.extend(moved.one_sided(drive));
+            }
+        }
+        unborne
     }
 
     /// What a measure changes by per unit of each drive: the work of a force of 1 N in it.
@@ -52,19 +85,74 @@ impl Structure<'_> {
     }
 }
 
-/// A spring by number, its load at the design position, and what its measure changes by per unit of each drive.
-type Moved = (usize, f64, Vec<f64>);
+/// How measures move with the drives of travel.
+struct Moved<'a> {
+    mechanism: &'a dyn Kinematics,
+    /// What each measure changes by per unit of each drive.
+    ratios: Vec<Option<Vec<f64>>>,
+    travel: &'a [usize],
+}
 
-/// The spring that moves with a drive and least with the others of travel; of several alike the one with the largest load.
-fn most(moved: &[Moved], drive: usize, travel: &[usize]) -> Option<usize> {
-    let shares = moved.iter().map(|(number, load, ratios)| {
-        let all: f64 = travel.iter().map(|drive| ratios[*drive].abs()).sum();
-        let share = ratios[drive].abs() / all;
-        (*number, [share, (load * ratios[drive]).abs()])
-    });
-    let moved = shares.filter(|(_, [share, _])| *share > ROUNDING);
-    let most = moved.reduce(|most, next| if next.1 > most.1 { next } else { most });
-    most.map(|(number, _)| number)
+impl Moved<'_> {
+    /// The ratio of a measure to a drive of travel that moves it at least as much as each other one does, and its share of all.
+    fn with(&self, measure: usize, drive: usize) -> Option<[f64; 2]> {
+        let ratios = self.ratios[measure].as_ref()?;
+        let sizes = self.travel.iter().map(|drive| ratios[*drive].abs());
+        let (all, most) = sizes.fold((0.0, 0.0), |(all, most), size| {
+            (all + size, f64::max(most, size))
+        });
+        let own = ratios[drive].abs();
+        (own > ROUNDING * all && own >= (1.0 - ROUNDING) * most).then_some([own, own / all])
+    }
+
+    /// The spring that moves with a drive and least with the others of travel; of several alike the one with the largest load.
+    fn spring(&self, drive: usize, is_taken: &dyn Fn(usize) -> bool) -> Option<usize> {
+        let springs = self.mechanism.names.vehicle.springs.iter().enumerate();
+        let free = springs.filter(|(spring, _)| !is_taken(*spring));
+        let moved = free.filter_map(|(number, spring)| {
+            let [ratio, share] = self.with(spring.measure, drive)?;
+            Some((number, [share, (spring.load * ratio).abs()]))
+        });
+        let most = moved.reduce(|most, next| if next.1 > most.1 { next } else { most });
+        most.map(|(number, _)| number)
+    }
+
+    /// A drive that has no spring, while that of the other wheel of its axle has one: with the measure that moves with it most as that
+    /// spring's does with the other.
+    fn one_sided(&self, drive: usize) -> Option<OneSided> {
+        let names = &self.mechanism.names;
+        if self.spring(drive, &|_| false).is_some() {
+            return None;
+        }
+        let opposite = self.opposite(drive)?;
+        let spring = self.spring(opposite, &|_| false)?;
+        let along = names.vehicle.springs[spring].measure;
+        let [wanted, _] = self.with(along, opposite)?;
+        let measures = names.measures.iter().enumerate();
+        let alike = measures.filter(|(_, measure)| measure.kind == names.measures[along].kind);
+        let off = alike.filter_map(|(measure, _)| {
+            let [ratio, _] = self.with(measure, drive)?;
+            Some((measure, (ratio - wanted).abs()))
+        });
+        let (measure, _) = off.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(OneSided {
+            drive,
+            measure,
+            opposite,
+            spring,
+        })
+    }
+
+    /// The drive of travel of the other wheel of an axle.
+    fn opposite(&self, drive: usize) -> Option<usize> {
+        let wheels = &self.mechanism.names.wheels;
+        let own = wheels
+            .iter()
+            .position(|wheel| wheel.travel == Some(drive))?;
+        let mut pairs = Pair::all(wheels).into_iter();
+        let other = pairs.find_map(|pair| pair.other(own))?;
+        wheels[other].travel.filter(|other| *other != drive)
+    }
 }
 
 /// The drives of travel; where none is known as such the only drive.

@@ -151,3 +151,33 @@ fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
         assert!(said.contains(expected), "{expected}: {said}");
     }
 }
+
+/// A spring of one side bears nothing of the other one: the measure of that side is named, and once for all cases.
+#[test]
+fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
+    let left = "springs.left = { along = \"damper_left\", rate = 30000.0, load = 2000.0 }\n";
+    let right = "springs.right = { along = \"damper_right\", rate = 30000.0, load = 2000.0 }\n";
+    let loads = "left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 3000.0]";
+    let expected = "note: a.toml: the drive `bump_right` bears the load of [loads.a] and [loads.b]: no spring of the file moves with it as \
+                    `left` with `bump_left` does; state the other side's too, under [springs.NAME] with along = \"damper_right\", and write \
+                    bump_right = \"damper_right\" there\n";
+    for layout in ["twist_beam", "live_axle_panhard", "live_axle_splayed"] {
+        let file = |springs: &str, by: &str| {
+            format!(
+                "linkage = \"{layout}\"\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.29 }}\ntime = {{ instants = [0.0] }}\n\
+                 drives = {{ bump_left = 0.3, bump_right = 0.3 }}\n{springs}loads.a = {{ {loads}{by} }}\nloads.b = {{ {loads}{by} }}\n"
+            )
+        };
+        let (_, said) = told(&file(left, ", bump_left = \"left\""), &[]);
+        assert_eq!(said, expected, "{layout}");
+        let (_, said) = told(&file(left, ""), &[]);
+        assert!(said.contains("write bump_left = \"left\" there"), "{said}");
+        assert!(said.ends_with(expected), "{layout}: {said}");
+        let by = ", bump_left = \"left\", bump_right = \"damper_right\"";
+        let both = format!("{left}{right}");
+        for (springs, by) in [(left, by), (&both, by)] {
+            let (_, said) = told(&file(springs, by), &[]);
+            assert_eq!(said, "", "{layout}");
+        }
+    }
+}
