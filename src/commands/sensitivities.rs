@@ -171,7 +171,8 @@ Of each quantity at the design position, and of its derivative with respect to e
 the hardpoint coordinates and link lengths that change it most, per mm (per inch in a file in inches).
 
 A hardpoint is moved alone, with it a marker that the file states off it; the suspension is built of its points and read at
-its own design position, as a drawing is changed. Points that do not satisfy the listing, as one beside its plane, are changed
+its own design position, as a drawing is changed. A point on a line between two chassis points, as a rack in its housing, takes
+the line and the other points on it with it where it is moved across: rack_left.z is the height of the rack. Points that do not satisfy the listing, as one beside its plane, are changed
 from where they are assembled. A link's length is changed with the chassis points and the drives held, as a turnbuckle does, and
 markers stay where they are in their bodies. The numbers are exact derivatives but for rounding, also where an instant centre is
 far away; those of what springs do (wheel_rate, spring_load, roll_rate) are differences of sixth order over thousandths of the

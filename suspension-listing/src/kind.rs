@@ -13,6 +13,7 @@ impl Kind {
     pub const LINK: Self = Self("link");
     pub const BODY: Self = Self("body");
     pub const HINGE: Self = Self("hinge");
+    pub const SLIDE: Self = Self("slide");
     pub const DRIVE: Self = Self("drive");
 
     pub(crate) fn plural(self) -> String {

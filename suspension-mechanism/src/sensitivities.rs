@@ -16,7 +16,7 @@ use nalgebra::DMatrix;
 
 use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
-use crate::mechanism::{CHANGES_AT_ONCE, Description};
+use crate::mechanism::{CHANGES_AT_ONCE, Description, Names};
 use crate::quantities::{Axis, Column};
 use exact::Exact;
 pub(crate) use read::read;
@@ -43,24 +43,31 @@ pub struct Sensitivities {
     pub each: Vec<Sensitivity>,
 }
 
-/// The coordinates of a point, with which other points move that follow it: pairs of these and of what they follow.
+/// The coordinates of a point, with which other points move that follow it: pairs of these and of what they follow. A point that
+/// slides on a line of the chassis takes that with it.
 pub fn coordinates(
     mechanism: &Description,
     point: usize,
     followers: &[[usize; 2]],
 ) -> impl Iterator<Item = Change> {
-    let name = &mechanism.names.points[point];
+    let Names { points, guides, .. } = &mechanism.names;
+    let name = &points[point];
     let following = followers.iter().filter(move |[_, from]| *from == point);
     let moved: Vec<usize> = following
         .map(|[marker, _]| *marker)
         .chain([point])
         .collect();
-    Axis::ALL.into_iter().map(move |axis| Change {
-        name: format!("{name}.{axis}"),
-        per_unit: Changes {
-            points: moved.iter().map(|point| (*point, axis.vector())).collect(),
-            ..Changes::default()
-        },
+    Axis::ALL.into_iter().map(move |axis| {
+        let by = axis.vector();
+        let on_lines = guides.iter().flat_map(|guide| guide.with(point, by));
+        let moved = moved.iter().map(|point| (*point, by));
+        Change {
+            name: format!("{name}.{axis}"),
+            per_unit: Changes {
+                points: moved.chain(on_lines).collect(),
+                ..Changes::default()
+            },
+        }
     })
 }
 

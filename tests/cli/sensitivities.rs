@@ -254,3 +254,46 @@ fn a_quantity_without_a_value_is_not_said_to_be_unknown() {
     let expected = "`front_arm` has no value at the design position, and so no sensitivities; ";
     assert!(said.contains(expected), "{said}");
 }
+
+/// The rack of a mirrored axle slides in a housing: moved across, its end takes the housing and the other end with it, so that the
+/// height of the rack does to bump steer what that of a rack does which is a chassis point. Along the line it moves alone.
+#[test]
+fn the_end_of_a_rack_takes_its_line_with_it() {
+    let file = |layout: &str, drives: &str| {
+        format!(
+            "linkage = \"{layout}\"\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ {drives}, steer = 0.34 }}\n"
+        )
+    };
+    let axle = table(&file("steered_axle", "bump_left = 0.3, bump_right = 0.3"));
+    let corner = table(&file("double_wishbone", "bump = 0.3"));
+    for axis in ["x", "z"] {
+        let rack = &corner[&format!("rack.{axis}")];
+        let (one, other) = (
+            &axle[&format!("rack_left.{axis}")],
+            &axle[&format!("rack_right.{axis}")],
+        );
+        for (found, expected) in [
+            ("left_toe_rad_per_bump_left", "toe_rad_per_bump"),
+            ("right_toe_rad_per_bump_right", "toe_rad_per_bump"),
+            ("left_toe_rad", "toe_rad"),
+            ("left_camber_rad_per_steer", "camber_rad_per_steer"),
+        ] {
+            let expected = rack[expected];
+            for row in [one, other] {
+                let found = row[found];
+                assert!(
+                    (found - expected).abs() < 1e-9 * (1.0 + expected.abs()),
+                    "{axis}: {found} {expected}"
+                );
+            }
+        }
+    }
+    assert!(corner["rack.z"]["toe_rad_per_bump"].abs() > 10.0);
+    let along = &axle["rack_left.y"];
+    assert!(
+        along["left_toe_rad"].abs() < 1e-9,
+        "the tie rod is made for the rack's place"
+    );
+    assert!(along["right_toe_rad"].abs() < 1e-9);
+}

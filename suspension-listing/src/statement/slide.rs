@@ -12,8 +12,6 @@ use crate::listing::{Listing, Lowering, Named, Statement};
 use crate::name::Name;
 use crate::system::System;
 
-const KIND: Kind = Kind("slide");
-
 pub(crate) const SLIDE: Word = Word {
     word: "slide",
     syntax: "slide strut: top on low -> high;",
@@ -35,7 +33,7 @@ struct Slide {
 
 impl Statement for Slide {
     fn named(&self) -> Option<(&Named, Kind)> {
-        Some((&self.named, KIND))
+        Some((&self.named, Kind::SLIDE))
     }
 
     fn operands(&self) -> Vec<&Ident> {
@@ -52,7 +50,7 @@ impl Statement for Slide {
             distances: vec![name.clone()],
         });
         lowering.system.scalars.push(name);
-        lowering.equation_of(KIND, &self.named, form);
+        lowering.equation_of(Kind::SLIDE, &self.named, form);
     }
 
     /// Checks that the line keeps its length, and that the point is not fixed to it.

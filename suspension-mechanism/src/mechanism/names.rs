@@ -5,6 +5,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::unknown;
 
+use crate::mechanism::guide::Guide;
 use crate::mechanism::hinge::Hinge;
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
@@ -40,6 +41,8 @@ pub struct Names {
     pub angled_links: Vec<usize>,
     /// Hinges; of a listing that was read while the program runs.
     pub hinges: Vec<Hinge>,
+    /// Lines on the chassis on which points slide; likewise.
+    pub guides: Vec<Guide>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
@@ -91,6 +94,7 @@ impl Names {
             links: Vec::new(),
             angled_links: Vec::new(),
             hinges: Vec::new(),
+            guides: Vec::new(),
             drives: (0..)
                 .zip(drives)
                 .map(|(drive, name)| Drive {
@@ -115,7 +119,7 @@ impl Names {
         }
     }
 
-    /// The same with the links and the hinges of the listing.
+    /// The same with the links, the hinges and the guides of the listing.
     pub(crate) fn with_parts_of(mut self, listing: &suspension_runtime::Listing) -> Self {
         let statements = listing.statements().into_iter();
         let links = statements.filter(|statement| statement.ends().is_some());
@@ -125,6 +129,7 @@ impl Names {
         let angled = parts.filter(|(part, forces)| part.ends().is_some() && forces.bears_moments());
         self.angled_links = angled.filter_map(|(part, _)| number(part.name)).collect();
         self.hinges = Hinge::all(listing, self.chassis);
+        self.guides = Guide::all(listing, self.chassis);
         self
     }
 
@@ -153,10 +158,14 @@ impl Names {
         self
     }
 
-    /// The same with wheels that know where their axes are at the design position, of whose points these are the local coordinates.
+    /// The same with wheels that know where their axes are at the design position, of whose points these are the local coordinates,
+    /// and with guides that know their directions.
     pub fn designed(mut self, points: &[Vector3<f64>]) -> Self {
         for wheel in &mut self.wheels {
             wheel.design = Some(wheel.points.axis.map(|point| points[point]));
+        }
+        for guide in &mut self.guides {
+            guide.design(points);
         }
         self
     }
