@@ -4,6 +4,7 @@ mod columns;
 mod picture;
 mod report;
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -27,6 +28,9 @@ use crate::reach::DriveRange;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
+    /// A drive whose range is found; given several times, of each. Without it the ranges of all drives are.
+    #[arg(long = "drive", value_name = "NAME")]
+    drives: Vec<String>,
     /// Write every place of the curves as comma-separated values to PATH, or to standard output
     /// for `-`.
     #[arg(long, value_name = "PATH")]
@@ -49,7 +53,11 @@ impl Arguments {
         if let Some(csv) = &csv {
             csv.refuse_input("--csv")?;
         }
-        self.ranges(&*loaded.within_reach()?, csv.as_ref(), interrupted)?;
+        let mechanism = &*loaded.within_reach()?;
+        let chosen = self.chosen(&mechanism.names);
+        let chosen =
+            chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
+        self.ranges((mechanism, &chosen), csv.as_ref(), interrupted)?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{}: interrupted; the curves are cut short",
@@ -59,9 +67,20 @@ impl Arguments {
         Ok(())
     }
 
+    /// The drives that are looked at, by number, each once and in the order of the listing.
+    fn chosen(&self, names: &Names) -> Result<Vec<usize>, String> {
+        if self.drives.is_empty() {
+            return Ok((0..names.drives.len()).collect());
+        }
+        let named = self.drives.iter();
+        let named = named.map(|name| names.chosen_drive(Some(name)));
+        let chosen = named.collect::<Result<BTreeSet<usize>, _>>()?;
+        Ok(chosen.into_iter().collect())
+    }
+
     fn ranges(
         &self,
-        mechanism: &dyn Kinematics,
+        (mechanism, chosen): (&dyn Kinematics, &[usize]),
         csv: Option<&Target>,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
@@ -70,12 +89,12 @@ impl Arguments {
         let stem = name_of(file);
         let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
         if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
-            let drives = names.drives.iter();
-            let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
+            let drives = chosen.iter().map(|drive| &names.drives[*drive].name);
+            let plots: Vec<_> = drives.map(|drive| plot(folder, drive)).collect();
             refuse_plot(csv, "--csv", &plots)?;
         }
-        let drives = 0..names.drives.len();
-        let ranges = drives.map(|index| mechanism.range(index, interrupted));
+        let drives = chosen.iter();
+        let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
         let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
         let mut written = Vec::new();
         if let Some(target) = csv {
@@ -112,7 +131,7 @@ fn table(names: &Names, unit: Unit, ranges: &[DriveRange], target: &Target) -> R
 const NOTES: &str = "\
 Each drive in turn is set free, the others held as at the file's first instant, and the mechanism
 is followed through the turning points of the drive, which the drive itself cannot do, until its
-curve closes or another curve crosses. Printed for each drive:
+curve closes or another curve crosses; with --drive those alone that it names. Printed for each drive:
 
   lower end, upper end   the values between which it leads the mechanism from the first instant,
                          and what ends them: a turning point, where the mechanism locks and
@@ -141,4 +160,5 @@ Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism
 starts at a bifurcation, 130 interrupted, what was found is kept.
 
 Example:
-  suspension range examples/five_link.toml --csv curve.csv --plots plots";
+  suspension range examples/five_link.toml --csv curve.csv --plots plots
+  suspension range examples/steered_axle.toml --drive steer";

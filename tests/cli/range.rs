@@ -168,12 +168,17 @@ fn of_a_motion_that_begins_out_of_reach_the_ranges_are_those_from_the_design() {
 fn refusals() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
-    let cases: [(&[&str], i32, &str); 2] = [
+    let cases: [(&[&str], i32, &str); 3] = [
         (&["range", "none.toml"], 2, "none.toml"),
         (
             &["range", "a.toml", "--csv", "a.toml"],
             2,
             "--csv would overwrite",
+        ),
+        (
+            &["range", "a.toml", "--drive", "thta"],
+            2,
+            "a.toml: unknown drive `thta`; known are theta; did you mean `theta`?",
         ),
     ];
     for (arguments, code, expected) in cases {
@@ -210,4 +215,33 @@ fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
     let output = run(folder.path(), &["range", "a.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
+}
+
+/// Of a drive that is named the report, the table and the plot are those that it has among all.
+#[test]
+fn one_drive_of_several_is_looked_at_alone() {
+    let folder = folder();
+    let file = CORNER.replace("bump = 0.3", "bump = 0.34");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let told = |more: &[&str]| {
+        let output = run(folder.path(), &[&["range", "a.toml"], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        output
+    };
+    let all = told(&[]);
+    let (of_bump, of_steer) = text(&all.stdout).split_once("\nDrive steer").expect("two");
+    let steer = told(&["--drive", "steer", "--plots", "."]);
+    let alone = text(&steer.stdout).split_once("\nDrive steer");
+    assert_eq!(alone.map(|(_, report)| report), Some(of_steer));
+    assert!(of_bump.contains("from 0.34 m at the first instant"));
+    assert!(of_steer.contains("from 0.34 m at the first instant, the other drives held as there"));
+    let is_drawn = |drive: &str| folder.path().join(format!("a_range_{drive}.svg")).exists();
+    assert!(is_drawn("steer") && !is_drawn("bump"));
+    let both = told(&["--drive", "steer", "--drive", "bump", "--drive", "steer"]);
+    assert_eq!(
+        both.stdout, all.stdout,
+        "in the order of the listing, each once"
+    );
+    let table = rows(&told(&["--drive", "steer", "--csv", "-"]).stdout);
+    assert!(table.iter().all(|row| row["freed"] == 2.0));
 }

@@ -19,8 +19,7 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
         mechanism.axes.in_words()
     );
     let unit = mechanism.unit;
-    let starts = ranges.iter().map(|range| range.start);
-    let start = if starts.eq(mechanism.design.iter().copied()) {
+    let start = if mechanism.given(&mechanism.first_drives()) == mechanism.design {
         "the design position"
     } else {
         "the first instant"
