@@ -5,6 +5,7 @@ mod measures;
 mod moments;
 mod places;
 mod springs;
+mod unloaded;
 
 use std::collections::BTreeMap;
 
@@ -215,7 +216,7 @@ fn a_report_has_a_table_of_each_kind_for_each_case() {
         "a.toml: load case cornering",
         "drive  bears\n",
         "measure  bears\n",
-        "link       tension\n",
+        "link     tension\n",
         "upright at lower_ball",
     ] {
         assert!(report.contains(expected), "{expected}: {report}");

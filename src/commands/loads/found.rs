@@ -75,6 +75,11 @@ impl<'a> Found<'a> {
 }
 
 impl Extreme {
+    /// The largest size of a number, of the least and the greatest that it is.
+    pub(super) fn largest([least, greatest]: &[Self; 2]) -> f64 {
+        least.value.abs().max(greatest.value.abs())
+    }
+
     fn set(&mut self, value: f64, place: &Rc<[f64]>) {
         *self = Self {
             value,

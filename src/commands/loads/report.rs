@@ -32,6 +32,7 @@ impl Report<'_> {
         let mut out = self.heading(found);
         let mut ranges = found.ranges.iter();
         let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
+        let mut unloaded = Unloaded::of(found);
         let mut table = |headings, lines: Vec<Line>| out.push_str(&table(headings, &lines));
         let drives = names.drives.iter();
         let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
@@ -43,7 +44,7 @@ impl Report<'_> {
         table(["measure", "bears"], bearing.collect());
         let links = first.links.iter();
         let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
-        table(["link", "tension"], links.collect());
+        table(["link", "tension"], unloaded.without(links.collect()));
         let joints = first.joints.iter().map(|(by, point, force)| {
             let by = structure.name_of(*by, names);
             let of_several = line(&format!("{by} at {}", names.points[*point]), "N");
@@ -59,7 +60,8 @@ impl Report<'_> {
             1 => "force along x, y and z",
             _ => "size of the force",
         };
-        table(["joint", heading], joints.collect());
+        table(["joint", heading], unloaded.without(joints.collect()));
+        out.push_str(&unloaded.in_words());
         out.push_str(&self.near_a_lock(found));
         out
     }
@@ -100,6 +102,7 @@ impl Report<'_> {
             numbers: numbers.collect(),
             unit,
             places,
+            largest: range.map_or(0.0, Extreme::largest),
         }
     }
 
@@ -131,6 +134,42 @@ struct Line {
     numbers: Vec<f64>,
     unit: &'static str,
     places: [String; 2],
+    /// The largest size of the force over all places.
+    largest: f64,
+}
+
+/// Links and joints that bear nothing at any place, of which a table would have rows of zeros.
+struct Unloaded {
+    names: Vec<String>,
+    /// The largest force that is rounding alone.
+    rounding: f64,
+}
+
+impl Unloaded {
+    fn of(found: &Found<'_>) -> Self {
+        /// As a part of the largest of all forces.
+        const ROUNDING: f64 = 1e-9;
+        let sizes = found.ranges.iter().map(Extreme::largest);
+        Self {
+            names: Vec::new(),
+            rounding: ROUNDING * sizes.fold(0.0, f64::max),
+        }
+    }
+
+    /// The lines of what bears a load; the names of the others are kept.
+    fn without(&mut self, lines: Vec<Line>) -> Vec<Line> {
+        let is_loaded = |line: &Line| line.largest > self.rounding;
+        let (loaded, others): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(is_loaded);
+        self.names.extend(others.into_iter().map(|line| line.name));
+        loaded
+    }
+
+    fn in_words(&self) -> String {
+        match self.names.as_slice() {
+            [] => String::new(),
+            names => format!("no load in: {}\n\n", names.join(", ")),
+        }
+    }
 }
 
 /// A measure with the springs of the file that act along it, and what the case states in it.
