@@ -151,14 +151,14 @@ the chassis or on the parts that it joins there, in the file's axes; also that o
 at its middle, and of one whose angle is driven or held. `damper at damper_upper` is what a spring or a stated force in the
 measure damper exerts at an end of it, all that acts in the measure together. The forces of each body balance, but for loads and
 weight that act on it. A moment about an angle acts on what carries the angle's lines, which
-passes it on: a torsion bar's on its arm. What the two bushes of a hinge bear along its axis rigid parts leave open: each is
+passes it on: `bar on arm` is that of a torsion bar, N m, all that acts in the measure bar together. What the two bushes of a hinge bear along its axis rigid parts leave open: each is
 given half of it. Where two bodies share two points, likewise only the sum along their line is determined. Links and joints that
 bear nothing at any place are named in one line, no load in; the rows that are written have them too.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,
 then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N, braking_tie_rod_N,
-braking_upright_lower_ball_x_N, braking_damper_damper_upper_x_N.
+braking_upright_lower_ball_x_N, braking_damper_damper_upper_x_N, and moments about angles: braking_bar_arm_x_Nm.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or
 some cases no answer, 130 interrupted.

@@ -78,12 +78,14 @@ impl<'l> Structure<'l> {
             on_drives,
             by_parts,
         } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
-        let at_ends = self.at_ends(&here, &[case.along.as_slice(), &in_measures].concat());
+        let along = self.in_each(&[case.along.as_slice(), &in_measures].concat());
+        let at_ends = self.at_ends(&here, &along);
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
             in_measures: with_stated(in_measures, &case.along),
             links: Vec::new(),
             joints: Vec::new(),
+            moments: moments(&here, &along),
             largest_load: forces
                 .iter()
                 .map(|each| each.force.norm())
@@ -99,22 +101,26 @@ impl<'l> Structure<'l> {
         Some(outcome)
     }
 
-    /// The forces of what acts in measures, by number, on the points of each: what acts in one in several ways together.
-    fn at_ends(&self, here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(By, usize, Vector3<f64>)> {
-        let measures = self.measured_points.iter().enumerate();
-        let at_ends = measures.flat_map(|(measure, points)| {
+    /// The measures in which something acts, by number and in their order: what acts in one in several ways together.
+    fn in_each(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
+        let measures = 0..self.measured_points.len();
+        let each = measures.filter_map(|measure| {
             let in_it = acting.iter().filter(|(acting, _)| *acting == measure);
-            let in_it: Vec<f64> = in_it.map(|(_, along)| *along).collect();
-            let gradient = match in_it.as_slice() {
-                [] => Vec::new(),
-                _ => here.mechanism.gradient(here.state, measure),
-            };
-            let along: f64 = in_it.iter().sum();
+            let in_it = in_it.map(|(_, along)| *along);
+            Some((measure, in_it.reduce(|sum, along| sum + along)?))
+        });
+        each.collect()
+    }
+
+    /// The forces of what acts in measures, by number, on the points of each.
+    fn at_ends(&self, here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(By, usize, Vector3<f64>)> {
+        let at_ends = acting.iter().flat_map(|(measure, along)| {
+            let gradient = here.mechanism.gradient(here.state, *measure);
             let at = move |point: &usize| {
                 let gradient = gradient.get(*point)?;
-                Some((By::Measure(measure), *point, gradient * along))
+                Some((By::Measure(*measure), *point, gradient * *along))
             };
-            points.iter().filter_map(at)
+            self.measured_points[*measure].iter().filter_map(at)
         });
         at_ends.collect()
     }
@@ -215,6 +221,15 @@ fn with_stated(in_measures: Vec<(usize, f64)>, stated: &[(usize, f64)]) -> Vec<(
         (measure, stated.fold(found, |sum, (_, along)| sum + along))
     };
     in_measures.into_iter().map(together).collect()
+}
+
+/// The moments of what acts in measures, by number, on the parts that carry the lines of those that are angles.
+fn moments(here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(usize, usize, Vector3<f64>)> {
+    let moments = acting.iter().flat_map(|(measure, along)| {
+        let on_parts = here.moments_in(*measure, *along).into_iter();
+        on_parts.map(|(part, moment)| (*measure, part, moment))
+    });
+    moments.collect()
 }
 
 /// What two bushes on the axis of a hinge bear along it is not determined by rigid parts: each has half of it.

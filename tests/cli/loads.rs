@@ -3,6 +3,7 @@
 mod cases;
 mod measures;
 mod moments;
+mod moments_of_measures;
 mod places;
 mod springs;
 mod unloaded;

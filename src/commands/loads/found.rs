@@ -16,7 +16,8 @@ pub(super) struct Found<'a> {
     /// The numbers of the first place; which of them are others elsewhere.
     pub(super) place: Rc<[f64]>,
     pub(super) varies: Vec<bool>,
-    /// The least and the greatest of what each drive, each measure and each link bears, and of the size of each joint's force.
+    /// The least and the greatest of what each drive, each measure and each link bears, of the size of each joint's force, and of each
+    /// moment about an angle.
     pub(super) ranges: Vec<[Extreme; 2]>,
     /// The largest [`Outcome::amplification`].
     pub(super) amplification: Extreme,
@@ -91,7 +92,10 @@ impl Extreme {
 /// A number of each part.
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = outcome.joints.iter();
-    along(outcome).chain(joints.map(|(.., force)| force.norm()))
+    let joints = joints.map(|(.., force)| force.norm());
+    let moments = outcome.moments.iter();
+    let moments = moments.map(|(.., moment)| moment.norm());
+    along(outcome).chain(joints).chain(moments)
 }
 
 /// What drives, measures and links bear.

@@ -1,5 +1,6 @@
 //! What a load case does, for people.
 
+use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::{Extreme, Found};
@@ -47,20 +48,24 @@ impl Report<'_> {
         table(["link", "tension"], unloaded.without(links.collect()));
         let joints = first.joints.iter().map(|(by, point, force)| {
             let by = structure.name_of(*by, names);
-            let of_several = line(&format!("{by} at {}", names.points[*point]), "N");
-            match found.places {
-                1 => Line {
-                    numbers: force.iter().copied().collect(),
-                    ..of_several
-                },
-                _ => of_several,
-            }
+            let line = line(&format!("{by} at {}", names.points[*point]), "N");
+            line.of(force, found)
         });
-        let heading = match found.places {
-            1 => "force along x, y and z",
-            _ => "size of the force",
+        let joints = unloaded.without(joints.collect());
+        let moments = first.moments.iter().map(|(measure, part, moment)| {
+            let (by, on) = (
+                &names.measures[*measure].name,
+                structure.statements[*part].name,
+            );
+            line(&format!("{by} on {on}"), "N m").of(moment, found)
+        });
+        let moments = unloaded.without(moments.collect());
+        let [of_joints, of_moments] = match found.places {
+            1 => ["force along x, y and z", "about x, y and z"],
+            _ => ["size of the force", "size"],
         };
-        table(["joint", heading], unloaded.without(joints.collect()));
+        table(["joint", of_joints], joints);
+        table(["moment", of_moments], moments);
         out.push_str(&unloaded.in_words());
         out.push_str(&self.near_a_lock(found));
         out
@@ -136,6 +141,19 @@ struct Line {
     places: [String; 2],
     /// The largest size of the force over all places.
     largest: f64,
+}
+
+impl Line {
+    /// The same of a force or a moment: at one place with its components.
+    fn of(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
+        match found.places {
+            1 => Self {
+                numbers: vector.iter().copied().collect(),
+                ..self
+            },
+            _ => self,
+        }
+    }
 }
 
 /// Links and joints that bear nothing at any place, of which a table would have rows of zeros.

@@ -64,10 +64,19 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
         let point = &mechanism.names.points[*point];
         ["x", "y", "z"].map(|axis| format!("{case}_{by}_{point}_{axis}_N"))
     });
-    drives.chain(bearing).chain(links).chain(joints).collect()
+    let moments = shape.moments.iter().flat_map(|(measure, part, _)| {
+        let measure = &mechanism.names.measures[*measure].name;
+        let part = statements[*part].name;
+        ["x", "y", "z"].map(|axis| format!("{case}_{measure}_{part}_{axis}_Nm"))
+    });
+    let along = drives.chain(bearing).chain(links);
+    along.chain(joints).chain(moments).collect()
 }
 
 fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = outcome.joints.iter();
-    along(outcome).chain(joints.flat_map(|(_, _, force)| [force.x, force.y, force.z]))
+    let joints = joints.map(|(.., force)| force);
+    let moments = outcome.moments.iter().map(|(.., moment)| moment);
+    let vectors = joints.chain(moments);
+    along(outcome).chain(vectors.flat_map(|vector| [vector.x, vector.y, vector.z]))
 }

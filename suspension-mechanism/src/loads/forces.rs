@@ -121,12 +121,7 @@ impl Here<'_> {
 
     /// The same of one: along its derivative with respect to each point.
     pub(super) fn in_measure(&self, measure: usize, along: f64) -> Vec<Force> {
-        let along = match self.mechanism.names.measures[measure].kind {
-            MeasureKind::Angle => along * self.mechanism.unit.metre(),
-            MeasureKind::Length => along,
-        };
-        let gradient = self.mechanism.gradient(self.state, measure).into_iter();
-        let mut acting: Vec<_> = gradient.map(|gradient| gradient * along).collect();
+        let mut acting = self.at_points(measure, along);
         let mut forces = Vec::new();
         // What acts at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
@@ -155,6 +150,33 @@ impl Here<'_> {
         let rest = rest.map(|(point, force)| (self.site_of(point), [force, Vector3::zeros()]));
         forces.extend(self.at_sites(&rest.collect::<Vec<_>>()));
         forces
+    }
+
+    /// The forces at the points of what acts in a measure: along its derivative with respect to each.
+    fn at_points(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
+        let along = match self.mechanism.names.measures[measure].kind {
+            MeasureKind::Angle => along * self.mechanism.unit.metre(),
+            MeasureKind::Length => along,
+        };
+        let gradient = self.mechanism.gradient(self.state, measure).into_iter();
+        gradient.map(|gradient| gradient * along).collect()
+    }
+
+    /// The moments, N m, of what acts in an angle on each part, by number, that carries a line of it or its axis.
+    pub(super) fn moments_in(&self, angle: usize, along: f64) -> Vec<(usize, Vector3<f64>)> {
+        let acting = self.at_points(angle, along);
+        let at = |point: usize| self.points()[point];
+        let mut moments: Vec<(usize, Vector3<f64>)> = Vec::new();
+        for share in &self.measured[angle] {
+            let forces = share.forces(|point| acting[point], at);
+            let about_origin = forces.map(|(point, force)| at(point).cross(&force));
+            let moment = about_origin.sum::<Vector3<f64>>() / self.mechanism.unit.metre();
+            match moments.iter_mut().find(|(part, _)| *part == share.part) {
+                Some((_, sum)) => *sum += moment,
+                None => moments.push((share.part, moment)),
+            }
+        }
+        moments
     }
 
     /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` where three points that hold a

@@ -16,6 +16,9 @@ pub struct Outcome {
     /// The force, N, that each other statement, each link with a mass, and each measure in which something acts exerts on each of
     /// its points, by number; of a body also on those of its markers on which measures act.
     pub joints: Vec<(By, usize, Vector3<f64>)>,
+    /// The moment, N m, that what acts in each angle, by the number of its measure, exerts on each part, by number, that carries a
+    /// line of it or its axis.
+    pub moments: Vec<(usize, usize, Vector3<f64>)>,
     /// The largest force that acts at a point, N: of the loads, of what bears drives' loads, of weight and inertia.
     pub largest_load: f64,
 }
