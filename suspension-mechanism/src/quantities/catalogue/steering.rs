@@ -64,7 +64,9 @@ catalogue! {
         name: "steering_wheel_angle",
         sign: "positive where the steering wheel is turned to the left: the way that turns the road wheels to the left at the \
                design position, whichever way the rack is counted",
-        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves",
+        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves. It has \
+                     no columns of derivatives, which are the same at all places: with respect to that drive a turn by rack_per_turn, with \
+                     its sign, and zero with respect to the others",
         source: "ISO 8855; rack_per_turn of [vehicle]",
         shown: Shown::InTables,
         read: steering_wheel::of_angle,
