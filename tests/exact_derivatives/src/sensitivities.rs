@@ -1,7 +1,7 @@
 //! Sensitivities that `suspension sensitivities` writes, of every quantity and its derivatives with respect to the drives,
 //! against differences of suspensions that are solved in numbers of 32 digits.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Vector3;
 use suspension_core::listing::{Kind, Part, Parts};
@@ -137,6 +137,29 @@ fn difference(beside: &[Numbers; 4], key: &str, step: f64) -> f64 {
     (sum / DoubleDouble::from(12.0 * step)).nearest()
 }
 
+/// Moves a point. One that slides on a line of the chassis, of which a layout has one at most, takes that and what else slides
+/// there with it, as far as it moves across the line.
+fn move_point(listing: &Listing, points: &mut [Vector3<f64>], place: usize, by: Vector3<f64>) {
+    let chassis = listing.count(Kind::ChassisPoint);
+    let statements = listing.statements().into_iter();
+    let slides = statements.filter(|statement| statement.kind == suspension_listing::Kind::SLIDE);
+    let on_chassis = slides.map(|slide| slide.points).filter(|points| {
+        let ends = points.iter().filter(|point| **point < chassis);
+        ends.count() == 2
+    });
+    let mut together: BTreeSet<usize> = on_chassis.flatten().collect();
+    if place >= chassis && together.remove(&place) {
+        let ends: Vec<usize> = together.range(..chassis).copied().collect();
+        let [from, to] = ends[..] else {
+            panic!("more than one line")
+        };
+        let along = (points[to] - points[from]).normalize();
+        let across = by - along * along.dot(&by);
+        together.iter().for_each(|point| points[*point] += across);
+    }
+    points[place] += by;
+}
+
 /// The numbers of a suspension with one change.
 fn numbers(
     reference: &Reference<'_>,
@@ -146,7 +169,12 @@ fn numbers(
 ) -> Numbers {
     let mut hardpoints = hardpoints.to_vec();
     if let Changed::Point(place, axis) = changed {
-        hardpoints[place][axis] += by;
+        move_point(
+            listing,
+            &mut hardpoints,
+            place,
+            by * Vector3::ith(axis, 1.0),
+        );
     }
     let mut model: Model<'_, f64> = listing.model(&hardpoints).expect("a model");
     let points = Values::from_values(hardpoints.iter().copied());
