@@ -16,15 +16,14 @@ use crate::statement::Statement;
 /// How far two directions may be apart to count as one, radians.
 const PARALLEL: f64 = 1e-6;
 
-/// A line of an angle, and the part that carries it. Points are numbers among all points.
+/// A line of an angle, as a part or the chassis carries it. Points are numbers among all points.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Line {
     ends: [usize; 2],
     /// The end that neither the other line has nor the axis: the force there is of this line alone.
     free_end: usize,
-    /// Of an angle about an axis the ends of that, and two points of the part along it.
+    /// Of an angle about an axis the ends of that, and two points of the line's carrier along it.
     axis: Option<[[usize; 2]; 2]>,
-    part: usize,
 }
 
 type OnPoint = (usize, Vector3<f64>);
@@ -171,33 +170,46 @@ impl Listing {
     fn shares(&self, Lines { lines, about }: &Lines, parts: &[Statement<'_>]) -> Vec<AngleShare> {
         let chassis = self.system().fixed.len();
         let is_fixed = |ends: &[usize; 2]| ends.iter().all(|end| *end < chassis);
-        let moving = || lines.iter().filter(|line| !is_fixed(line));
         let ends: Vec<usize> = lines.iter().chain(about).flatten().copied().collect();
         let is_free = |end: &&usize| ends.iter().filter(|other| other == end).count() == 1;
-        let of_line = |ends: &[usize; 2]| {
-            let part = self.carrier_of(ends, parts)?;
-            let own = |about: [usize; 2]| Some([about, self.along(parts.get(part)?, about)?]);
+        let line = |ends: &[usize; 2], axis: Option<[[usize; 2]; 2]>| {
             Some(Line {
                 ends: *ends,
                 free_end: *ends.iter().rev().find(is_free)?,
-                axis: about.and_then(own),
-                part,
+                axis,
             })
         };
-        let of_lines: Vec<Line> = moving().filter_map(of_line).collect();
-        let axis = about.filter(|about| !is_fixed(about) && of_lines.len() == moving().count());
+        let of_part = |ends: &[usize; 2]| {
+            let part = self.carrier_of(ends, parts)?;
+            let own = |about: [usize; 2]| Some([about, self.along(parts.get(part)?, about)?]);
+            Some((part, line(ends, about.and_then(own))?))
+        };
+        let [fixed, moving]: [Vec<_>; 2] =
+            [true, false].map(|of| lines.iter().filter(|line| is_fixed(line) == of).collect());
+        let of_parts: Vec<(usize, Line)> = moving.into_iter().filter_map(of_part).collect();
+        // What the chassis bears is not left for the axis, at an end that both have.
+        let of_chassis = fixed.into_iter();
+        let of_chassis = of_chassis.filter_map(|ends| line(ends, None));
+        let of_all: Vec<Line> = of_parts
+            .iter()
+            .map(|(_, line)| line.clone())
+            .chain(of_chassis)
+            .collect();
+        let axis = about.filter(|about| !is_fixed(about) && of_all.len() == lines.len());
         let axis = axis.and_then(|ends| {
-            let lines = of_lines.clone();
             Some(AngleShare {
                 part: self.carrier_of(&ends, parts)?,
-                of: Share::Axis { ends, lines },
+                of: Share::Axis {
+                    ends,
+                    lines: of_all,
+                },
             })
         });
-        let of_lines = of_lines.into_iter().map(|line| AngleShare {
-            part: line.part,
+        let of_parts = of_parts.into_iter().map(|(part, line)| AngleShare {
+            part,
             of: Share::Line(line),
         });
-        of_lines.chain(axis).collect()
+        of_parts.chain(axis).collect()
     }
 
     /// The part that keeps two points apart, or the bodies of markers: a body or a hinge, or else a link.

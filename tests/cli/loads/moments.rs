@@ -296,3 +296,43 @@ drive turn: angle(e -> n, e -> a about e -> f);\n";
         );
     }
 }
+
+/// A T-bar whose twist counts from its foot's own hinge line, or from another line of the chassis: what the chassis bears there is
+/// no load on the foot, which tilts about that line and carries the stem.
+#[test]
+fn what_carries_an_axis_is_in_equilibrium_beside_a_line_of_the_chassis() {
+    let rows = ["side -> low", "low -> side", "low -> out", "out -> side"].map(|line| {
+        let statements = format!(
+            "fixed: side at [0.0, 0.1, 0.2], low at [0.0, 0.0, 0.2], out at [0.05, 0.2, 0.25];
+free: top at [0.1, 0.0, 0.5], tip at [0.05, 0.2, 0.5], other at [0.05, -0.2, 0.5];
+hinge foot: low, side -> top;
+body cross: low, top, tip, other;
+drive tilt: top.x;
+drive turn: tip.x;
+measure from_out: length(out -> top);
+measure twist: angle({line}, other -> tip about low -> top);\n"
+        );
+        let drives = "tilt = 0.12\nturn = 0.08";
+        (line, only(&statements, drives, "twist = 20.0"))
+    });
+    for (line, row) in &rows {
+        let of = |name: &str| force(row, &format!("c_{name}"));
+        let [low, side, top] = ["foot_low", "foot_side", "foot_top"].map(of);
+        let sum = low + side + top;
+        assert!(sum.norm() < 1e-8, "{line}: {sum:?} {row:?}");
+        // The drive holds the head of the stem along x.
+        let at_top = top + of("cross_top");
+        assert!(at_top.yz().norm() < 1e-8, "{line}: {at_top:?} {row:?}");
+        assert!((at_top.x - row["c_tilt_N"]).abs() < 1e-8, "{line} {row:?}");
+        if line.contains("out") {
+            continue; // Such a line is oblique to the stem: tilting the foot changes the angle.
+        }
+        let moments = Vector3::new(0.0, 0.1, 0.0).cross(&side) + stem().cross(&top);
+        assert!(moments.norm() < 1e-8, "{line}: {moments:?} {row:?}");
+    }
+}
+
+/// From the foot to the head of the stem.
+fn stem() -> Vector3<f64> {
+    Vector3::new(0.12, 0.0, (0.1_f64 - 0.12 * 0.12).sqrt())
+}
