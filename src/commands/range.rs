@@ -156,8 +156,9 @@ The table, one row a place, in the order along the curve:
 
 Where the first instant is out of reach the ranges are those from the design position, and a note says so.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or
-starts at a bifurcation, 130 interrupted, what was found is kept.
+Exit codes: 0 done, also where the file's own motion is out of reach, of which check and motion make 3: the ranges
+are known; 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or starts at a bifurcation,
+130 interrupted, what was found is kept.
 
 Example:
   suspension range examples/five_link.toml --csv curve.csv --plots plots

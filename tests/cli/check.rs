@@ -149,6 +149,27 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
     );
 }
 
+/// Where the motion locks between two instants, the next one is told, as `motion` does; what each drive reaches is known all the same.
+#[test]
+fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
+    let folder = folder();
+    let time = "{ start = 0.0, stop = 1.0, step = 0.28 }";
+    let file = CORNER
+        .replace("{ instants = [0.0] }", time)
+        .replace("bump = 0.3", "bump = [0.3, 0.25]");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let [motion, check, range] =
+        ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
+    let expected = "no configuration at t = 0.56 s with ";
+    let said = text(&motion.stderr);
+    assert_eq!(motion.status.code(), Some(3), "{said}");
+    assert!(said.contains(expected), "{said}");
+    assert_eq!(check.status.code(), Some(3), "{check:?}");
+    let told = line(&check, "motion ");
+    assert!(told.contains(expected), "{told}");
+    assert_eq!(range.status.code(), Some(0), "{range:?}");
+}
+
 /// A file whose own motion locks has a healthy design: check and sheet say both.
 #[test]
 fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {

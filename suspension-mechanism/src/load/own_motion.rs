@@ -28,18 +28,26 @@ impl Loaded<'_> {
             return Ok(Some(why.clone()));
         }
         let [first, last] = mechanism.instants.ends();
-        let end = mechanism.move_through(&Instants::dense(first, last, LOOKS), &mut |_| {
-            let cut = interrupted.load(Ordering::Relaxed);
-            Ok(if cut {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
+        let moved = |instants: &Instants| {
+            mechanism.move_through(instants, &mut |_| {
+                let cut = interrupted.load(Ordering::Relaxed);
+                Ok(if cut {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                })
             })
-        })?;
+        };
+        let End::Stopped(seen) = moved(&Instants::dense(first, last, LOOKS))? else {
+            return Ok(None);
+        };
+        // The instant that `motion` stops at; steps between the file's instants may pass what was seen.
+        let stop = match moved(&mechanism.instants)? {
+            End::Stopped(stop) => stop,
+            End::Complete => seen,
+            End::Cut => return Ok(None),
+        };
         let name = self.source.name();
-        Ok(match end {
-            End::Stopped(stop) => Some(format!("{name}: {}", stop.in_words(name))),
-            End::Complete | End::Cut => None,
-        })
+        Ok(Some(format!("{name}: {}", stop.in_words(name))))
     }
 }
