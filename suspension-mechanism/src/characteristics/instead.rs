@@ -1,6 +1,6 @@
 //! What can be named in place of a quantity that a design does not have under that name.
 
-use crate::characteristics::columns;
+use crate::characteristics::parameters::columns;
 use crate::mechanism::Description;
 use crate::quantities::{
     Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
