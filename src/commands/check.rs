@@ -138,7 +138,7 @@ Reads a file as the other commands do and prints of its design position, that of
   elimination                 the smallest pivot in the order that real-time steps keep, and the pivot growth: how much elimination may
                               magnify rounding errors there; 1000 or less is good
   reach                       of each drive from the design position, the others held as there: the nearest lock to either side
-                              and, where it is known, the link or the hinge that is in the way;
+                              and, where it is known, the link, or the body on its hinge or joint, that is in the way;
                               suspension range goes from the first instant, and has the whole curve
   motion                      whether the file's own motion is within reach, from its first instant to its last
   assemblies                  with --assemblies: how many ways there are to put the parts together

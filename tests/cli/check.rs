@@ -246,6 +246,24 @@ fn a_hinge_that_locks_is_named_with_its_axis() {
     assert_eq!(text(&range.stdout).matches(fault).count(), 2, "{range:?}");
 }
 
+/// An arm of a twist beam turns about its bush, a point: straight up or down it goes no further.
+#[test]
+fn an_arm_that_locks_is_named_with_its_joint() {
+    let drives = "drives = { bump_left = 0.29, bump_right = 0.29 }\n";
+    let content =
+        format!("linkage = \"twist_beam\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n{drives}");
+    let output = check(&content, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    for side in ["left", "right"] {
+        let fault = format!(": `{side}_arm` on its joint `{side}_bush` reaches no further");
+        assert_eq!(
+            text(&output.stdout).matches(&fault).count(),
+            2,
+            "{output:?}"
+        );
+    }
+}
+
 /// A seat that is stated on the points of two parts is no point of either.
 #[test]
 fn a_marker_on_points_that_are_not_rigid_is_noted() {

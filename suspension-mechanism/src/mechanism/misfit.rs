@@ -95,7 +95,7 @@ impl Misfit {
     }
 }
 
-/// The hinge that bears most of all bodies that turn about lines on the chassis, at the last configuration, `q`, of a motion that
+/// The hinge that bears most of all bodies that turn about lines or points on the chassis, at the last configuration, `q`, of a motion that
 /// ends at the time `reached`; `None` where none bears much.
 pub(crate) fn strained_hinge<'n, L: Suspension<N>, const N: usize>(
     model: &L,
