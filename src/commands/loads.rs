@@ -135,6 +135,7 @@ kg m^2, in the file's axes: xx, yy, zz, and where they are not zero xy, yz, zx o
   upright = { mass = 25.0, centre = \"wheel_centre\", inertia = [0.8, 1.2, 0.8] }   # a body; or centre = [x, y, z]
   tie_rod = 0.9                        # a link is a uniform rod
   damper_low = 1.5                     # what is at a point
+  rack = 4.0                           # a chassis point that a drive moves: the drive bears its inertia
 
 Their weight then acts in each case, downwards with 9.80665 m/s^2; a case may say gravity = [0.0, 0.0, 0.0], and
 acceleration = [-8.0, 0.0, 0.0] of the chassis, m/s^2. With --motion their inertia acts too, from the velocities and

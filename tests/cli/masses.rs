@@ -131,6 +131,36 @@ fn weight_acts_without_being_asked_for() {
     );
 }
 
+/// A rack that is a chassis point, of 4 kg, along the way of its drive: the drive bears its inertia, and nothing else does; no weight,
+/// which the housing bears, and no part of what travel moves.
+#[test]
+fn a_driven_chassis_point_has_a_mass() {
+    let file = |masses: &str| {
+        let file = corner(
+            &format!("lower_ball = 3.0\n{masses}"),
+            "wheel_centre = [0.0, 0.0, 0.0]",
+        );
+        file.replace("steer = [0.33, 0.4]", "steer = [0.33, 0.4, 3.0]")
+    };
+    let (with, without) = (file("rack = 4.0"), file(""));
+    let rows = table(&with, &["--motion"]);
+    for (with, without) in rows.iter().zip(&table(&without, &["--motion"])) {
+        for (name, found) in with {
+            let expected = match name.as_str() {
+                "a_steer_N" => without[name] - 4.0 * 6.0,
+                _ => without[name],
+            };
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "{name}: {found} {expected}"
+            );
+        }
+    }
+    assert_eq!(rows.len(), 3);
+    let mass = |file: &str| moved(file)[1]["effective_mass_kg"];
+    assert!((mass(&with) - mass(&without)).abs() < 1e-12);
+}
+
 /// The same law in millimetres, for a drive that is an angle: moments are in N m.
 #[test]
 fn millimetres_do_not_matter() {
@@ -172,7 +202,11 @@ fn what_is_no_mass_is_refused_with_its_place() {
             "",
             "`tie_rod` is no body",
         ),
-        ("rack = 1.0", "", "unknown moving part `rack`; known are "),
+        (
+            "lower_front = 1.0",
+            "",
+            "unknown moving part `lower_front`; known are ",
+        ),
         (
             "upright = { mass = 1.0, centre = \"hub\" }",
             "",

@@ -82,13 +82,18 @@ impl Reader<'_> {
         }
     }
 
-    /// A free point, or a marker.
+    /// A point that moves: free, a marker, or on the chassis and moved by a drive.
     fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
-        let names = self.task.names;
-        let mut points = names.points.iter();
-        let point = points.position(|point| point == name.get_ref());
-        let point = point.filter(|point| *point >= names.chassis);
+        let mut moving = self.moving_points();
+        let point = moving.find(|point| self.task.names.points[*point] == *name.get_ref());
         point.ok_or_else(|| self.unknown(name))
+    }
+
+    fn moving_points(&self) -> impl Iterator<Item = usize> {
+        let names = self.task.names;
+        let driven = self.listing.driven_points();
+        let points = 0..names.points.len();
+        points.filter(move |point| *point >= names.chassis || driven.contains(point))
     }
 
     fn unknown(&self, name: &Spanned<String>) -> Failure {
@@ -97,7 +102,10 @@ impl Reader<'_> {
         let names = self.task.names;
         let known: Vec<&str> = parts
             .map(|part| part.name)
-            .chain(names.points[names.chassis..].iter().map(String::as_str))
+            .chain(
+                self.moving_points()
+                    .map(|point| names.points[point].as_str()),
+            )
             .collect();
         let message = unknown("moving part", name.get_ref(), &known);
         self.task.source.refuse(&name.span(), message)

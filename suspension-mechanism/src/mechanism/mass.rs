@@ -9,7 +9,7 @@ use crate::mechanism::points::Points;
 /// A part that has a mass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mass {
-    /// At a free point or a marker, kg.
+    /// At a point that moves, kg.
     At(usize, f64),
     /// Of a uniform rod between two points, kg.
     Rod([usize; 2], f64),
