@@ -5,8 +5,6 @@ use std::ops::Range;
 use nalgebra::{Complex, SMatrix, SVector};
 use suspension_core::Scalar;
 
-use crate::assemblies::parts::Part;
-
 /// Unknowns, right-hand sides and residuals.
 pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
 
@@ -21,11 +19,11 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    /// A part's own equations, and one in which the value of a given unknown is not alone.
-    pub(crate) fn of(part: &Part, and: Option<usize>) -> Self {
-        let others = part.others.iter().copied();
+    /// A part's `own` equations, and of the `others` one in which the value of a given unknown is not alone; all with their unknowns.
+    pub(crate) fn of(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Self {
+        let others = others.iter().copied();
         let (with_others, given): (Vec<_>, Vec<_>) = others.partition(|[row, _]| Some(*row) == and);
-        let together = part.own.iter().chain(&with_others);
+        let together = own.iter().chain(&with_others);
         let (rows, columns) = together.map(|[row, column]| (*row, *column)).unzip();
         Self {
             rows,
@@ -196,27 +194,17 @@ mod tests {
         }) + Matrix::from_fn(|row, column| Complex::from(f64::from(u8::from(row + column == 3))))
     }
 
-    fn solved(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Solved {
-        let part = Part {
-            own: own.to_vec(),
-            others: others.to_vec(),
-            needed: Vec::new(),
-            is_linear: false,
-        };
-        Solved::of(&part, and)
-    }
-
     const ALL: [[usize; 2]; 4] = [[0, 0], [1, 1], [2, 2], [3, 3]];
 
     #[test]
     fn what_is_solved_is_met() {
         let x = SVector::from_fn(|row, _| Complex::new(row as f64 - 1.5, 2.0 - row as f64));
         let right = matrix() * x;
-        let all = solved(&ALL, &[], None);
+        let all = Solved::of(&ALL, &[], None);
         let found = Factors::of(&matrix(), &all).solve(&right).expect("regular");
         assert!((found - x).camax() < 1e-13, "{found}");
         // Equations 1 and 3 give unknowns 2 and 0, equation 3 among the others.
-        let some = solved(&[[0, 3], [2, 1]], &[[1, 2], [3, 0]], Some(3));
+        let some = Solved::of(&[[0, 3], [2, 1]], &[[1, 2], [3, 0]], Some(3));
         let given = Vector::from([right[0], x[2], right[2], right[3]]);
         let found = Factors::of(&matrix(), &some)
             .solve(&given)
@@ -229,7 +217,7 @@ mod tests {
         let mut singular = matrix();
         singular.set_row(2, &singular.row(0).into_owned());
         singular.set_column(1, &SVector::zeros());
-        let all = solved(&ALL, &[], None);
+        let all = Solved::of(&ALL, &[], None);
         assert!(
             Factors::of(&singular, &all)
                 .solve(&Vector::<4>::zeros())

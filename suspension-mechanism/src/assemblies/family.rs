@@ -58,7 +58,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         Self {
             model: model_of_complex,
             size: model.size(),
-            solved: Solved::of(&part, tilted),
+            solved: Solved::of(&part.own, &part.others, tilted),
             part,
             tilt,
         }
