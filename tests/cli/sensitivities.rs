@@ -201,20 +201,20 @@ fn what_is_zero_at_the_design_names_what_hardpoints_change() {
     let axle = include_str!("../../examples/steered_axle.toml");
     let axle = axle.replace("[vehicle]", "[vehicle]\nrack_per_turn = 0.052");
     std::fs::write(folder.path().join("axle.toml"), &axle).expect("written");
-    let counts = "counts from the design position and is zero there, whatever the hardpoints; what hardpoints change is";
+    let counts = "counts from the design position and is zero there, whatever the hardpoints; name in its place";
     for (of, expected) in [
         (
             "steering_wheel_angle",
-            "is set by the drive of steering, whatever the hardpoints; what hardpoints change is `left_steering_ratio` or \
-             `right_steering_ratio`"
+            "is set by the drive of steering, whatever the hardpoints; name in its place `left_steering_ratio` or \
+             `right_steering_ratio`, which they change"
                 .to_owned(),
         ),
         (
             "wheel_travel",
-            format!("{counts} `left_centre_z` or `right_centre_z`"),
+            format!("{counts} `left_centre_z` or `right_centre_z`, which they change"),
         ),
-        ("left_recession", format!("{counts} `left_centre_x`")),
-        ("track_change", format!("{counts} `track`")),
+        ("left_recession", format!("{counts} `left_centre_x`, which they change")),
+        ("track_change", format!("{counts} `track`, which they change")),
     ] {
         let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");

@@ -28,7 +28,7 @@ pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
         "counts from the design position and is zero there, whatever the hardpoints"
     };
     Some(format!(
-        "`{wanted}` {why}; what hardpoints change is {names}"
+        "`{wanted}` {why}; name in its place {names}, which they change"
     ))
 }
 
