@@ -74,6 +74,11 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// Whether a name is of a statement that is a mirror image.
+    pub(crate) fn is_image(&self, name: &Ident) -> bool {
+        self.listing.images.contains(&name.to_string())
+    }
+
     pub(crate) fn is_declared(&self, name: &Ident) -> bool {
         self.taken.contains_key(name)
     }
@@ -143,7 +148,13 @@ impl<'a> Check<'a> {
         let same = earlier.iter().find(|other| other.claim() == later.claim());
         let other = same.and_then(|other| other.named());
         if let (Some((other, kind)), Some((named, _))) = (other, later.named()) {
-            let error = errors::prescribed_twice(&named.name, &other.name, kind);
+            let (name, other) = (&named.name, &other.name);
+            // Images come last.
+            let error = if self.is_image(name) && !self.is_image(other) {
+                errors::prescribed_beside_image(other, name, kind)
+            } else {
+                errors::prescribed_twice(name, other, kind)
+            };
             self.report(error);
         }
     }

@@ -176,6 +176,15 @@ pub(crate) fn prescribed_twice(name: &Ident, other: &Ident, kind: Kind) -> Error
     )
 }
 
+pub(crate) fn prescribed_beside_image(name: &Ident, image: &Ident, kind: Kind) -> Error {
+    at(
+        name,
+        format!(
+            "`mirror` makes {kind} `{image}`, which prescribes what `{name}` does; remove `{name}`"
+        ),
+    )
+}
+
 pub(crate) fn all_fixed(name: &Ident, kind: Kind) -> Error {
     at(
         name,

@@ -24,6 +24,8 @@ pub struct Listing {
     pub(crate) statements: Vec<Box<dyn Statement>>,
     /// The words that the sides of the vehicle have in their names.
     pub(crate) mirror: Option<[Ident; 2]>,
+    /// The names of the statements that are mirror images.
+    pub(crate) images: BTreeSet<String>,
     /// The statement that was read last, where it includes another listing.
     pub(crate) include: Option<Include>,
     /// The texts that it includes, those included in them among them.
@@ -67,6 +69,7 @@ impl Listing {
             free: Vec::new(),
             statements: Vec::new(),
             mirror: None,
+            images: BTreeSet::new(),
             include: None,
             included: Vec::new(),
             span,

@@ -111,7 +111,12 @@ impl Reading<'_> {
         let others = self.texts.iter().filter_map(|text| mirror.statement(text));
         let images = points.into_iter().map(Ok).chain(others);
         let images: Vec<syn::Result<TokenStream>> = images.collect();
-        images.into_iter().try_for_each(|image| self.add(image?))
+        let stated = self.listing.statements.len();
+        images.into_iter().try_for_each(|image| self.add(image?))?;
+        let images = self.listing.statements.iter().skip(stated);
+        let named = images.filter_map(|image| image.named());
+        self.listing.images = named.map(|(named, _)| named.name.to_string()).collect();
+        Ok(())
     }
 
     /// Adds a statement.

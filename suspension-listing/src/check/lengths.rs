@@ -39,10 +39,22 @@ impl Check<'_> {
                     self.report(adds_nothing(earlier_name, later_name));
                 }
                 (Rigid::Body(_), Rigid::Body(_), _) | (_, _, 0 | 1) => {}
-                (Rigid::Length(_), _, _) => self.report(stated_twice(later_name, earlier_name)),
-                (_, Rigid::Length(_), _) => self.report(stated_twice(earlier_name, later_name)),
+                (Rigid::Length(_), _, _) => self.length_twice(later_name, earlier_name),
+                (_, Rigid::Length(_), _) => self.length_twice(earlier_name, later_name),
             }
         }
+    }
+}
+
+impl Check<'_> {
+    /// Reports a length that is kept already, where one of both is a mirror image at the other one.
+    fn length_twice(&mut self, length: &Ident, other: &Ident) {
+        let error = match (self.is_image(length), self.is_image(other)) {
+            (true, false) => beside_image(other, length),
+            (false, true) => beside_image(length, other),
+            _ => stated_twice(length, other),
+        };
+        self.report(error);
     }
 }
 
@@ -56,6 +68,15 @@ fn stated_twice(name: &Ident, other: &Ident) -> Error {
         name,
         format!(
             "`{name}` joins two points whose distance `{other}` keeps already; remove one of them"
+        ),
+    )
+}
+
+fn beside_image(name: &Ident, image: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "`{name}` joins two points whose distance `{image}` keeps, which `mirror` makes; remove `{name}`"
         ),
     )
 }

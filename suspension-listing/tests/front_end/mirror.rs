@@ -277,3 +277,33 @@ fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
         assert_eq!(mistake.line, text.lines().count());
     }
 }
+
+/// Under another name a statement that does what an image does is told at its own place that the image is there.
+#[test]
+fn a_statement_that_does_what_an_image_does_is_told_to_go() {
+    for (statement, expected) in [
+        (
+            "drive other_bump: right.z;",
+            "`mirror` makes drive `right_bump`, which prescribes what `other_bump` does; remove `other_bump`",
+        ),
+        (
+            "link spare: bar -> rack_right;",
+            "`spare` joins two points whose distance `right_rod` keeps, which `mirror` makes; remove `spare`",
+        ),
+        (
+            "link spare: right_front -> right;",
+            "`spare` joins two points whose distance `arm_right` keeps, which `mirror` makes; remove `spare`",
+        ),
+    ] {
+        let half = HALF.replace("left along [0.0, 0.6, 0.8]", "left.z");
+        let text = format!("{half}\n{statement}");
+        let mistakes = text::parse(&text, "axle", &NoIncludes)
+            .expect_err("done twice")
+            .mistakes;
+        let [mistake] = mistakes.as_slice() else {
+            panic!("{mistakes:?}")
+        };
+        assert_eq!(mistake.message, expected);
+        assert_eq!(mistake.line, text.lines().count());
+    }
+}
