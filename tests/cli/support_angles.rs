@@ -150,3 +150,50 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
         assert!(message.contains(expected), "{message}");
     }
 }
+
+/// Dual wheels on an oblique arm, both left: each is what it is alone on the arm, no live axle, whose body would bear the drive's torque.
+#[test]
+fn dual_wheels_are_no_axle() {
+    let listing = |wheels: &str| {
+        format!(
+            "unit = \"m\"\nstatements = '''\nfixed: outer at [0.3, 0.5, 0.32], inner at [0.2, 0.2, 0.30];\nfree: hub at [0.0, 0.6, 0.3];\n\
+             hinge arm: outer, inner -> hub;\npoint axle: arm at [0.0, 0.45, 0.3];\npoint near: arm at [0.0, 0.55, 0.3];\n\
+             point far: arm at [0.0, 0.8, 0.3];\n{wheels}\ndrive bump: hub.z;\n'''\n\
+             vehicle = {{ wheel_radius = 0.3, axle = \"rear\", wheelbase = 2.5, cg_height = 0.5, brake_share = 0.4, drive_share = 0.5 }}\n\
+             time = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\n"
+        )
+    };
+    let read = |wheels: &str| {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), listing(wheels)).expect("written");
+        let output = run(
+            folder.path(),
+            &["sweep", "a.toml", "--drive", "bump=0.02", "--csv", "-"],
+        );
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let said = text(&output.stderr).to_owned();
+        (rows(&output.stdout).remove(0), said)
+    };
+    let (dual, said) = read("wheel near: axle -> near;\nwheel far: axle -> far;");
+    assert_eq!(said, "");
+    for absent in ["track_m", "total_toe_rad"] {
+        assert!(!dual.contains_key(absent), "{absent}");
+    }
+    let mut count = 0;
+    for name in ["near", "far"] {
+        let (alone, _) = read(&format!("wheel: axle -> {name};"));
+        let of_wheel = alone.iter().filter_map(|(column, expected)| {
+            let found = dual.get(&format!("{name}_{column}"))?;
+            Some((column, found, expected))
+        });
+        for (column, found, expected) in of_wheel {
+            let is_same = (found - expected).abs() < 1e-12 || found.is_nan() && expected.is_nan();
+            assert!(is_same, "{name} {column}: {found} {expected}");
+            count += usize::from(found.is_finite());
+        }
+    }
+    for known in ["near_front_centre_z", "far_anti_squat_percent"] {
+        assert!(dual[known].is_finite(), "{known}");
+    }
+    assert!(count > 30, "{count}");
+}

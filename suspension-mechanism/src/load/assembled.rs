@@ -79,7 +79,11 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
             let flat = flat_body::refused(&task, request.listing, &placed, &error);
             outlier_first(flat.unwrap_or_else(|| task.refuse_geometry(&error)))
         })?;
-        let names = with_vehicle(&task)?;
+        let designed = names.clone().designed(&placed);
+        let names = with_vehicle(&Task {
+            names: &designed,
+            ..task
+        })?;
         let drive_offsets = origin.of_drives(&model);
         let offsets = names.of_drives().into_iter().zip(drive_offsets.values());
         let file = file.clone().driven_from(offsets);

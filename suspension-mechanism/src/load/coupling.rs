@@ -23,8 +23,12 @@ pub(super) fn couplings<L: Suspension<N>, const N: usize>(
     let all: Vec<Option<Travel>> = (0..wheels.len()).map(|wheel| travels.of(wheel)).collect();
     let moves = |mover: usize, moved: usize| {
         let rates = all[mover].as_ref().map(|travel| &travel.rates);
-        let mut carrier = wheels[moved].points.carrier.into_iter();
-        mover != moved
+        let [one, other] = [mover, moved].map(|wheel| &wheels[wheel]);
+        let mut carrier = other.points.carrier.into_iter();
+        // Dual wheels are one: neither moves the other.
+        let are_dual = one.points.carrier == other.points.carrier && one.is_on_the_side_of(other);
+        !are_dual
+            && mover != moved
             && rates.is_some_and(|rates| carrier.any(|point| rates[point].amax() > ROUNDING))
     };
     let of_one = |number: usize| Coupling {

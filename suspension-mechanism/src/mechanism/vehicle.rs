@@ -134,6 +134,19 @@ impl Wheel {
         format!("{} {what}", self.name).trim_start().to_owned()
     }
 
+    /// Whether both are on one side of the vehicle, by the way to which their axes point at the design position: two such wheels are
+    /// dual ones or behind each other, and no axle.
+    pub fn is_on_the_side_of(&self, other: &Self) -> bool {
+        let outboard = |wheel: &Self| wheel.design.map(|[inner, centre]| centre.y - inner.y);
+        let both = outboard(self).zip(outboard(other));
+        both.is_some_and(|(one, other)| one * other > 0.0)
+    }
+
+    /// Whether one body carries both across the vehicle, as a live axle does.
+    pub fn is_across_on_one_body(&self, other: &Self) -> bool {
+        self.points.carrier == other.points.carrier && !self.is_on_the_side_of(other)
+    }
+
     pub(super) fn places(&self) -> WheelPlaces<'_> {
         WheelPlaces {
             name: &self.name,
@@ -172,7 +185,7 @@ pub struct Pair {
 
 impl Pair {
     /// Those of all wheels: two alone, but for a front and a rear one, or those whose names differ by their sides, as `front_left`
-    /// and `front_right` do.
+    /// and `front_right` do; none of two on one side of the vehicle.
     pub fn all(wheels: &[Wheel]) -> Vec<Self> {
         if let [one, other] = wheels {
             let are_in_line = match [one, other].map(|wheel| Axle::of(&wheel.name)) {
@@ -183,7 +196,11 @@ impl Pair {
                 name: String::new(),
                 wheels: [0, 1],
             };
-            return if are_in_line { Vec::new() } else { vec![pair] };
+            return if are_in_line || one.is_on_the_side_of(other) {
+                Vec::new()
+            } else {
+                vec![pair]
+            };
         }
         let names: Vec<String> = wheels
             .iter()
@@ -194,7 +211,8 @@ impl Pair {
             let mut same = others.filter(|(_, other)| *other == name);
             let (second, _) = same.next()?;
             let earlier = names[..first].contains(name);
-            (!earlier && same.next().is_none()).then(|| Self {
+            let is_across = !wheels[first].is_on_the_side_of(&wheels[second]);
+            (!earlier && same.next().is_none() && is_across).then(|| Self {
                 name: name.clone(),
                 wheels: [first, second],
             })

@@ -41,12 +41,12 @@ impl Rolling {
         })
     }
 
-    /// Whether the body that carries it carries another wheel.
+    /// Whether the body that carries it carries another wheel on the other side of the vehicle.
     pub(super) fn shares_its_carrier(&self, names: &Names) -> bool {
-        let carrier = self.points.carrier;
+        let own = &names.wheels[self.number];
         let others = names.wheels.iter().enumerate();
         let mut others = others.filter(|(number, _)| *number != self.number);
-        others.any(|(_, other)| other.points.carrier == carrier)
+        others.any(|(_, other)| other.is_across_on_one_body(own))
     }
 
     /// How its travel is bound to that of others.

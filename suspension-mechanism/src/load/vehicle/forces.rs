@@ -66,7 +66,7 @@ pub(super) fn car(
     })
 }
 
-/// Sets what bears the torques of each wheel. Of the drive it is the body that carries several wheels, which as a rule has the
+/// Sets what bears the torques of each wheel. Of the drive it is the body that carries wheels on both sides, which as a rule has the
 /// differential in it, or the chassis.
 pub(super) fn torques(
     task: &Task<'_>,
@@ -75,11 +75,14 @@ pub(super) fn torques(
 ) -> Result<(), Failure> {
     let brakes = optional(task, wheels, &stated.brake_torque)?;
     let drives = optional(task, wheels, &stated.drive_torque)?;
-    let carriers: Vec<_> = wheels.iter().map(|wheel| wheel.points.carrier).collect();
-    for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
-        let carrier = wheel.points.carrier;
-        let carries_several = carriers.iter().filter(|other| **other == carrier).count() > 1;
-        let usual = if carries_several {
+    let is_of_axle = |(number, wheel): (usize, &Wheel)| {
+        let mut others = wheels.iter().enumerate();
+        others.any(|(other, of_other)| other != number && of_other.is_across_on_one_body(wheel))
+    };
+    let are_of_axle: Vec<bool> = wheels.iter().enumerate().map(is_of_axle).collect();
+    let stated = brakes.into_iter().zip(drives).zip(are_of_axle);
+    for (wheel, ((brake, drive), is_of_axle)) in wheels.iter_mut().zip(stated) {
+        let usual = if is_of_axle {
             Torque::Carrier
         } else {
             Torque::Chassis
