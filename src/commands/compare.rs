@@ -132,7 +132,8 @@ rises; how far the other one falls is among what is compared.
 
 The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel or over wheel travel, over
 roll or over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the
-wheel's travel, where the curves differ most, for people; empty where they differ by rounding alone, or by the same everywhere), a, b, difference; angles in degrees.
+wheel's travel, where the curves differ most, for people; empty where they differ by rounding alone, or by the same everywhere), a,
+b, difference; angles in degrees.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is
 compared), 130 interrupted.

@@ -151,10 +151,10 @@ Links: tension is positive. Joints: the force that a body, or what else a statem
 the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that
 at its middle, and of one whose angle is driven or held. `damper at damper_upper` is what a spring or a stated force in the
 measure damper exerts at an end of it, all that acts in the measure together. The forces of each body balance, but for loads and
-weight that act on it. A moment about an angle acts on what carries the angle's lines, which
-passes it on: `bar on arm` is that of a torsion bar, N m, all that acts in the measure bar together. What the two bushes of a hinge bear along its axis rigid parts leave open: each is
-given half of it. Where two bodies share two points, likewise only the sum along their line is determined. Links and joints that
-bear nothing at any place are named in one line, no load in; the rows that are written have them too.
+weight that act on it. A moment about an angle acts on what carries the angle's lines, which passes it on: `bar on arm` is that of
+a torsion bar, N m, all that acts in the measure bar together. What the two bushes of a hinge bear along its axis rigid parts leave
+open: each is given half of it. Where two bodies share two points, likewise only the sum along their line is determined. Links and
+joints that bear nothing at any place are named in one line, `no load in:`; tables of --csv have their columns too.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,

@@ -155,8 +155,9 @@ One HTML page without anything from elsewhere, which any browser shows and print
 position, that of the file's points, and faintly at both ends of the travel; all quantities there with their definitions and their
 derivatives with respect to the drives of travel and steering, bump camber, bump steer and motion ratios among them, and where a
 drive of travel is no height, as a damper's length or an angle, `per wheel travel`: per rise of the wheel centre; curves over
-travel, or over heave and roll of an axle, also over the travel of the wheel where the drive is no height, and over steering; and all points. The [vehicle] table of the file (suspension motion --help) names the drives of
-travel and steering and gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
+travel, or over heave and roll of an axle, also over the travel of the wheel where the drive is no height, and over steering; and
+all points. The [vehicle] table of the file (suspension motion --help) names the drives of travel and steering and gives the wheel
+radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a
 picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html, of an axle twice as high.
