@@ -20,7 +20,7 @@ fn a_body_that_adds_nothing_is_refused() {
     }
 }
 
-/// The body is told what it lacks, not what it carries or the wheel beyond.
+/// The message is about what the body lacks, not about what it carries or the wheel beyond.
 #[test]
 fn a_body_that_lacks_its_third_point_is_told_so() {
     let text = "fixed: a, b;\nfree: p, q;\nbody upright: p, q;\nlink one: a -> p; link two: b -> p; link three: a -> q; link four: b -> q;\n\

@@ -227,7 +227,7 @@ fn an_image_that_is_stated_too_is_the_only_mistake() {
     assert_eq!(told, [expected]);
 }
 
-/// Each statement that is an image's too is told once, at its place, with what makes the image.
+/// Each statement that is an image's too gets one message, at its place, which says what makes the image.
 #[test]
 fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
     for (statement, image, original) in [
