@@ -9,9 +9,9 @@ use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::home::home;
 use crate::motion_file::{Coefficients, MotionFile, Offset, Position};
 use crate::number::exact;
+use crate::place_of_key::place_of_key;
 use crate::source::Source;
 use crate::table::{Table, in_order};
 
@@ -110,8 +110,8 @@ pub fn known_names<V>(
         return Ok(());
     };
     let name = key.get_ref();
-    let hint = match home(name) {
-        Some(home) => format!("; {name} stands {home}"),
+    let hint = match place_of_key(name) {
+        Some(place) => format!("; {name} stands {place}"),
         None => did_you_mean(name, known.iter().map(Borrow::borrow)),
     };
     let message = format!("unknown {kind} `{name}`; {has}{hint}");

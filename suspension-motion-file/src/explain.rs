@@ -2,7 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::home::home_among_keys;
+use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
 /// A mistake in words; `start` is where it begins.
@@ -19,8 +19,8 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
     let hint = if message.starts_with("unknown field") {
-        let hint = match home_among_keys(name) {
-            Some(home) => format!("; {name} stands {home}"),
+        let hint = match place_among_keys(name) {
+            Some(place) => format!("; {name} stands {place}"),
             None => did_you_mean(name, quoted),
         };
         // Where one is near, or the place is known, the others, which may be many, say nothing.

@@ -149,7 +149,8 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
     );
 }
 
-/// Where the motion locks between two instants, the next one is told, as `motion` does; what each drive reaches is known all the same.
+/// Where the motion locks between two instants, the message names the later one, as that of `motion` does; what each drive reaches is known
+/// all the same.
 #[test]
 fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
     let folder = folder();

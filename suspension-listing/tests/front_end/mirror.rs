@@ -278,7 +278,7 @@ fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
     }
 }
 
-/// Under another name a statement that does what an image does is told at its own place that the image is there.
+/// The message about a statement that does under another name what an image does stands at its own place.
 #[test]
 fn a_statement_that_does_what_an_image_does_is_told_to_go() {
     for (statement, expected) in [

@@ -1,7 +1,7 @@
 //! Where a key stands that has a place of its own in motion files.
 
 /// The place, in words, of a key that is no name which a listing or a file may give.
-pub(crate) fn home(key: &str) -> Option<&'static str> {
+pub(crate) fn place_of_key(key: &str) -> Option<&'static str> {
     match key {
         "unit" | "angle" | "axes" | "linkage" | "listing" | "statements" => {
             Some("above the first table")
@@ -13,10 +13,10 @@ pub(crate) fn home(key: &str) -> Option<&'static str> {
 }
 
 /// The same where no name stands but keys alone: drives and points may have these names elsewhere.
-pub(crate) fn home_among_keys(key: &str) -> Option<&'static str> {
+pub(crate) fn place_among_keys(key: &str) -> Option<&'static str> {
     match key {
         "steer" | "axle" => Some("under [vehicle]"),
         "start" | "stop" | "step" | "instants" => Some("under [time]"),
-        _ => home(key),
+        _ => place_of_key(key),
     }
 }
