@@ -5,7 +5,10 @@ use toml::Spanned;
 
 /// A spring along a measured length, or a bar about a measured angle.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a spring, which has a name: write its lines under [springs.NAME]"
+)]
 pub struct SpringTable {
     /// The measure.
     pub along: Spanned<String>,

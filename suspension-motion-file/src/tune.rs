@@ -58,7 +58,10 @@ pub enum AxisName {
 
 /// A quantity, where it is read, and what it is to be there.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a target, which has a name: write its lines under [tune.targets.NAME]"
+)]
 pub struct TargetTable {
     /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
     pub of: Spanned<String>,

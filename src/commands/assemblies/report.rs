@@ -129,7 +129,10 @@ fn of_part(part: &PartTally, whole: &str) -> String {
     };
     let evidence = &part.evidence;
     let trace = match evidence.trace {
-        Some(bend) => format!("the trace test leaves {} of a straight line", rounded(bend)),
+        Some(bend) if bend.is_finite() => {
+            format!("the trace test leaves {} of a straight line", rounded(bend))
+        }
+        Some(_) => "the trace test lost one of them on its way".to_owned(),
         None => {
             "the trace test does not apply, as nothing gives a free point's coordinate".to_owned()
         }

@@ -65,16 +65,17 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
     let [first, last] = mechanism.instants.ends();
     match meeting(mechanism, range.index, ends) {
         Some((t, end)) => {
-            let when = if (t - first).abs() > (last - first).abs() {
-                format!(", after its last instant, {} s", rounded(last, DIGITS))
+            let end = ["lower", "upper"][end];
+            let is_later = (t - first).abs() > (last - first).abs();
+            let t = rounded(t, DIGITS);
+            if is_later {
+                let last = rounded(last, DIGITS);
+                format!(
+                    "the file's motion ends before, at its last instant, {last} s; carried on, it would be at the {end} end at t = {t} s"
+                )
             } else {
-                String::new()
-            };
-            format!(
-                "the file's motion is at the {} end at t = {} s{when}",
-                ["lower", "upper"][end],
-                rounded(t, DIGITS)
-            )
+                format!("the file's motion is at the {end} end at t = {t} s")
+            }
         }
         None if mechanism.led_by.is_some() => {
             "the file's motion is led by a measure: its end is not looked for".to_owned()

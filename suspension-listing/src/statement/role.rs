@@ -219,8 +219,8 @@ fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
     errors::at(
         from,
         format!(
-            "no body carries both `{from}` and `{to}`; list them in one body, or declare one as \
-             `point` carried by three points"
+            "no body carries both `{from}` and `{to}`; list them in one body, or declare one as a marker of the body that has the other: \
+             `point {from}: BODY;`"
         ),
     )
 }

@@ -69,6 +69,19 @@ fn an_unknown_field_that_stands_elsewhere_is_told_where() {
     }
 }
 
+/// Springs and targets stand in tables under their names.
+#[test]
+fn a_table_without_its_name_is_answered_with_the_heading_to_write() {
+    for (lines, heading) in [
+        ("[springs]\nalong = \"bump\"\n", "[springs.NAME]"),
+        ("[tune.targets]\nof = \"toe\"\n", "[tune.targets.NAME]"),
+    ] {
+        let said = refusal("motion", &[("a.toml", &format!("{CORNER}{lines}"))], &[]);
+        let expected = format!("which has a name: write its lines under {heading}");
+        assert!(said.ends_with(&expected), "{said}");
+    }
+}
+
 #[test]
 fn keys_that_every_file_needs_are_missed_at_once() {
     for (file, missing) in [
