@@ -3,10 +3,12 @@
 mod drawing;
 mod found;
 mod leading;
+mod line;
 mod note;
 mod report;
 mod run;
 mod table;
+mod unloaded;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -154,12 +156,15 @@ measure damper exerts at an end of it, all that acts in the measure together. Th
 weight that act on it. A moment about an angle acts on what carries the angle's lines, which passes it on: `bar on arm` is that of
 a torsion bar, N m, all that acts in the measure bar together. What the two bushes of a hinge bear along its axis rigid parts leave
 open: each is given half of it. Where two bodies share two points, likewise only the sum along their line is determined. Links and
-joints that bear nothing at any place are named in one line, `no load in:`; tables of --csv have their columns too.
+joints that bear nothing at any place are named in one line, `no load in:`; tables of --csv have their columns too. On the chassis:
+the force that all links, joints, measures and drives of lengths at a chassis point exert on it together, as its bracket bears it,
+without the weight of what is at the point itself; a chassis point that a drive moves, a rack's end say, bears it too.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,
 then of each case what drives and measures bear, links and joints: braking_bump_N, braking_damper_N, braking_tie_rod_N,
-braking_upright_lower_ball_x_N, braking_damper_damper_upper_x_N, and moments about angles: braking_bar_arm_x_Nm.
+braking_upright_lower_ball_x_N, braking_damper_damper_upper_x_N, moments about angles: braking_bar_arm_x_Nm; and what is on
+the chassis: braking_on_chassis_lower_front_x_N.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, or
 some cases no answer, 130 interrupted.

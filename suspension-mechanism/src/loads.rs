@@ -3,6 +3,8 @@
 
 mod bearing;
 mod forces;
+mod in_measures;
+mod on_chassis;
 mod outcome;
 mod site;
 mod unborne;
@@ -16,6 +18,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, Names, State};
 use bearing::bearing;
 use forces::{Force, Here, summed};
+use in_measures::{moments, with_stated};
 
 pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
@@ -40,6 +43,9 @@ pub struct Case {
 pub struct Structure<'l> {
     /// They, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
+    /// The drives of lengths.
+    actuators: Vec<Statement<'l>>,
+    /// Of the statements, then of the actuators.
     part_forces: Vec<PartForces>,
     /// Of each measure the shares of parts in what acts along it.
     measured: Vec<Vec<AngleShare>>,
@@ -55,8 +61,15 @@ impl<'l> Structure<'l> {
     /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
     /// they bear.
     pub fn of(listing: &'l Listing) -> Self {
+        let actuators: Vec<Statement<'l>> = listing.actuators().collect();
+        let of_actuators = actuators.iter().map(PartForces::of_own);
         Self {
-            part_forces: listing.part_forces(),
+            part_forces: listing
+                .part_forces()
+                .into_iter()
+                .chain(of_actuators)
+                .collect(),
+            actuators,
             measured: listing.shares_in_measures(),
             measured_points: listing.points_of_measures(),
             carriers: listing.carriers(),
@@ -76,8 +89,9 @@ impl<'l> Structure<'l> {
         forces.extend(here.in_measures(&in_measures));
         let Borne {
             on_drives,
-            by_parts,
+            mut by_parts,
         } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
+        let by_actuators = by_parts.split_off(self.statements.len());
         let along = self.in_each(&[case.along.as_slice(), &in_measures].concat());
         let at_ends = self.at_ends(&here, &along);
         let mut outcome = Outcome {
@@ -86,6 +100,7 @@ impl<'l> Structure<'l> {
             links: Vec::new(),
             joints: Vec::new(),
             moments: moments(&here, &along),
+            on_chassis: Vec::new(),
             largest_load: forces
                 .iter()
                 .map(|each| each.force.norm())
@@ -98,49 +113,8 @@ impl<'l> Structure<'l> {
             self.add_at_markers(&mut outcome, number, &at_ends);
         }
         outcome.joints.extend(at_ends);
+        outcome.on_chassis = self.on_chassis(&outcome, &by_actuators, here.points());
         Some(outcome)
-    }
-
-    /// The measures in which something acts, by number and in their order: what acts in one in several ways together.
-    fn in_each(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
-        let measures = 0..self.measured_points.len();
-        let each = measures.filter_map(|measure| {
-            let in_it = acting.iter().filter(|(acting, _)| *acting == measure);
-            let in_it = in_it.map(|(_, along)| *along);
-            Some((measure, in_it.reduce(|sum, along| sum + along)?))
-        });
-        each.collect()
-    }
-
-    /// The forces of what acts in measures, by number, on the points of each.
-    fn at_ends(&self, here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(By, usize, Vector3<f64>)> {
-        let at_ends = acting.iter().flat_map(|(measure, along)| {
-            let gradient = here.mechanism.gradient(here.state, *measure);
-            let at = move |point: &usize| {
-                let gradient = gradient.get(*point)?;
-                Some((By::Measure(*measure), *point, gradient * *along))
-            };
-            self.measured_points[*measure].iter().filter_map(at)
-        });
-        at_ends.collect()
-    }
-
-    /// Adds what a body bears `at_ends` of measures that are its markers: it exerts the opposite there.
-    fn add_at_markers(
-        &self,
-        outcome: &mut Outcome,
-        number: usize,
-        at_ends: &[(By, usize, Vector3<f64>)],
-    ) {
-        let points = &self.statements[number].points;
-        let is_own = |body: &[usize; 3]| body.iter().all(|point| points.contains(point));
-        for (marker, _) in self.carriers.iter().filter(|(_, body)| is_own(body)) {
-            let there = at_ends.iter().filter(|(_, point, _)| point == marker);
-            let forces = there.map(|(.., force)| -force);
-            if let Some(force) = forces.reduce(|sum, force| sum + force) {
-                outcome.joints.push((By::Part(number), *marker, force));
-            }
-        }
     }
 
     /// The name of what exerts a force at a joint.
@@ -212,24 +186,6 @@ impl<'l> Structure<'l> {
         let joints = joints.map(|point| (By::Part(number), *point, by[*point]));
         outcome.joints.extend(joints);
     }
-}
-
-/// What measures bear in place of drives, with what the case states in the same ones.
-fn with_stated(in_measures: Vec<(usize, f64)>, stated: &[(usize, f64)]) -> Vec<(usize, f64)> {
-    let together = |(measure, found): (usize, f64)| {
-        let stated = stated.iter().filter(|(along, _)| *along == measure);
-        (measure, stated.fold(found, |sum, (_, along)| sum + along))
-    };
-    in_measures.into_iter().map(together).collect()
-}
-
-/// The moments of what acts in measures, by number, on the parts that carry the lines of those that are angles.
-fn moments(here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<(usize, usize, Vector3<f64>)> {
-    let moments = acting.iter().flat_map(|(measure, along)| {
-        let on_parts = here.moments_in(*measure, *along).into_iter();
-        on_parts.map(|(part, moment)| (*measure, part, moment))
-    });
-    moments.collect()
 }
 
 /// What two bushes on the axis of a hinge bear along it is not determined by rigid parts: each has half of it.

@@ -9,6 +9,7 @@ use suspension_core::{Linkage, Values};
 
 use crate::angle_share::AngleShare;
 use crate::listing::Listing;
+use crate::statement::Statement;
 
 /// An angle has two lines, or one and an axis of the chassis.
 const LINES_OF_AN_ANGLE: usize = 2;
@@ -30,6 +31,14 @@ pub struct PartForces {
 }
 
 impl PartForces {
+    /// Those of the equations of a statement alone.
+    pub fn of_own(statement: &Statement<'_>) -> Self {
+        Self {
+            equations: statement.equations.clone(),
+            moments: Vec::new(),
+        }
+    }
+
     /// Whether moments about angles that are driven or held act on the part.
     pub fn bears_moments(&self) -> bool {
         self.moments.iter().any(|moment| moment.acts)
@@ -82,11 +91,7 @@ impl Listing {
     /// What the forces of each of [`parts`](Self::parts) consist of.
     pub fn part_forces(&self) -> Vec<PartForces> {
         let parts: Vec<_> = self.parts().collect();
-        let of_own = parts.iter().map(|part| PartForces {
-            equations: part.equations.clone(),
-            moments: Vec::new(),
-        });
-        let mut forces: Vec<PartForces> = of_own.collect();
+        let mut forces: Vec<PartForces> = parts.iter().map(PartForces::of_own).collect();
         for statement in self.statements() {
             let itself = parts.iter().position(|part| part.name == statement.name);
             for share in self.shares_in(&statement, &parts) {

@@ -53,6 +53,20 @@ impl Listing {
         statements.filter(|statement| statement.kind != Kind::DRIVE)
     }
 
+    /// The statements of drives of lengths, which push two points apart.
+    pub fn actuators(&self) -> impl Iterator<Item = Statement<'_>> {
+        let is_of_length = |name: &str| {
+            let mut drives = self.system().drives.iter();
+            drives.any(|drive| {
+                drive.named.name.as_str() == name
+                    && matches!(drive.quantity, Quantity::Length { .. })
+            })
+        };
+        let statements = self.statements().into_iter();
+        statements
+            .filter(move |statement| statement.kind == Kind::DRIVE && is_of_length(statement.name))
+    }
+
     /// The chassis points that drives move, by their place among all points.
     pub fn driven_points(&self) -> Vec<usize> {
         let moved = self.system().drives.iter();

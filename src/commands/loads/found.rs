@@ -16,8 +16,8 @@ pub(super) struct Found<'a> {
     /// The numbers of the first place; which of them are others elsewhere.
     pub(super) place: Rc<[f64]>,
     pub(super) varies: Vec<bool>,
-    /// The least and the greatest of what each drive, each measure and each link bears, of the size of each joint's force, and of each
-    /// moment about an angle.
+    /// The least and the greatest of what each drive, each measure and each link bears, of the size of each joint's force, of each
+    /// moment about an angle, and of the force on each chassis point.
     pub(super) ranges: Vec<[Extreme; 2]>,
     /// The largest [`Outcome::amplification`].
     pub(super) amplification: Extreme,
@@ -95,7 +95,10 @@ fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = joints.map(|(.., force)| force.norm());
     let moments = outcome.moments.iter();
     let moments = moments.map(|(.., moment)| moment.norm());
-    along(outcome).chain(joints).chain(moments)
+    let on_chassis = outcome.on_chassis.iter();
+    let on_chassis = on_chassis.map(|(_, force)| force.norm());
+    let vectors = joints.chain(moments).chain(on_chassis);
+    along(outcome).chain(vectors)
 }
 
 /// What drives, measures and links bear.

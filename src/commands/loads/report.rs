@@ -1,17 +1,13 @@
 //! What a load case does, for people.
 
-use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
+use crate::commands::loads::line::{Line, shown, table};
+use crate::commands::loads::unloaded::Unloaded;
 use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
-use crate::number::fixed;
-use crate::output::text_table::{TextColumn, laid_out};
-
-/// Decimals of a force: a tenth of a newton.
-const DECIMALS: usize = 1;
 
 /// What the text is about.
 pub(super) struct Report<'a> {
@@ -60,12 +56,19 @@ impl Report<'_> {
             line(&format!("{by} on {on}"), "N m").of(moment, found)
         });
         let moments = unloaded.without(moments.collect());
-        let [of_joints, of_moments] = match found.places {
+        let on_chassis = first.on_chassis.iter().map(|(point, force)| {
+            let line = line(&names.points[*point], "N");
+            line.of(force, found)
+        });
+        let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line));
+        let on_chassis: Vec<Line> = on_chassis.collect();
+        let [of_forces, of_moments] = match found.places {
             1 => ["force along x, y and z", "about x, y and z"],
             _ => ["size of the force", "size"],
         };
-        table(["joint", of_joints], joints);
+        table(["joint", of_forces], joints);
         table(["moment", of_moments], moments);
+        table(["on the chassis at", of_forces], on_chassis);
         out.push_str(&unloaded.in_words());
         out.push_str(&self.near_a_lock(found));
         out
@@ -133,63 +136,6 @@ impl Report<'_> {
     }
 }
 
-/// A name with numbers in a unit: the value at one place, or the least and the greatest of several with their places.
-struct Line {
-    name: String,
-    numbers: Vec<f64>,
-    unit: &'static str,
-    places: [String; 2],
-    /// The largest size of the force over all places.
-    largest: f64,
-}
-
-impl Line {
-    /// The same of a force or a moment: at one place with its components.
-    fn of(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
-        match found.places {
-            1 => Self {
-                numbers: vector.iter().copied().collect(),
-                ..self
-            },
-            _ => self,
-        }
-    }
-}
-
-/// Links and joints that bear nothing at any place, of which a table would have rows of zeros.
-struct Unloaded {
-    names: Vec<String>,
-    /// The largest force that is rounding alone.
-    rounding: f64,
-}
-
-impl Unloaded {
-    fn of(found: &Found<'_>) -> Self {
-        /// As a part of the largest of all forces.
-        const ROUNDING: f64 = 1e-9;
-        let sizes = found.ranges.iter().map(Extreme::largest);
-        Self {
-            names: Vec::new(),
-            rounding: ROUNDING * sizes.fold(0.0, f64::max),
-        }
-    }
-
-    /// The lines of what bears a load; the names of the others are kept.
-    fn without(&mut self, lines: Vec<Line>) -> Vec<Line> {
-        let is_loaded = |line: &Line| line.largest > self.rounding;
-        let (loaded, others): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(is_loaded);
-        self.names.extend(others.into_iter().map(|line| line.name));
-        loaded
-    }
-
-    fn in_words(&self) -> String {
-        match self.names.as_slice() {
-            [] => String::new(),
-            names => format!("no load in: {}\n\n", names.join(", ")),
-        }
-    }
-}
-
 /// A measure with the springs of the file that act along it, and what the case states in it.
 fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
     let along = names.vehicle.springs.iter();
@@ -211,11 +157,6 @@ fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
     }
 }
 
-/// A force for people.
-fn shown(force: f64) -> String {
-    fixed(force, DECIMALS)
-}
-
 /// The unit of what a measure bears.
 pub(super) fn unit_in(measure: &Measure) -> &'static str {
     match measure.kind {
@@ -230,32 +171,4 @@ pub(super) fn unit_of(drive: &Drive) -> &'static str {
         DriveKind::Angle | DriveKind::Turn => "N m",
         DriveKind::Coordinate => "N",
     }
-}
-
-/// Lines under a heading, with decimal points below each other; the least and the greatest with their places.
-fn table([what, heading]: [&str; 2], lines: &[Line]) -> String {
-    let several = lines.first().is_some_and(|line| line.numbers.len() == 2);
-    let between = if several { " to " } else { "  " };
-    let column = |number: usize| {
-        let numbers = lines.iter().map(|line| shown(line.numbers[number]));
-        TextColumn::numbers(numbers)
-    };
-    let numbers = 0..lines.first().map_or(0, |line| line.numbers.len());
-    let numbers = numbers.map(column);
-    let Some(numbers) = numbers.reduce(|column, next| column.then(between, next)) else {
-        return String::new();
-    };
-    let names = TextColumn::left(lines.iter().map(|line| &line.name));
-    let units = TextColumn::left(lines.iter().map(|line| line.unit));
-    let numbers = numbers.then(" ", units).under(heading);
-    let mut columns = vec![names.under(what), numbers];
-    if lines
-        .iter()
-        .any(|line| line.places != [const { String::new() }; 2])
-    {
-        let places = |end: usize| TextColumn::left(lines.iter().map(move |line| &line.places[end]));
-        columns.push(places(0).under("least at"));
-        columns.push(places(1).under("greatest at"));
-    }
-    laid_out(0, columns) + "\n"
 }

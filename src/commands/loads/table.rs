@@ -70,13 +70,19 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
         ["x", "y", "z"].map(|axis| format!("{case}_{measure}_{part}_{axis}_Nm"))
     });
     let along = drives.chain(bearing).chain(links);
-    along.chain(joints).chain(moments).collect()
+    let on_chassis = shape.on_chassis.iter().flat_map(|(point, _)| {
+        let point = &mechanism.names.points[*point];
+        ["x", "y", "z"].map(|axis| format!("{case}_on_chassis_{point}_{axis}_N"))
+    });
+    let vectors = joints.chain(moments).chain(on_chassis);
+    along.chain(vectors).collect()
 }
 
 fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = outcome.joints.iter();
     let joints = joints.map(|(.., force)| force);
     let moments = outcome.moments.iter().map(|(.., moment)| moment);
-    let vectors = joints.chain(moments);
+    let on_chassis = outcome.on_chassis.iter().map(|(_, force)| force);
+    let vectors = joints.chain(moments).chain(on_chassis);
     along(outcome).chain(vectors.flat_map(|vector| [vector.x, vector.y, vector.z]))
 }

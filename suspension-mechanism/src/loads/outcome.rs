@@ -19,6 +19,9 @@ pub struct Outcome {
     /// The moment, N m, that what acts in each angle, by the number of its measure, exerts on each part, by number, that carries a
     /// line of it or its axis.
     pub moments: Vec<(usize, usize, Vector3<f64>)>,
+    /// The force, N, that links, joints, measures and drives of lengths exert together on each chassis point that one of them
+    /// has, by number.
+    pub on_chassis: Vec<(usize, Vector3<f64>)>,
     /// The largest force that acts at a point, N: of the loads, of what bears drives' loads, of weight and inertia.
     pub largest_load: f64,
 }

@@ -103,6 +103,9 @@ fn assert_balanced(file: &str, parts: &[&str], [carrier, joint]: [&str; 2], chas
         let pull = (tie_ball - rack).normalize() * row["a_tie_rod_N"];
         let on_chassis: Vec<_> = on_chassis.chain([[rack, pull]]).collect();
         assert_near(sum(&on_chassis), load, "chassis");
+        let together = exerted(row, place, "on_chassis");
+        assert_eq!(together.len(), chassis.len());
+        assert_near(sum(&together), load, "all on the chassis");
     }
 }
 

@@ -1,0 +1,42 @@
+//! What bears nothing.
+
+use crate::commands::loads::found::{Extreme, Found};
+use crate::commands::loads::line::Line;
+
+/// Links and joints that bear nothing at any place, of which a table would have rows of zeros.
+pub(super) struct Unloaded {
+    names: Vec<String>,
+    /// The largest force that is rounding alone.
+    rounding: f64,
+}
+
+impl Unloaded {
+    pub(super) fn of(found: &Found<'_>) -> Self {
+        /// As a part of the largest of all forces.
+        const ROUNDING: f64 = 1e-9;
+        let sizes = found.ranges.iter().map(Extreme::largest);
+        Self {
+            names: Vec::new(),
+            rounding: ROUNDING * sizes.fold(0.0, f64::max),
+        }
+    }
+
+    /// The lines of what bears a load; the names of the others are kept.
+    pub(super) fn without(&mut self, lines: Vec<Line>) -> Vec<Line> {
+        let (loaded, others): (Vec<Line>, Vec<Line>) =
+            lines.into_iter().partition(|line| self.is_loaded(line));
+        self.names.extend(others.into_iter().map(|line| line.name));
+        loaded
+    }
+
+    pub(super) fn is_loaded(&self, line: &Line) -> bool {
+        line.largest > self.rounding
+    }
+
+    pub(super) fn in_words(&self) -> String {
+        match self.names.as_slice() {
+            [] => String::new(),
+            names => format!("no load in: {}\n\n", names.join(", ")),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What acts in measures: at the points of each, on bodies that carry one of them, as moments of angles.
+
+use nalgebra::Vector3;
+
+use super::forces::Here;
+use super::{By, Outcome, Structure};
+
+impl Structure<'_> {
+    /// The measures in which something acts, by number and in their order: what acts in one in several ways together.
+    pub(super) fn in_each(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
+        let measures = 0..self.measured_points.len();
+        let each = measures.filter_map(|measure| {
+            let in_it = acting.iter().filter(|(acting, _)| *acting == measure);
+            let in_it = in_it.map(|(_, along)| *along);
+            Some((measure, in_it.reduce(|sum, along| sum + along)?))
+        });
+        each.collect()
+    }
+
+    /// The forces of what acts in measures, by number, on the points of each.
+    pub(super) fn at_ends(
+        &self,
+        here: &Here<'_>,
+        acting: &[(usize, f64)],
+    ) -> Vec<(By, usize, Vector3<f64>)> {
+        let at_ends = acting.iter().flat_map(|(measure, along)| {
+            let gradient = here.mechanism.gradient(here.state, *measure);
+            let at = move |point: &usize| {
+                let gradient = gradient.get(*point)?;
+                Some((By::Measure(*measure), *point, gradient * *along))
+            };
+            self.measured_points[*measure].iter().filter_map(at)
+        });
+        at_ends.collect()
+    }
+
+    /// Adds what a body bears `at_ends` of measures that are its markers: it exerts the opposite there.
+    pub(super) fn add_at_markers(
+        &self,
+        outcome: &mut Outcome,
+        number: usize,
+        at_ends: &[(By, usize, Vector3<f64>)],
+    ) {
+        let points = &self.statements[number].points;
+        let is_own = |body: &[usize; 3]| body.iter().all(|point| points.contains(point));
+        for (marker, _) in self.carriers.iter().filter(|(_, body)| is_own(body)) {
+            let there = at_ends.iter().filter(|(_, point, _)| point == marker);
+            let forces = there.map(|(.., force)| -force);
+            if let Some(force) = forces.reduce(|sum, force| sum + force) {
+                outcome.joints.push((By::Part(number), *marker, force));
+            }
+        }
+    }
+}
+
+/// What measures bear in place of drives, with what the case states in the same ones.
+pub(super) fn with_stated(
+    in_measures: Vec<(usize, f64)>,
+    stated: &[(usize, f64)],
+) -> Vec<(usize, f64)> {
+    let together = |(measure, found): (usize, f64)| {
+        let stated = stated.iter().filter(|(along, _)| *along == measure);
+        (measure, stated.fold(found, |sum, (_, along)| sum + along))
+    };
+    in_measures.into_iter().map(together).collect()
+}
+
+/// The moments of what acts in measures, by number, on the parts that carry the lines of those that are angles.
+pub(super) fn moments(
+    here: &Here<'_>,
+    acting: &[(usize, f64)],
+) -> Vec<(usize, usize, Vector3<f64>)> {
+    let moments = acting.iter().flat_map(|(measure, along)| {
+        let on_parts = here.moments_in(*measure, *along).into_iter();
+        on_parts.map(|(part, moment)| (*measure, part, moment))
+    });
+    moments.collect()
+}
