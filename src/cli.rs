@@ -67,7 +67,7 @@ pub enum Command {
     List(list::Arguments),
     /// Prints the forces in a file's mechanism under its load cases.
     ///
-    /// What drives bear, tension of links, forces at the joints of bodies; with --drive over a grid.
+    /// What drives bear, tension of links, forces at the joints of bodies and on the chassis; with --drive over a grid.
     Loads(loads::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
