@@ -37,6 +37,8 @@ suspension_core::linkage! {
         free: p, q r;
         link rod a -> p;
         drive z: p;
+        drive ram: a -> p;
+        measure damper: a -> p;
         wheel: p;
         kingpin: p -> ;
         link dead: a -> a;

@@ -35,6 +35,7 @@ impl Quantity {
     pub(super) fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         match function(input)? {
             None if input.peek(Ident) && input.peek2(Ident) => along(input),
+            None if input.peek(Ident) && input.peek2(Token![->]) => Err(bare_line(&arrow(input)?)),
             None => Ok(Self::Sum(input.parse()?)),
             Some(function) if function == "angle" => operands(input, angle),
             Some(function) if function == "length" => {
@@ -246,6 +247,17 @@ fn unknown_quantity(function: &Ident) -> Error {
         format!(
             "there is no quantity `{function}(..)`; write `p.z`, `0.5 p.z + 0.5 q.z`, `p along [0, 1, 0]`, \
              `angle(p -> q, z)`, `angle(p -> q, r -> s)`, `angle(p -> q, r -> s about t -> u)` or `length(p -> q)`{hint}"
+        ),
+    )
+}
+
+/// For a line of which it is not said what of it is meant.
+fn bare_line([from, to]: &[Ident; 2]) -> Error {
+    errors::at(
+        from,
+        format!(
+            "`{from} -> {to}` is a line; write `length({from} -> {to})` for its length, `angle({from} -> {to}, z)` for its angle \
+             about an axis"
         ),
     )
 }
