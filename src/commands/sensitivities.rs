@@ -174,9 +174,10 @@ A hardpoint is moved alone, with it a marker that the file states off it; the su
 its own design position, as a drawing is changed. A point on a line between two chassis points, as a rack in its housing, takes
 the line and the other points on it with it where it is moved across: rack_left.z is the height of the rack. Points that do not
 satisfy the listing, as one beside its plane, are changed from where they are assembled. A link's length is changed with the chassis
-points and the drives held, as a turnbuckle does, and markers stay where they are in their bodies. The numbers are exact derivatives
-but for rounding, also where an instant centre is far away; those of what springs do (wheel_rate, spring_load, roll_rate) are
-differences of sixth order over thousandths of the suspension's size.
+points and the drives held, as a turnbuckle does, and markers stay where they are in their bodies; a centre of mass moves with the
+point that [masses] states it by, and one in coordinates stays at these. The numbers are exact derivatives but for rounding, also
+where an instant centre is far away; those of what springs do (wheel_rate, spring_load, roll_rate) are differences of sixth order
+over thousandths of the suspension's size.
 
 With [tolerances] in the file the standard deviation of each quantity is printed too: to first order, and of --samples
 suspensions built with normally distributed changes. A tolerance is the standard deviation of each coordinate of a point, or of
