@@ -152,13 +152,14 @@ its load is printed: negative where a spring pulls; where the case states a forc
 Links: tension is positive. Joints: the force that a body, or what else a statement is, exerts at each of its points, on
 the chassis or on the parts that it joins there, in the file's axes; also that of a link with a mass, whose tension is that
 at its middle, and of one whose angle is driven or held. `damper at damper_upper` is what a spring or a stated force in the
-measure damper exerts at an end of it, all that acts in the measure together. The forces of each body balance, but for loads and
-weight that act on it. A moment about an angle acts on what carries the angle's lines, which passes it on: `bar on arm` is that of
-a torsion bar, N m, all that acts in the measure bar together. What the two bushes of a hinge bear along its axis rigid parts leave
-open: each is given half of it. Where two bodies share two points, likewise only the sum along their line is determined. Links and
-joints that bear nothing at any place are named in one line, `no load in:`; tables of --csv have their columns too. On the chassis:
-the force that all links, joints, measures and drives of lengths at a chassis point exert on it together, as its bracket bears it,
-without the weight of what is at the point itself; a chassis point that a drive moves, a rack's end say, bears it too.
+measure damper exerts at an end of it, all that acts in the measure together. The forces of each body balance, but for loads,
+weight and moments that act on it. A moment about an angle acts on what carries the angle's lines, which passes it on: `bar on arm`
+is that of a torsion bar, N m, all that acts in the measure bar together; `cross on shaft` that of a universal joint, or of what else
+drives or holds an angle. What the two bushes of a hinge bear along its axis rigid parts leave open: each is given half of it. Where
+two bodies share two points, likewise only the sum along their line is determined. Links, joints and moments that bear nothing at any
+place are named in one line, `no load in:`; tables of --csv have their columns too. On the chassis: the force that all links, joints,
+measures and drives of lengths at a chassis point exert on it together, as its bracket bears it, without the weight of what is at the
+point itself. A chassis point that a drive moves, a rack's end say, is one of them.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,

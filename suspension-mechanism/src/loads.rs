@@ -4,6 +4,7 @@
 mod bearing;
 mod forces;
 mod in_measures;
+mod moments;
 mod on_chassis;
 mod outcome;
 mod site;
@@ -18,7 +19,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, Names, State};
 use bearing::bearing;
 use forces::{Force, Here, summed};
-use in_measures::{moments, with_stated};
+use in_measures::with_stated;
 
 pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
@@ -90,6 +91,7 @@ impl<'l> Structure<'l> {
         let Borne {
             on_drives,
             mut by_parts,
+            on_parts,
         } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
         let by_actuators = by_parts.split_off(self.statements.len());
         let along = self.in_each(&[case.along.as_slice(), &in_measures].concat());
@@ -99,7 +101,11 @@ impl<'l> Structure<'l> {
             in_measures: with_stated(in_measures, &case.along),
             links: Vec::new(),
             joints: Vec::new(),
-            moments: moments(&here, &along),
+            moments: [
+                moments::of_statements(on_parts, &self.statements, &mechanism.names),
+                moments::in_measures(&here, &along),
+            ]
+            .concat(),
             on_chassis: Vec::new(),
             largest_load: forces
                 .iter()
@@ -117,11 +123,12 @@ impl<'l> Structure<'l> {
         Some(outcome)
     }
 
-    /// The name of what exerts a force at a joint.
+    /// The name of what exerts a force at a joint, or a moment on a part.
     pub fn name_of<'n>(&'n self, by: By, names: &'n Names) -> &'n str {
         match by {
             By::Part(number) => self.statements[number].name,
             By::Measure(number) => &names.measures[number].name,
+            By::Drive(number) => &names.drives[number].name,
         }
     }
 

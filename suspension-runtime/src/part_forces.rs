@@ -17,6 +17,8 @@ const LINES_OF_AN_ANGLE: usize = 2;
 /// A moment about an angle that equations drive or hold.
 #[derive(Clone, Debug, PartialEq)]
 struct Moment {
+    /// The name of the statement that drives or holds the angle.
+    angle: String,
     share: AngleShare,
     equations: Vec<Range<usize>>,
     /// Whether it acts on the part; if not, the part is the angle itself, and the share is another's.
@@ -59,15 +61,45 @@ impl PartForces {
     ) -> L::Points {
         let mut forces = by(loads, &self.equations);
         for moment in &self.moments {
-            let of_angle = by(loads, &moment.equations);
-            let share = &moment.share;
-            let on_part = share.forces(|point| nth(&of_angle, point), |point| nth(at, point));
-            for (point, force) in on_part {
+            for (point, force) in moment.forces(loads, at) {
                 let force = if moment.acts { force } else { -force };
                 forces = forces.with(point, nth(&forces, point) + force);
             }
         }
         forces
+    }
+
+    /// The moments that angles which are driven or held exert on the part, each with the name of what drives or holds the angle, in
+    /// the unit of the loads times that of the points.
+    pub fn moments_under<L: Linkage<N, Scalar = f64>, const N: usize>(
+        &self,
+        loads: &Loads<'_, L, N>,
+        at: &L::Points,
+    ) -> Vec<(&str, Vector3<f64>)> {
+        let mut moments: Vec<(&str, Vector3<f64>)> = Vec::new();
+        for each in self.moments.iter().filter(|moment| moment.acts) {
+            let about_origin = each.forces(loads, at).into_iter();
+            let about_origin = about_origin.map(|(point, force)| nth(at, point).cross(&force));
+            let moment: Vector3<f64> = about_origin.sum();
+            match moments.iter_mut().find(|(angle, _)| *angle == each.angle) {
+                Some((_, sum)) => *sum += moment,
+                None => moments.push((&each.angle, moment)),
+            }
+        }
+        moments
+    }
+}
+
+impl Moment {
+    /// The forces at points that are the share.
+    fn forces<L: Linkage<N, Scalar = f64>, const N: usize>(
+        &self,
+        loads: &Loads<'_, L, N>,
+        at: &L::Points,
+    ) -> Vec<(usize, Vector3<f64>)> {
+        let of_angle = by(loads, &self.equations);
+        let (force, at) = (|point| nth(&of_angle, point), |point| nth(at, point));
+        self.share.forces(force, at).collect()
     }
 }
 
@@ -100,6 +132,7 @@ impl Listing {
                     let part = part.and_then(|part| forces.get_mut(part));
                     if let Some(part) = part {
                         part.moments.push(Moment {
+                            angle: statement.name.to_owned(),
                             share: share.clone(),
                             equations: statement.equations.clone(),
                             acts,

@@ -4,6 +4,7 @@ mod cases;
 mod measures;
 mod moments;
 mod moments_of_measures;
+mod moments_of_statements;
 mod on_chassis;
 mod places;
 mod springs;

@@ -48,11 +48,9 @@ impl Report<'_> {
             line.of(force, found)
         });
         let joints = unloaded.without(joints.collect());
-        let moments = first.moments.iter().map(|(measure, part, moment)| {
-            let (by, on) = (
-                &names.measures[*measure].name,
-                structure.statements[*part].name,
-            );
+        let moments = first.moments.iter().map(|(by, part, moment)| {
+            let by = structure.name_of(*by, names);
+            let on = structure.statements[*part].name;
             line(&format!("{by} on {on}"), "N m").of(moment, found)
         });
         let moments = unloaded.without(moments.collect());

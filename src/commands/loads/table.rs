@@ -64,10 +64,10 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
         let point = &mechanism.names.points[*point];
         ["x", "y", "z"].map(|axis| format!("{case}_{by}_{point}_{axis}_N"))
     });
-    let moments = shape.moments.iter().flat_map(|(measure, part, _)| {
-        let measure = &mechanism.names.measures[*measure].name;
+    let moments = shape.moments.iter().flat_map(|(by, part, _)| {
+        let by = structure.name_of(*by, &mechanism.names);
         let part = statements[*part].name;
-        ["x", "y", "z"].map(|axis| format!("{case}_{measure}_{part}_{axis}_Nm"))
+        ["x", "y", "z"].map(|axis| format!("{case}_{by}_{part}_{axis}_Nm"))
     });
     let along = drives.chain(bearing).chain(links);
     let on_chassis = shape.on_chassis.iter().flat_map(|(point, _)| {

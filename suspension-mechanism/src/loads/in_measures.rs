@@ -1,4 +1,4 @@
-//! What acts in measures: at the points of each, on bodies that carry one of them, as moments of angles.
+//! What acts in measures: at the points of each and on bodies that carry one of them.
 
 use nalgebra::Vector3;
 
@@ -63,16 +63,4 @@ pub(super) fn with_stated(
         (measure, stated.fold(found, |sum, (_, along)| sum + along))
     };
     in_measures.into_iter().map(together).collect()
-}
-
-/// The moments of what acts in measures, by number, on the parts that carry the lines of those that are angles.
-pub(super) fn moments(
-    here: &Here<'_>,
-    acting: &[(usize, f64)],
-) -> Vec<(usize, usize, Vector3<f64>)> {
-    let moments = acting.iter().flat_map(|(measure, along)| {
-        let on_parts = here.moments_in(*measure, *along).into_iter();
-        on_parts.map(|(part, moment)| (*measure, part, moment))
-    });
-    moments.collect()
 }

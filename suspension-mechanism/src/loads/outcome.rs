@@ -16,9 +16,9 @@ pub struct Outcome {
     /// The force, N, that each other statement, each link with a mass, and each measure in which something acts exerts on each of
     /// its points, by number; of a body also on those of its markers on which measures act.
     pub joints: Vec<(By, usize, Vector3<f64>)>,
-    /// The moment, N m, that what acts in each angle, by the number of its measure, exerts on each part, by number, that carries a
-    /// line of it or its axis.
-    pub moments: Vec<(usize, usize, Vector3<f64>)>,
+    /// The moment, N m, that what drives, holds or measures each angle exerts on each part, by number, that carries a line of it or
+    /// its axis.
+    pub moments: Vec<(By, usize, Vector3<f64>)>,
     /// The force, N, that links, joints, measures and drives of lengths exert together on each chassis point that one of them
     /// has, by number.
     pub on_chassis: Vec<(usize, Vector3<f64>)>,
@@ -26,13 +26,15 @@ pub struct Outcome {
     pub largest_load: f64,
 }
 
-/// What exerts a force at a joint.
+/// What exerts a force at a joint, or a moment on a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// The part of this number, of [`Structure::statements`](crate::loads::Structure::statements).
     Part(usize),
     /// What acts in the measure of this number, a spring's force say.
     Measure(usize),
+    /// The drive of this number, of an angle.
+    Drive(usize),
 }
 
 impl Outcome {

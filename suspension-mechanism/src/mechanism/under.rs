@@ -21,6 +21,8 @@ pub struct Borne {
     pub on_drives: Vec<f64>,
     /// The forces that each part exerts on the points, N.
     pub by_parts: Vec<Vec<Vector3<f64>>>,
+    /// The moments, N m, on parts by number, each with the name of the statement that drives or holds the angle it is about.
+    pub on_parts: Vec<(usize, String, Vector3<f64>)>,
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
@@ -44,7 +46,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             let forces = part.under(loads, &at);
             forces.values().take(self.names.points.len()).collect()
         };
+        let metre = self.unit.metre();
+        let on_parts = parts.iter().enumerate().flat_map(|(number, part)| {
+            let moments = part.moments_under(&loads, &at).into_iter();
+            moments.map(move |(angle, moment)| (number, angle.to_owned(), moment / metre))
+        });
         Some(Borne {
+            on_parts: on_parts.collect(),
             on_drives: loads.on_drives().values().take(count).collect(),
             by_parts: parts.iter().map(|part| by(part, &loads)).collect(),
         })
