@@ -208,6 +208,8 @@ pub struct VehicleTable {
     pub steer: Option<Spanned<PerWheel<String>>>,
     /// How far that drive moves in a turn of the steering wheel, in the unit.
     pub rack_per_turn: Option<Spanned<f64>>,
+    /// Of a drive that is an angle: how far the steering wheel turns for it.
+    pub steering_box_ratio: Option<Spanned<f64>>,
     /// Which axle the wheels are on, where their names do not tell.
     pub axle: Option<Axle>,
     /// From axle to axle, in the unit.

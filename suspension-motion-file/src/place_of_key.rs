@@ -6,8 +6,10 @@ pub(crate) fn place_of_key(key: &str) -> Option<&'static str> {
         "unit" | "angle" | "axes" | "linkage" | "listing" | "statements" => {
             Some("above the first table")
         }
-        "wheel_radius" | "travel" | "rack_per_turn" | "wheelbase" | "cg_height" | "brake_share"
-        | "drive_share" | "brake_torque" | "drive_torque" => Some("under [vehicle]"),
+        "wheel_radius" | "travel" | "rack_per_turn" | "steering_box_ratio" | "wheelbase"
+        | "cg_height" | "brake_share" | "drive_share" | "brake_torque" | "drive_torque" => {
+            Some("under [vehicle]")
+        }
         _ => None,
     }
 }

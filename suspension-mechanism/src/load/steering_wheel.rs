@@ -1,5 +1,8 @@
 //! The steering wheel: how far it moves the drive of steering, and which way.
 
+use std::f64::consts::TAU;
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use suspension_core::Values;
 use toml::Spanned;
@@ -8,63 +11,123 @@ use crate::failure::Failure;
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::load::usual_drives::{turn_rate, turns};
-use crate::load::vehicle::length;
+use crate::load::vehicle::{checked, is_positive, length};
 use crate::mechanism::{Names, SteeringWheel, Suspension};
 
-/// The steering wheel of a file that states the travel of its drive per turn; `names` are those in effect.
+/// The keys of a file: of a rack, and of a steering box, whose drive is an angle.
+const RACK: &str = "rack_per_turn";
+const BOX: &str = "steering_box_ratio";
+
+/// What a file states of a steering wheel.
+struct Gear {
+    key: &'static str,
+    /// Whether it is of a drive that is an angle.
+    is_of_angle: bool,
+    place: Range<usize>,
+    /// How far the drive moves in a turn, in the unit of lengths or in radians.
+    per_turn: f64,
+}
+
+/// The steering wheel of a file that states how far it moves its drive; `names` are those in effect.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where that travel is not positive and finite, and where not one drive that is a coordinate steers.
+/// [`Failure::Input`] where what is stated is not positive and finite, and where not one drive of its kind steers.
 pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     names: &Names,
     design: &Design<L, N>,
 ) -> Result<Option<SteeringWheel>, Failure> {
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let Some(stated) = vehicle.and_then(|vehicle| vehicle.rack_per_turn.as_ref()) else {
+    let gears = gears(task)?;
+    if gears.is_empty() {
         return Ok(None);
-    };
-    let Some(travel) = length(task, "rack_per_turn", Some(stated))? else {
-        return Ok(None);
-    };
+    }
     let turned = Turned::all(names, design);
-    let drive = drive(names, &turned);
-    let drive = drive.map_err(|message| task.source.refuse(&stated.span(), message))?;
     let about_z: f64 = turned.iter().map(|turned| turned.about_z).sum();
     // In SAE axes z points down, and a turn about it is one to the right.
     let up = task.file.axes.turned(Vector3::<f64>::z()).z;
-    Ok(Some(SteeringWheel {
-        drive,
-        turned: turned.into_iter().map(|turned| turned.wheel).collect(),
-        per_turn: travel.copysign(about_z * up),
-        design: design.given(&design.drives)[drive],
-    }))
+    let drives = design.given(&design.drives);
+    let wheels = gears.into_iter().map(|gear| {
+        let drive = gear.drive(names, &turned);
+        let drive = drive.map_err(|message| task.source.refuse(&gear.place, message))?;
+        Ok(SteeringWheel {
+            drive,
+            turned: turned.iter().map(|turned| turned.wheel).collect(),
+            per_turn: gear.per_turn.copysign(about_z * up),
+            design: drives[drive],
+        })
+    });
+    // Of two gears one is not of the kind of the drive.
+    Ok(wheels.collect::<Result<Vec<_>, Failure>>()?.pop())
 }
 
-/// The drive that the steering wheel moves, or why there is none, in words.
-fn drive(names: &Names, turned: &[Turned]) -> Result<usize, String> {
-    let mut drives: Vec<usize> = turned.iter().map(|turned| turned.drive).collect();
-    drives.sort_unstable();
-    drives.dedup();
-    let name = |drive: usize| format!("`{}`", names.drives[drive].name);
-    match *drives {
-        [] => Err(
-            "rack_per_turn needs a drive that steers a wheel, and no known drive of steering does; write steer = \"NAME\" under \
-             [vehicle] with the name of one that does, or leave rack_per_turn out"
-                .to_owned(),
-        ),
-        [drive] if names.drives[drive].kind.is_angle() => Err(format!(
-            "rack_per_turn is the travel of a rack, and the drive that steers, {}, is an angle; leave rack_per_turn out",
-            name(drive)
-        )),
-        [drive] => Ok(drive),
-        _ => {
-            let names: Vec<String> = drives.into_iter().map(name).collect();
-            Err(format!(
-                "rack_per_turn is the travel of one rack, and several drives steer the wheels, {}; leave rack_per_turn out",
-                names.join(" and ")
-            ))
+/// What a file states, by either key.
+fn gears(task: &Task<'_>) -> Result<Vec<Gear>, Failure> {
+    let Some(vehicle) = task.file.vehicle.as_ref().map(Spanned::get_ref) else {
+        return Ok(Vec::new());
+    };
+    let travel = length(task, RACK, vehicle.rack_per_turn.as_ref())?;
+    let ratio = vehicle.steering_box_ratio.as_ref();
+    let stated = ratio.map(|ratio| (*ratio.get_ref(), ratio.span()));
+    let ratio_of_box = checked(task, stated, is_positive, || {
+        format!(
+            "{BOX} is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0"
+        )
+    })?;
+    let place = |stated: &Option<Spanned<f64>>| stated.as_ref().map_or(0..0, Spanned::span);
+    let rack = travel.map(|travel| Gear {
+        key: RACK,
+        is_of_angle: false,
+        place: place(&vehicle.rack_per_turn),
+        per_turn: travel,
+    });
+    let of_box = ratio_of_box.map(|ratio| Gear {
+        key: BOX,
+        is_of_angle: true,
+        place: place(&vehicle.steering_box_ratio),
+        per_turn: TAU / ratio,
+    });
+    Ok(rack.into_iter().chain(of_box).collect())
+}
+
+impl Gear {
+    /// The drive that the steering wheel moves, or why there is none, in words.
+    fn drive(&self, names: &Names, turned: &[Turned]) -> Result<usize, String> {
+        let mut drives: Vec<usize> = turned.iter().map(|turned| turned.drive).collect();
+        drives.sort_unstable();
+        drives.dedup();
+        let name = |drive: usize| format!("`{}`", names.drives[drive].name);
+        let key = self.key;
+        match *drives {
+            [] => Err(format!(
+                "{key} needs a drive that steers a wheel, and no known drive of steering does; write steer = \"NAME\" under \
+                 [vehicle] with the name of one that does, or leave {key} out"
+            )),
+            [drive] if names.drives[drive].kind.is_angle() != self.is_of_angle => {
+                Err(self.of_another_kind(&name(drive)))
+            }
+            [drive] => Ok(drive),
+            _ => {
+                let names: Vec<String> = drives.into_iter().map(name).collect();
+                Err(format!(
+                    "{key} is of one drive, and several steer the wheels, {}; leave {key} out",
+                    names.join(" and ")
+                ))
+            }
+        }
+    }
+
+    fn of_another_kind(&self, drive: &str) -> String {
+        if self.is_of_angle {
+            format!(
+                "{BOX} is of a drive that is an angle, and the drive that steers, {drive}, is none; write {RACK} in its place, how far \
+                 it moves in a turn of the steering wheel"
+            )
+        } else {
+            format!(
+                "{RACK} is the travel of a rack, and the drive that steers, {drive}, is an angle; write {BOX} in its place, how far the \
+                 steering wheel turns for that angle, as 16.0"
+            )
         }
     }
 }

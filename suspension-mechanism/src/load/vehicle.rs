@@ -11,7 +11,7 @@ use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
 use crate::mechanism::{Names, Vehicle, Wheel, is_within};
 use forces::{car, torques};
-pub(super) use per_wheel::length;
+pub(super) use per_wheel::{checked, is_positive, length};
 use per_wheel::{checked_length, of_each, optional};
 
 /// The drives of travel and of steering where the file does not name them.

@@ -36,14 +36,14 @@ impl Vehicle {
     }
 }
 
-/// A steering wheel that moves a drive in proportion, as a rack and pinion does.
+/// A steering wheel that moves a drive in proportion, as a rack and pinion does or a steering box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteeringWheel {
     /// The number of the drive.
     pub drive: usize,
     /// The numbers of the wheels that the drive turns at the design position.
     pub turned: Vec<usize>,
-    /// How far the drive moves in a turn to the left, in the unit of lengths: negative where less of the drive turns the wheels to
+    /// How far the drive moves in a turn to the left, in the unit of lengths or in radians: negative where less of the drive turns the wheels to
     /// the left at the design position.
     pub per_turn: f64,
     /// The drive's value at the design position, in the file's coordinates.

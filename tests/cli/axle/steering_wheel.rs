@@ -154,6 +154,41 @@ fn only_wheels_that_the_rack_turns_have_a_ratio() {
     );
 }
 
+/// The double wishbone, its tie rod on the arm of a steering box.
+fn on_a_steering_box(vehicle: &str) -> String {
+    let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
+    let listing = listing.replace("fixed: rack at", "free:  rack at").replace(
+        "drive steer: rack.y;",
+        "drive steer: angle(pitman_low -> rack, y);",
+    );
+    format!(
+        "statements = '''{listing}\n\
+         fixed: pitman_low at [0.25, 0.34, 0.20], pitman_high at [0.25, 0.34, 0.30];\n\
+         hinge pitman: pitman_low, pitman_high -> rack;'''\n\
+         unit = \"m\"\nangle = \"deg\"\n[vehicle]\n{vehicle}\n[time]\ninstants = [0.0]\n\
+         [drives]\nbump = 0.3\nsteer = 90.0\n"
+    )
+}
+
+#[test]
+fn a_steering_box_has_the_quantities_of_a_rack() {
+    let motion = on_a_steering_box("steering_box_ratio = 16.0");
+    let names = [
+        "steering_wheel_angle_deg",
+        "toe_deg",
+        "steering_ratio_deg_deg",
+    ];
+    for arm in [-8.0, 0.0, 6.0] {
+        let places = [arm - 0.01, arm, arm + 0.01].map(|arm| {
+            let drive = format!("--drive=steer={arm:?}");
+            table(&motion, &["sweep", &drive]).remove(0)
+        });
+        check(&places, names, -1.0);
+        // The arm turns away from y, which moves its end to the right, and with it the front of the wheel.
+        assert_near(places[1][names[0]], -16.0 * arm, 1e-9, "box");
+    }
+}
+
 #[test]
 fn a_travel_per_turn_in_another_unit_is_remarked() {
     for (travel, expected) in [
@@ -211,12 +246,25 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         ),
         (
             turned_about_an_axis,
-            "rack_per_turn is the travel of a rack, and the drive that steers, `theta`, is an angle; leave rack_per_turn out",
+            "rack_per_turn is the travel of a rack, and the drive that steers, `theta`, is an angle; write steering_box_ratio in its place, \
+             how far the steering wheel turns for that angle, as 16.0",
+        ),
+        (
+            on_a_steering_box("steering_box_ratio = 16.0\nrack_per_turn = 0.052"),
+            "rack_per_turn is the travel of a rack, and the drive that steers, `steer`, is an angle",
+        ),
+        (
+            on_a_steering_box("steering_box_ratio = 0.0"),
+            "steering_box_ratio is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0",
+        ),
+        (
+            steered("steering_box_ratio = 16.0"),
+            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; write rack_per_turn in its place, \
+             how far it moves in a turn of the steering wheel",
         ),
         (
             steered("steer = { left = \"steer\", right = \"bump_right\" }\nrack_per_turn = 0.052"),
-            "rack_per_turn is the travel of one rack, and several drives steer the wheels, `steer` and `bump_right`; leave \
-             rack_per_turn out",
+            "rack_per_turn is of one drive, and several steer the wheels, `steer` and `bump_right`; leave rack_per_turn out",
         ),
         (
             steered("").replace(
@@ -224,6 +272,10 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
                 "[vehicle]\n[design]\nrack_per_turn = 0.052\n[tolerances]",
             ),
             "rack_per_turn stands under [vehicle]",
+        ),
+        (
+            format!("steering_box_ratio = 16.0\n{}", steered("")),
+            "steering_box_ratio stands under [vehicle]",
         ),
     ] {
         let folder = folder();

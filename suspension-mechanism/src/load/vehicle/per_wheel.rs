@@ -11,7 +11,7 @@ use crate::load::task::Task;
 use crate::mechanism::{Wheel, is_within};
 
 /// What is stated, with its place in the file.
-pub(super) type Stated<T> = Option<(T, Range<usize>)>;
+pub(in crate::load) type Stated<T> = Option<(T, Range<usize>)>;
 
 /// What is stated of each wheel.
 pub(super) fn of_each<T: Clone>(
@@ -74,13 +74,16 @@ pub(super) fn checked_length(
     name: &str,
     stated: Stated<f64>,
 ) -> Result<Option<f64>, Failure> {
-    let is_length = |length: f64| length > 0.0 && length.is_finite();
-    checked(task, stated, is_length, || {
+    checked(task, stated, is_positive, || {
         format!("{name} is not a positive finite number; give it in the unit of the file")
     })
 }
 
-pub(super) fn checked(
+pub(in crate::load) fn is_positive(number: f64) -> bool {
+    number > 0.0 && number.is_finite()
+}
+
+pub(in crate::load) fn checked(
     task: &Task<'_>,
     stated: Stated<f64>,
     will_do: impl Fn(f64) -> bool,

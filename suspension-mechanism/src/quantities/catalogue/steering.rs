@@ -64,10 +64,11 @@ catalogue! {
         name: "steering_wheel_angle",
         sign: "positive where the steering wheel is turned to the left: the way that turns the road wheels to the left at the \
                design position, whichever way the rack is counted",
-        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves. It has \
-                     no columns of derivatives, which are the same at all places: with respect to that drive a turn by rack_per_turn, with \
-                     its sign, and zero with respect to the others",
-        source: "ISO 8855; rack_per_turn of [vehicle]",
+        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves, or \
+                     steering_box_ratio times the angle by which it turns. It has no columns of derivatives, which are the same at all \
+                     places: with respect to that drive a turn by rack_per_turn, or steering_box_ratio, with its sign, and zero with \
+                     respect to the others",
+        source: "ISO 8855; rack_per_turn or steering_box_ratio of [vehicle]",
         shown: Shown::InTables,
         read: steering_wheel::of_angle,
     }
@@ -75,7 +76,7 @@ catalogue! {
         name: "steering_ratio",
         sign: "positive where the wheel turns the way of the steering wheel",
         definition: "the derivative of steering_wheel_angle with respect to the steer angle of the wheel, the other drives held",
-        source: "Milliken 1995, chapter 19; rack_per_turn of [vehicle]",
+        source: "Milliken 1995, chapter 19; rack_per_turn or steering_box_ratio of [vehicle]",
         shown: Shown::InTables,
         read: steering_wheel::of_ratio,
     }
