@@ -3,6 +3,7 @@
 mod determined;
 mod generated;
 mod lengths;
+mod mirrored;
 mod reserved;
 mod uses;
 
@@ -17,6 +18,7 @@ use crate::name::Name;
 
 pub(crate) use determined::determined;
 pub(crate) use generated::generated_names;
+pub(crate) use mirrored::told_of_one_side;
 use reserved::{constant, is_reserved};
 pub(crate) use uses::chassis_points;
 

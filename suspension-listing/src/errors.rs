@@ -33,6 +33,10 @@ impl Errors {
         self.0.is_none()
     }
 
+    pub(crate) fn all(self) -> impl Iterator<Item = Error> {
+        self.0.into_iter().flatten()
+    }
+
     pub(crate) fn into_result(self) -> Result<(), Error> {
         self.0.map_or(Ok(()), Err)
     }

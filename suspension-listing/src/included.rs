@@ -64,7 +64,7 @@ impl Included {
     }
 }
 
-/// All that is wrong, each at its place and once; what is wrong in an included text also where that is included.
+/// All that is wrong, each at its place; what is wrong in an included text also where that is included.
 pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<Mistake> {
     let mistake_of = |error: Error| {
         let inner = included.iter().find(|inner| inner.has(error.span()));
@@ -74,12 +74,5 @@ pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<M
             None => vec![mistake],
         }
     };
-    let mut all = Vec::new();
-    for mistake in error.into_iter().flat_map(mistake_of) {
-        // A mirror image has the mistakes of what it is an image of.
-        if !all.contains(&mistake) {
-            all.push(mistake);
-        }
-    }
-    all
+    error.into_iter().flat_map(mistake_of).collect()
 }

@@ -22,6 +22,7 @@ pub mod name;
 pub mod parse;
 mod random;
 pub mod sample;
+mod sides;
 mod site;
 mod statement;
 pub mod system;
@@ -52,6 +53,7 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
         check::generated_names(listing, &system, &mut errors);
         check::determined(listing, &system, &mut errors);
     }
+    let errors = check::told_of_one_side(&listing.sides, errors);
     (system, errors.into_result())
 }
 

@@ -13,6 +13,7 @@ use crate::include::Include;
 use crate::included::Included;
 use crate::kind::Kind;
 use crate::name::{self, Name};
+use crate::sides::Sides;
 use crate::system::System;
 use crate::vector::Vector;
 
@@ -24,7 +25,9 @@ pub struct Listing {
     pub(crate) statements: Vec<Box<dyn Statement>>,
     /// The words that the sides of the vehicle have in their names.
     pub(crate) mirror: Option<[Ident; 2]>,
-    /// The names of the statements that are mirror images.
+    /// The same, of each mirror that made images, those of included listings among them.
+    pub(crate) sides: Vec<Sides>,
+    /// The names of all images.
     pub(crate) images: BTreeSet<String>,
     /// The statement that was read last, where it includes another listing.
     pub(crate) include: Option<Include>,
@@ -69,6 +72,7 @@ impl Listing {
             free: Vec::new(),
             statements: Vec::new(),
             mirror: None,
+            sides: Vec::new(),
             images: BTreeSet::new(),
             include: None,
             included: Vec::new(),

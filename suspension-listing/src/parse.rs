@@ -17,6 +17,7 @@ use crate::included::{Included, mistakes};
 use crate::lexed::{self, MOST_BYTES};
 use crate::listing::Listing;
 use crate::mistake::Mistake;
+use crate::sides::Sides;
 use crate::statement::STATEMENTS;
 use crate::statement::mirror::{MIRROR, Mirror};
 use crate::statement::operands::{docs, lines};
@@ -91,7 +92,7 @@ impl Reading<'_> {
             }
         }
         if let Some(sides) = self.listing.mirror.take()
-            && let Err(error) = self.mirror(&Mirror { sides })
+            && let Err(error) = self.mirror(&Mirror::new(sides))
         {
             self.report(error);
         }
@@ -107,16 +108,13 @@ impl Reading<'_> {
     fn mirror(&mut self, mirror: &Mirror) -> syn::Result<()> {
         self.texts.retain(|text| !is_mirror(text));
         let points = mirror.points(&self.listing)?;
-        mirror.check_stated_once(&self.texts)?;
+        mirror.check_stated_once(&self.texts, &self.listing)?;
+        self.listing.images.extend(mirror.names(&self.listing));
+        self.listing.sides.push(mirror.sides());
         let others = self.texts.iter().filter_map(|text| mirror.statement(text));
         let images = points.into_iter().map(Ok).chain(others);
         let images: Vec<syn::Result<TokenStream>> = images.collect();
-        let stated = self.listing.statements.len();
-        images.into_iter().try_for_each(|image| self.add(image?))?;
-        let images = self.listing.statements.iter().skip(stated);
-        let named = images.filter_map(|image| image.named());
-        self.listing.images = named.map(|(named, _)| named.name.to_string()).collect();
-        Ok(())
+        images.into_iter().try_for_each(|image| self.add(image?))
     }
 
     /// Adds a statement.
@@ -139,6 +137,9 @@ impl Reading<'_> {
         let text = self.text(include, &file)?;
         let flat = lexed::with_places(|| self.flat(include, text, file))?;
         self.listing.included.extend(flat.included);
+        self.listing.sides.extend(flat.sides);
+        let images = flat.images.iter().map(|name| include.under(name));
+        self.listing.images.extend(images);
         let mut statements = flat.statements.iter();
         statements.try_for_each(|tokens| self.add(include.statement(tokens, &flat.names)?))
     }
@@ -208,6 +209,8 @@ impl Reading<'_> {
                 .map(TokenStream::from_iter)
                 .collect(),
             included,
+            sides: reading.listing.sides,
+            images: reading.listing.images,
         })
     }
 }
@@ -218,6 +221,9 @@ struct Flat {
     statements: Vec<TokenStream>,
     /// The texts that it is of.
     included: Vec<Included>,
+    /// The sides that it was mirrored between, and the names of the images.
+    sides: Vec<Sides>,
+    images: BTreeSet<String>,
 }
 
 fn is_mirror(text: &[TokenTree]) -> bool {

@@ -8,6 +8,7 @@ use crate::kind::Kind;
 use crate::listing::Listing;
 use crate::matching::augment;
 use crate::name::Name;
+use crate::sides::Sides;
 use crate::system::{AXES, Body, Equation, Site, System};
 use crate::vector::{Vector, cross, minus, norm};
 
@@ -48,7 +49,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
         format!("{missing} more needed: add a link, a drive, or list a point in its body{spinning}")
     } else {
         let excess = equations - unknowns;
-        format!("{excess} too many: remove a link or a drive")
+        let of_one_side = listing.sides.first().map_or_else(String::new, of_one_side);
+        format!("{excess} too many: remove a link or a drive{of_one_side}")
     };
     let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
     let note = if drives_chassis {
@@ -69,6 +71,13 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
              points{scalars}; {remedy}{note}"
         ),
     )
+}
+
+/// How what has no image is named, beside a mirror.
+fn of_one_side(sides: &Sides) -> String {
+    let [stated, _] = &sides.0;
+    let named = sides.without_image();
+    format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
 }
 
 /// The sine up to which a body's points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend.

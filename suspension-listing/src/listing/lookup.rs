@@ -29,6 +29,12 @@ impl Listing {
             .chain(statements.map(|(named, kind)| (&named.name, kind)))
     }
 
+    /// The names of the points but markers.
+    pub(crate) fn points(&self) -> impl Iterator<Item = &Ident> {
+        let points = self.fixed.iter().chain(&self.free);
+        points.map(|point| &point.named.name)
+    }
+
     /// Where a statement is named, or an operand of it; where a point is declared, if the statement
     /// is not of the listing.
     pub fn place_of(&self, statement: &Name, operand: Option<&Name>) -> Span {

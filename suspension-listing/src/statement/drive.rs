@@ -158,9 +158,19 @@ impl Drive {
 
     /// Checks that a point that one drive moves along a direction is moved by no other.
     fn moves_alone(&self, check: &mut Check<'_>, point: &Ident, earlier: &[Box<dyn Statement>]) {
-        for other in earlier.iter().filter(|other| other.moves() == Some(point)) {
+        // What prescribes the same is reported as such.
+        let others = earlier
+            .iter()
+            .filter(|other| other.moves() == Some(point) && other.claim() != self.claim());
+        for other in others {
             if let (Some((named, _)), true) = (other.named(), self.is_skew() || other.is_skew()) {
-                check.report(moved_twice(&self.named.name, point, &named.name));
+                let (name, other) = (&self.named.name, &named.name);
+                // Images come last.
+                check.report(if check.is_image(name) && !check.is_image(other) {
+                    moved_beside_image(other, point, name)
+                } else {
+                    moved_twice(name, point, other)
+                });
             }
         }
     }
@@ -183,6 +193,16 @@ fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {
         format!(
             "drive `{other}` moves `{point}` already, and a point driven along a direction takes one \
              drive alone; remove one of them, or write both as coordinates"
+        ),
+    )
+}
+
+fn moved_beside_image(name: &Ident, point: &Ident, image: &Ident) -> Error {
+    errors::at(
+        name,
+        format!(
+            "`mirror` makes drive `{image}`, which moves `{point}` too, and a point driven along a direction takes one drive alone; \
+             remove `{name}`, or write both as coordinates"
         ),
     )
 }

@@ -131,8 +131,12 @@ impl Include {
     }
 
     fn prefixed(&self, name: &Ident) -> Ident {
-        let [before, name_alone] = [&self.name, name].map(IdentExt::unraw);
-        Ident::new(&format!("{before}_{name_alone}"), name.span())
+        Ident::new(&self.under(&name.unraw().to_string()), name.span())
+    }
+
+    /// What a name of the other listing is here.
+    pub(crate) fn under(&self, name: &str) -> String {
+        format!("{}_{name}", self.name.unraw())
     }
 
     fn named_as_a_word(&self, word: &str) -> Error {

@@ -4,7 +4,9 @@
 //! A statement is mirrored as text: names exchange the two words, and positions and directions the sign of y. The copies
 //! have the places of what they are copies of.
 
-use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
+mod image;
+
+use proc_macro2::{TokenStream, TokenTree};
 use syn::{Error, Ident, Token};
 
 use super::include::WORDS;
@@ -16,6 +18,7 @@ use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::lexed::placed;
 use crate::listing::{Listing, Point};
+use crate::sides::Sides;
 use crate::system::AXES;
 
 pub(crate) const MIRROR: Word = Word {
@@ -41,12 +44,36 @@ pub(crate) const MIRROR: Word = Word {
     },
 };
 
-/// The words that are exchanged.
+/// What makes the images.
 pub(crate) struct Mirror {
-    pub(crate) sides: [Ident; 2],
+    sides: Sides,
+    /// The word of the side that is stated.
+    side: Ident,
 }
 
 impl Mirror {
+    /// Between two sides, first the one that is stated.
+    pub(crate) fn new(sides: [Ident; 2]) -> Self {
+        let words = sides.each_ref().map(ToString::to_string);
+        let [side, _] = sides;
+        Self {
+            sides: Sides(words),
+            side,
+        }
+    }
+
+    pub(crate) fn sides(&self) -> Sides {
+        self.sides.clone()
+    }
+
+    /// The names of the images of what a listing declares.
+    pub(crate) fn names(&self, listing: &Listing) -> Vec<String> {
+        let named = listing.declared().filter(|(name, _)| self.is_named(name));
+        named
+            .map(|(name, _)| self.exchanged(name).to_string())
+            .collect()
+    }
+
     /// The statements that declare the images of points.
     ///
     /// # Errors
@@ -58,10 +85,9 @@ impl Mirror {
         let named = fixed.chain(free);
         let named = named.filter(|(_, point)| self.is_named(&point.named.name));
         let named: Vec<(&str, &Point)> = named.collect();
-        let [side, _] = &self.sides;
         // The points may be those of a statement that could not be read, an `include` say.
         if named.is_empty() && !listing.incomplete {
-            return Err(nothing_named(side));
+            return Err(nothing_named(&self.side));
         }
         let is_image = |(name, _): &(&Ident, Kind)| {
             let mut images = named.iter();
@@ -107,12 +133,16 @@ impl Mirror {
         })
     }
 
-    /// Checks that the image of no statement is stated too.
+    /// Checks that the image of no statement is stated too, nor a point of its name.
     ///
     /// # Errors
     ///
     /// At the name of each that is.
-    pub(crate) fn check_stated_once(&self, statements: &[Vec<TokenTree>]) -> syn::Result<()> {
+    pub(crate) fn check_stated_once(
+        &self,
+        statements: &[Vec<TokenTree>],
+        listing: &Listing,
+    ) -> syn::Result<()> {
         let mut errors = Errors::default();
         let named = || statements.iter().filter_map(|text| word_and_name(text));
         for [word, name] in named().filter(|[_, name]| self.is_named(name)) {
@@ -126,12 +156,16 @@ impl Mirror {
             if let Some([other, stated]) = named().find(is_image) {
                 errors.push(self.made_already([other, stated], [word, name]));
             }
+            let mut points = listing.points().filter(|_| has_own_name(word));
+            if let Some(point) = points.find(|point| **point == image) {
+                errors.push(named_as_an_image(point, [word, name]));
+            }
         }
         errors.into_result()
     }
 
     fn made_already(&self, [word, image]: [&Ident; 2], [of, name]: [&Ident; 2]) -> Error {
-        let [one, other] = &self.sides;
+        let [one, other] = &self.sides.0;
         errors::at(
             image,
             format!(
@@ -141,46 +175,13 @@ impl Mirror {
         )
     }
 
-    fn tokens(&self, tokens: impl IntoIterator<Item = TokenTree>) -> TokenStream {
-        let mut is_attribute = false;
-        let image = |token| {
-            let image = match token {
-                TokenTree::Ident(name) => self.exchanged(&name).into(),
-                TokenTree::Group(group) if !is_attribute => self.group(&group).into(),
-                other => other,
-            };
-            is_attribute = matches!(&image, TokenTree::Punct(punct) if punct.as_char() == '#');
-            image
-        };
-        tokens.into_iter().map(image).collect()
-    }
-
-    fn group(&self, group: &Group) -> Group {
-        let content = match group.delimiter() {
-            Delimiter::Bracket => opposite(group.stream()),
-            _ => self.tokens(group.stream()),
-        };
-        let mut image = Group::new(group.delimiter(), content);
-        image.set_span(group.span());
-        image
-    }
-
     fn is_named(&self, name: &Ident) -> bool {
-        let [side, _] = &self.sides;
-        name.to_string().split('_').any(|word| side == word)
+        self.sides.is_stated(&name.to_string())
     }
 
     /// A name with the words exchanged.
     fn exchanged(&self, name: &Ident) -> Ident {
-        let [one, other] = self.sides.each_ref().map(ToString::to_string);
-        let text = name.to_string();
-        let exchange = |word| match word {
-            word if word == one => other.as_str(),
-            word if word == other => one.as_str(),
-            word => word,
-        };
-        let words: Vec<&str> = text.split('_').map(exchange).collect();
-        let exchanged = syn::parse_str::<Ident>(&words.join("_"));
+        let exchanged = syn::parse_str::<Ident>(&self.sides.exchanged(&name.to_string()));
         let mut image = exchanged.unwrap_or_else(|_| name.clone());
         image.set_span(name.span());
         image
@@ -200,32 +201,6 @@ fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
 /// Whether the names of such statements are of these alone, and not of wheels.
 fn has_own_name(word: &Ident) -> bool {
     ![WHEEL.word, KINGPIN.word].iter().any(|of| word == of)
-}
-
-/// `x, -y, z` of `x, y, z`.
-fn opposite(vector: TokenStream) -> TokenStream {
-    let is_comma =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
-    let is_minus =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '-');
-    let (mut commas, mut begins_y, mut image) = (0, false, Vec::new());
-    for token in vector {
-        let begins = std::mem::take(&mut begins_y);
-        if is_comma(&token) {
-            commas += 1;
-            begins_y = commas == 1;
-        }
-        match token {
-            minus if begins && is_minus(&minus) => {}
-            number if begins => {
-                let mut minus = Punct::new('-', Spacing::Alone);
-                minus.set_span(number.span());
-                image.extend([TokenTree::Punct(minus), number]);
-            }
-            other => image.push(other),
-        }
-    }
-    image.into_iter().collect()
 }
 
 /// The y of a sum that has other coordinates too.
@@ -257,6 +232,15 @@ fn stated_beside(name: &Ident, original: &Ident) -> Error {
         name,
         format!(
             "`mirror` makes `{name}`, as the image of `{original}`; remove it here, or give it another name"
+        ),
+    )
+}
+
+fn named_as_an_image(point: &Ident, [of, name]: [&Ident; 2]) -> Error {
+    errors::at(
+        point,
+        format!(
+            "`mirror` makes `{of} {point}`, as the image of `{of} {name}`; give the point another name"
         ),
     )
 }

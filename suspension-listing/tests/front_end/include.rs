@@ -61,6 +61,11 @@ impl IncludeSource for Files {
             ("corner", CORNER),
             ("wrong", "fixed: a;\nlink rod a -> b;\n"),
             (
+                "mirrored",
+                "mirror: left -> right;\nfixed: left_front, left_rear;\nfree: left_ball;\nhinge left_arm: left_front, left_rear -> left_ball;\n\
+                 drive left_bump: left_ball.z;\nlink spare: right_front -> right_ball;\n",
+            ),
+            (
                 "circle",
                 "include again: \"circle\"; include more: \"circle\";",
             ),
@@ -127,6 +132,11 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
         (
             "include left: \"circle\";",
             "look for one that includes itself",
+        ),
+        (
+            "include front: \"mirrored\";",
+            "vehicle:1:16: mirrored:6:6: `front_spare` joins two points whose distance `front_right_arm` keeps, which `mirror` makes; remove \
+             `front_spare`",
         ),
         (
             "include left: \"words\";",

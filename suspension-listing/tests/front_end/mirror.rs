@@ -5,9 +5,14 @@ use std::collections::BTreeMap;
 use suspension_listing::form::Form;
 use suspension_listing::include_source::NoIncludes;
 use suspension_listing::system::{Point, System};
-use suspension_listing::text;
+use suspension_listing::text::{self, Mistake};
 
 use super::catalogue_system;
+
+fn mistakes(text: &str) -> Vec<Mistake> {
+    let read = text::parse(text, "axle", &NoIncludes);
+    read.expect_err("no axle").mistakes
+}
 
 const HALF: &str = "
 mirror: left -> right;
@@ -143,33 +148,72 @@ fn an_axle_of_the_catalogue_has_both_sides() {
     assert_eq!(axle.size(), 32);
 }
 
-/// A mistake on one side is reported at its place, and again there for the mirror image.
+/// A mistake on one side is reported once, at its place.
 #[test]
-fn mistakes_have_the_places_of_what_is_mirrored() {
-    let text = HALF.replace("middle -> left_hub", "middle -> left_hob");
-    let mistakes = text::parse(&text, "axle", &NoIncludes)
-        .expect_err("no such point")
-        .mistakes;
-    let told: Vec<(usize, &str)> = mistakes
-        .iter()
-        .map(|mistake| (mistake.line, mistake.message.as_str()))
-        .collect();
-    let remedy = "declare it under `fixed:` or `free:`";
-    assert_eq!(
-        told,
-        [
-            (
-                11,
-                format!("there is no point `left_hob`; {remedy}; did you mean `left_hub`?")
-                    .as_str()
+fn mistakes_are_told_of_what_is_mirrored() {
+    let replaced = |from: &str, to: &str| HALF.replace(from, to);
+    for (text, line, expected) in [
+        (
+            replaced("middle -> left_hub", "middle -> left_hob"),
+            11,
+            "there is no point `left_hob`; ",
+        ),
+        (
+            format!("{HALF}\nlink left_far: left -> right_hob;"),
+            18,
+            "there is no point `right_hob`; ",
+        ),
+        (
+            format!("{HALF}\nwheel left: left_hub -> left;"),
+            18,
+            "`wheel left` is stated twice; ",
+        ),
+        (
+            format!("{HALF}\nbody left_rod_end: bar, left;\npoint left_eye: left_rod_end;"),
+            18,
+            "body `left_rod_end` has two points, `bar` and `left`, and needs a third",
+        ),
+        (
+            replaced(
+                "drive left_bump: left along",
+                "drive left_bump: left_front along",
             ),
-            (
-                11,
-                format!("there is no point `right_hob`; {remedy}; did you mean `right_hub`?")
-                    .as_str()
-            ),
-        ]
-    );
+            8,
+            "`left_front` is one of two chassis points of body `arm_left`",
+        ),
+    ] {
+        let mistakes = mistakes(&text);
+        let [mistake] = mistakes.as_slice() else {
+            panic!("{mistakes:?}")
+        };
+        assert!(mistake.message.starts_with(expected), "{}", mistake.message);
+        assert_eq!(mistake.line, line, "{}", mistake.message);
+    }
+}
+
+/// What is wrong with the image alone is told with what makes it.
+#[test]
+fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
+    for (statement, expected) in [
+        (
+            "fixed: panhard_left at [0.0, 0.5, 0.4];\nlink panhard: panhard_left -> bar;",
+            "nothing depends on chassis point `panhard_right`; join it by a link or a body, or remove it; `mirror` makes `panhard_right`, as \
+             the image of `panhard_left`: what one side alone has is named without `left` and `right`",
+        ),
+        (
+            "free: right_far at [0.0, -0.5, 0.4];\nlink left_reach: left -> right_far;",
+            "there is no point `left_far`; declare it under `fixed:` or `free:`; did you mean `left_rear`? `mirror` makes `left_far`, as the image of `right_far`: \
+             what one side alone has is named without `left` and `right`",
+        ),
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistakes = mistakes(&text);
+        let told: Vec<&str> = mistakes
+            .iter()
+            .map(|mistake| mistake.message.as_str())
+            .collect();
+        assert!(told.contains(&expected), "{told:#?}");
+    }
 }
 
 /// The image of `y = z` is `-y = z`; the exchange of names would make `y = z` of it.
@@ -291,6 +335,11 @@ fn a_statement_that_does_what_an_image_does_is_told_to_go() {
             "`spare` joins two points whose distance `right_rod` keeps, which `mirror` makes; remove `spare`",
         ),
         (
+            "drive other_bump: right along [0.0, 0.6, 0.8];",
+            "`mirror` makes drive `right_bump`, which moves `right` too, and a point driven along a direction takes one drive alone; remove \
+             `other_bump`, or write both as coordinates",
+        ),
+        (
             "link spare: right_front -> right;",
             "`spare` joins two points whose distance `arm_right` keeps, which `mirror` makes; remove `spare`",
         ),
@@ -306,4 +355,44 @@ fn a_statement_that_does_what_an_image_does_is_told_to_go() {
         assert_eq!(mistake.message, expected);
         assert_eq!(mistake.line, text.lines().count());
     }
+}
+
+#[test]
+fn a_point_with_the_name_of_an_image_is_told_what_makes_it() {
+    let text = format!("{HALF}\nfree: right_rod at [0.0, -0.5, 0.4];");
+    let mistakes = mistakes(&text);
+    let [mistake] = mistakes.as_slice() else {
+        panic!("{mistakes:?}")
+    };
+    assert_eq!(
+        mistake.message,
+        "`mirror` makes `link right_rod`, as the image of `link left_rod`; give the point another name"
+    );
+    assert_eq!([mistake.line, mistake.column], [18, 7]);
+}
+
+/// A drive beside its image along the same direction is one mistake.
+#[test]
+fn a_second_drive_along_a_direction_gets_one_message() {
+    let text = format!("{HALF}\ndrive other_bump: right along [0.0, -0.6, 0.8];");
+    let mistakes = mistakes(&text);
+    let [mistake] = mistakes.as_slice() else {
+        panic!("{mistakes:?}")
+    };
+    assert_eq!(
+        mistake.message,
+        "`mirror` makes drive `right_bump`, which prescribes what `other_bump` does; remove `other_bump`"
+    );
+}
+
+#[test]
+fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
+    let text = HALF.replace("link stay: middle", "link left_stay: left_front");
+    let mistakes = mistakes(&text);
+    let [mistake] = mistakes.as_slice() else {
+        panic!("{mistakes:?}")
+    };
+    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of all that is named `left`: what one side alone has is \
+                    named without `left` and `right`, as a Panhard rod";
+    assert!(mistake.message.contains(expected), "{}", mistake.message);
 }

@@ -1,0 +1,36 @@
+//! The sides of the vehicle that a listing mirrors, as names have them.
+
+/// The words that are exchanged, first that of the side which is stated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Sides(pub(crate) [String; 2]);
+
+impl Sides {
+    /// Whether a name is of the side that is stated.
+    pub(crate) fn is_stated(&self, name: &str) -> bool {
+        let [stated, _] = &self.0;
+        name.split('_').any(|word| word == stated)
+    }
+
+    /// How what has no image is named, in words.
+    pub(crate) fn without_image(&self) -> String {
+        let [one, other] = &self.0;
+        format!("what one side alone has is named without `{one}` and `{other}`")
+    }
+
+    /// A name, or a sentence, with the words exchanged.
+    pub(crate) fn exchanged(&self, text: &str) -> String {
+        let [one, other] = &self.0;
+        let is_between = |character: char| !character.is_alphanumeric();
+        let exchange = |piece: &str| {
+            let word = piece.trim_end_matches(is_between);
+            let between = &piece[word.len()..];
+            let word = match word {
+                word if word == one => other,
+                word if word == other => one,
+                word => word,
+            };
+            format!("{word}{between}")
+        };
+        text.split_inclusive(is_between).map(exchange).collect()
+    }
+}
