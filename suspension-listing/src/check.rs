@@ -96,8 +96,18 @@ impl<'a> Check<'a> {
     /// Reports that there is no such point of the kinds that may stand there.
     fn report_unknown(&mut self, point: &Ident, kinds: &[Kind]) {
         let known = self.taken.iter().filter(|(_, kind)| kinds.contains(kind));
-        let error = errors::unknown_point(point, known.map(|(name, _)| name));
+        let may_be_marker = kinds.contains(&Kind::MARKER);
+        let error = errors::unknown_point(point, may_be_marker, known.map(|(name, _)| name));
         self.report_missing(error);
+    }
+
+    /// Reports that a marker stands where a point with unknowns should.
+    fn report_marker(&mut self, marker: &Ident) {
+        let error = match self.listing.body_in_line_with(marker) {
+            Some((body, [from, to, ..])) => errors::marker_in_line(marker, body, [from, to]),
+            _ => errors::marker_in_constraint(marker),
+        };
+        self.report(error);
     }
 
     /// The chassis points among some.
@@ -117,7 +127,7 @@ impl<'a> Check<'a> {
         let mut seen = BTreeSet::new();
         for point in points {
             if self.is(point, Kind::MARKER) {
-                self.report(errors::marker_in_constraint(point));
+                self.report_marker(point);
             } else if !self.is_any(point, &kinds) {
                 self.report_unknown(point, &kinds);
             } else if seen.contains(point) {

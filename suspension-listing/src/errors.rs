@@ -117,11 +117,22 @@ pub(crate) fn reserved_name(name: &Ident) -> Error {
     )
 }
 
-pub(crate) fn unknown_point<'a>(name: &Ident, known: impl Iterator<Item = &'a Ident>) -> Error {
+pub(crate) fn unknown_point<'a>(
+    name: &Ident,
+    may_be_marker: bool,
+    known: impl Iterator<Item = &'a Ident>,
+) -> Error {
     let hint = did_you_mean_name(name, known);
+    let as_marker = if may_be_marker {
+        format!(", or as a marker by `point {name}: BODY;`")
+    } else {
+        String::new()
+    };
     at(
         name,
-        format!("there is no point `{name}`; declare it under `fixed:` or `free:`{hint}"),
+        format!(
+            "there is no point `{name}`; declare it under `fixed:` or `free:`{as_marker}{hint}"
+        ),
     )
 }
 
@@ -140,6 +151,26 @@ pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
         format!(
             "`{name}` is a marker and has no unknowns; declare it under `free:` and list it in its body"
         ),
+    )
+}
+
+/// That a marker is joined as if it had unknowns, on a body in line, to which it cannot be added.
+pub(crate) fn marker_in_line(name: &Ident, body: &Ident, ends: [&Ident; 2]) -> Error {
+    let ([from, to], sliding) = (ends, sliding(name, body, ends));
+    at(
+        name,
+        format!(
+            "`{name}` is a marker and has no unknowns, and lies in line with the points of its body `{body}`, about which a body spins: \
+             declare `{name}` under `free:`, and in place of the body write `link {body}: {from} -> {to};` and for each other point, as \
+             for `{name}`, {sliding}"
+        ),
+    )
+}
+
+/// How a point is written that stays in its place on the line of a link.
+pub(crate) fn sliding(point: &Ident, link: &Ident, [from, to]: [&Ident; 2]) -> String {
+    format!(
+        "`slide {point}_on_{link}: {point} on {from} -> {to};` and `link {point}_from_{from}: {from} -> {point};`"
     )
 }
 

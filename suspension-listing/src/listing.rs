@@ -118,6 +118,11 @@ pub(crate) trait Statement {
         None
     }
 
+    /// The design position that it states of what it lets be carried.
+    fn at(&self) -> Option<Vector> {
+        None
+    }
+
     /// The point that it moves, if that is on the chassis.
     fn moves(&self) -> Option<&Ident> {
         None

@@ -22,6 +22,21 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
+/// The sine up to which points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend.
+const IN_LINE: f64 = 1e-2;
+
+/// Whether places lie in line with the first two.
+pub(crate) fn are_in_line(places: &[Vector]) -> bool {
+    let [first, second, others @ ..] = places else {
+        return false;
+    };
+    let along = minus(*second, *first);
+    others.iter().all(|at| {
+        let from = minus(*at, *first);
+        norm(cross(along, from)) <= IN_LINE * norm(along) * norm(from)
+    })
+}
+
 /// The sum of multiples of vectors.
 pub fn combined(terms: impl IntoIterator<Item = (f64, Vector)>) -> Vector {
     let mut sum = [0.0; 3];

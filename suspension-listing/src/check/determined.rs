@@ -10,7 +10,7 @@ use crate::matching::augment;
 use crate::name::Name;
 use crate::sides::Sides;
 use crate::system::{AXES, Body, Equation, Site, System};
-use crate::vector::{Vector, cross, minus, norm};
+use crate::vector::{Vector, are_in_line};
 
 /// Checks that there are as many equations as unknowns, and that each equation can be given an unknown
 /// of its own (structural rank).
@@ -80,9 +80,6 @@ fn of_one_side(sides: &Sides) -> String {
     format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
 }
 
-/// The sine up to which a body's points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend.
-const IN_LINE: f64 = 1e-2;
-
 /// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.
 fn in_line(system: &System, body: &Body) -> Option<String> {
     let stated = |site: &Site| {
@@ -94,16 +91,8 @@ fn in_line(system: &System, body: &Body) -> Option<String> {
         points.get(site.index)?.at
     };
     let places: Option<Vec<Vector>> = body.points().map(stated).collect();
-    let [first, second, others @ ..] = places.as_deref()? else {
-        return None;
-    };
-    let along = minus(*second, *first);
-    let is_in_line = |at: &Vector| {
-        let from = minus(*at, *first);
-        norm(cross(along, from)) <= IN_LINE * norm(along) * norm(from)
-    };
     let [a, b, c] = &body.frame.each_ref().map(|site| &site.name);
-    others.iter().all(is_in_line).then(|| {
+    are_in_line(&places?).then(|| {
         format!(
             "; the points of body `{}` lie in line, about which it spins: in its place write `link NAME: {a} -> {b};`, unless \
              another body keeps these, and for each other point `slide NAME: {c} on {a} -> {b};` and `link NAME: {a} -> {c};`",

@@ -7,6 +7,7 @@ use super::{Listing, Rigid};
 use crate::kind::Kind;
 use crate::name::Name;
 use crate::system::{System, distance_between};
+use crate::vector::{Vector, are_in_line};
 
 impl Listing {
     /// The names that it declares, and of what.
@@ -105,6 +106,25 @@ impl Listing {
             let is_carrier = statement.carriers() == Some(std::slice::from_ref(body));
             is_carrier.then_some(&named.name)
         })
+    }
+
+    /// The body that carries a marker and lies in line with it, by the positions that are stated.
+    pub(crate) fn body_in_line_with(&self, marker: &Ident) -> Option<(&Ident, &[Ident])> {
+        let mut statements = self.statements.iter();
+        let stated = statements.find(|statement| {
+            let named = statement.named();
+            named.is_some_and(|(named, _)| named.name == *marker)
+        })?;
+        let carriers = stated.carriers()?;
+        let mut bodies = self.bodies();
+        let (body, points) = bodies.find(|(body, _)| carriers == std::slice::from_ref(*body))?;
+        let at = |name: &Ident| {
+            let mut points = self.fixed.iter().chain(&self.free);
+            points.find(|point| point.named.name == *name)?.at
+        };
+        let places = points.iter().map(at).chain([stated.at()]);
+        let places: Vec<Vector> = places.collect::<Option<_>>()?;
+        are_in_line(&places).then_some((body, points))
     }
 
     /// Whether a point is a marker of a body with too few points to carry it.

@@ -52,7 +52,13 @@ impl Statement for Body {
         if let [first, second] = self.points.as_slice()
             && let Some(marker) = check.listing.markers_on(name).next()
         {
-            check.report(third_point_missing(name, [first, second], marker));
+            let is_in_line = check.listing.body_in_line_with(marker).is_some();
+            check.report(third_point_missing(
+                name,
+                [first, second],
+                marker,
+                is_in_line,
+            ));
         }
         check.lengths_stated_once(self, earlier);
     }
@@ -73,11 +79,25 @@ fn too_few_points(name: &Ident) -> Error {
     )
 }
 
-fn third_point_missing(name: &Ident, [first, second]: [&Ident; 2], marker: &Ident) -> Error {
+fn third_point_missing(
+    name: &Ident,
+    [first, second]: [&Ident; 2],
+    marker: &Ident,
+    is_in_line: bool,
+) -> Error {
+    let in_line = if is_in_line {
+        let sliding = errors::sliding(marker, name, [first, second]);
+        format!(
+            ", or, as `{marker}` is in line with them, declare `{marker}` under `free:` and write `link {name}: {first} -> {second};` in place \
+             of the body, {sliding}"
+        )
+    } else {
+        String::new()
+    };
     errors::at(
         name,
         format!(
-            "body `{name}` has two points, `{first}` and `{second}`, and needs a third, not in line with these, to carry `{marker}`; list it"
+            "body `{name}` has two points, `{first}` and `{second}`, and needs a third, not in line with these, to carry `{marker}`; list it{in_line}"
         ),
     )
 }

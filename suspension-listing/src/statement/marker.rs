@@ -74,6 +74,10 @@ impl Statement for Marker {
     fn carriers(&self) -> Option<&[Ident]> {
         Some(&self.carriers)
     }
+
+    fn at(&self) -> Option<Vector> {
+        self.at
+    }
 }
 
 impl Marker {
@@ -101,8 +105,8 @@ fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
 /// What a point on a link is written as.
 fn on_a_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
     format!(
-        "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write \
-         `slide {marker}_on_{link}: {marker} on {from} -> {to};` and `link {marker}_from_{from}: {from} -> {marker};`; the position of `{marker}` \
-         must lie on the line of the link"
+        "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write {}; the position of `{marker}` must lie on \
+         the line of the link",
+        errors::sliding(marker, link, [from, to])
     )
 }

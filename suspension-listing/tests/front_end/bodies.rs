@@ -1,5 +1,8 @@
 //! Bodies with too few points.
 
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::text;
+
 use super::texts::{only_message, places};
 
 /// A body of two points that another body has too adds no equation, as a link there would be one too many.
@@ -30,4 +33,50 @@ fn a_body_that_lacks_its_third_point_is_told_so() {
         "body `upright` has two points, `p` and `q`, and needs a third, not in line with these, to carry `axle`; list it"
     );
     assert_eq!(places(text), [[3, 6, 7]]);
+}
+
+/// What to do with a link to a marker on a body in line is told in one message, and is all there is to do.
+#[test]
+fn a_marker_in_line_with_its_body_is_told_to_slide() {
+    let listing = |middle: &str| {
+        format!(
+            "fixed: a at [0.3, 0.2, 0.2];\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4], r at [0.0, 0.5, 0.5]{middle}\n\
+             link rod: a -> m;\ndrive x: p.x; drive y: p.y; drive z: p.z; drive turn: q.x;\n"
+        )
+    };
+    for (points, at, is_in_line) in [
+        ("p, q, r", " at [0.0, 0.5, 0.3]", true),
+        ("p, q, r", " at [0.1, 0.5, 0.3]", false),
+        ("p, q, r", "", false),
+    ] {
+        let marker = listing(&format!(";\nbody strut: {points};\npoint m: strut{at};"));
+        assert_eq!(
+            only_message(&marker),
+            if is_in_line {
+                "`m` is a marker and has no unknowns, and lies in line with the points of its body `strut`, about which a body spins: declare \
+                 `m` under `free:`, and in place of the body write `link strut: p -> q;` and for each other point, as for `m`, \
+                 `slide m_on_strut: m on p -> q;` and `link m_from_p: p -> m;`"
+            } else {
+                "`m` is a marker and has no unknowns; declare it under `free:` and list it in its body"
+            }
+        );
+    }
+    let mended = listing(
+        ", m at [0.0, 0.5, 0.3];\nlink strut: p -> q; slide m_on_strut: m on p -> q; link m_from_p: p -> m;\n\
+         slide r_on_strut: r on p -> q; link r_from_p: p -> r;",
+    );
+    text::parse(&mended, "mended", &NoIncludes).expect("nothing else to mend");
+}
+
+/// A body of two points may be a link beside a point that slides on it.
+#[test]
+fn a_marker_in_line_with_two_points_is_told_to_slide() {
+    let text = "fixed: a, b;\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4];\nbody strut: p, q;\nlink one: a -> p; link two: b -> p;\n\
+                drive z: q.z; drive x: q.x;\npoint m: strut at [0.0, 0.5, 0.3];\nmeasure height: m.z;\n";
+    assert_eq!(
+        only_message(text),
+        "body `strut` has two points, `p` and `q`, and needs a third, not in line with these, to carry `m`; list it, or, as `m` is in line with \
+         them, declare `m` under `free:` and write `link strut: p -> q;` in place of the body, \
+         `slide m_on_strut: m on p -> q;` and `link m_from_p: p -> m;`"
+    );
 }

@@ -252,6 +252,21 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
     }
 }
 
+/// Where markers will do, a point that is missing may be one.
+#[test]
+fn a_missing_point_is_told_all_ways_to_declare_it() {
+    let text = "fixed: a;\nfree: p;\nlink rod: a -> p;\ndrive x: p.x; drive y: p.y;\nmeasure far: length(a -> hub);\n";
+    assert_eq!(
+        only_message(text),
+        "there is no point `hub`; declare it under `fixed:` or `free:`, or as a marker by `point hub: BODY;`"
+    );
+    let text = text.replace("measure far: length(a -> hub)", "link other: a -> hub");
+    assert_eq!(
+        only_message(&text),
+        "there is no point `hub`; declare it under `fixed:` or `free:`"
+    );
+}
+
 #[test]
 fn an_angle_of_an_axis_about_a_line_is_told_how_it_is_written() {
     let text = "fixed: a, b;\nfree: p;\nlink rod: a -> p;\ndrive y: p.y;\ndrive z: p.z;\n\
