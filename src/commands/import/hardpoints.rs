@@ -20,6 +20,14 @@ pub(super) enum Side {
 }
 
 impl Side {
+    /// The one across the vehicle.
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
     /// In words.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -149,11 +157,7 @@ impl<'a> Hardpoints<'a> {
     pub(super) fn of_side(&self, wanted: Option<Side>) -> Result<Vec<&Hardpoint>, Failure> {
         let has = |side: Side| self.points.iter().any(|point| point.side == Some(side));
         let wanted = wanted.unwrap_or(Side::Left);
-        let other = match wanted {
-            Side::Left => Side::Right,
-            Side::Right => Side::Left,
-        };
-        let side = if has(wanted) { wanted } else { other };
+        let side = if has(wanted) { wanted } else { wanted.other() };
         let points = self.points.iter();
         let points = points.filter(|point| point.side.is_none_or(|other| other == side));
         let points: Vec<&Hardpoint> = points.collect();

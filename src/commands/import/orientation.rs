@@ -66,7 +66,8 @@ pub(super) fn orientation(
         .collect();
     match fit.as_slice() {
         [] => Err(format!(
-            "the axes are none of iso, adams, sae, as {why}; say --axes, and --side for the corner that it is"
+            "the axes are none of iso, adams, sae, as {why}; where two points have each other's names, exchange these, or say --axes, and --side for the \
+             corner that it is"
         )),
         [axes] => Ok(Orientation {
             axes: *axes,

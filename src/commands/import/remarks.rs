@@ -60,7 +60,10 @@ impl Imported<'_> {
         let mut remarks: Vec<String> = self.far_points().collect();
         let side = corner.side.name();
         if corner.mirrored {
-            remarks.push(format!("the corner was mirrored, and is on the {side} now"));
+            let was = corner.side.other().name();
+            remarks.push(format!(
+                "the corner is on the {was} by its coordinates, and is mirrored to the {side}, as --side says"
+            ));
         } else if choice.point("wheel_centre").is_some() {
             remarks.push(format!("the corner is on the {side}"));
         }

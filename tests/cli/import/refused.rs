@@ -204,6 +204,15 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
             "a.csv: the axes are none of iso, adams, sae",
         ),
         (
+            "a.csv",
+            labelled
+                .replace("lca_front", "other")
+                .replace("lca_rear", "lca_front")
+                .replace("other", "lca_rear"),
+            vec![],
+            "; where two points have each other's names, exchange these, or say --axes, and --side for the corner that it is",
+        ),
+        (
             "a.shk",
             corner.clone(),
             vec![],
