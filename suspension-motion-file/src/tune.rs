@@ -4,15 +4,17 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::number_list::{NumberList, number_list};
-use crate::table::Table;
+use crate::table::{Table, UnderName, under_names};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TuneTable {
     /// What may be moved, by name.
+    #[serde(deserialize_with = "under_names")]
     pub moves: Table<MoveTable>,
     /// What is to be reached, by name.
+    #[serde(deserialize_with = "under_names")]
     pub targets: Table<TargetTable>,
 }
 
@@ -32,6 +34,10 @@ pub struct MoveTable {
     pub length: Option<Spanned<String>>,
     /// The least and the greatest that they are moved, or that the length is made longer, in the unit.
     pub by: Spanned<NumberList<2>>,
+}
+
+impl UnderName for MoveTable {
+    const EXPECTED: &str = "a move, which has a name: write its lines under [tune.moves.NAME]";
 }
 
 /// A direction in the file's axes.
@@ -58,10 +64,7 @@ pub enum AxisName {
 
 /// A quantity, where it is read, and what it is to be there.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "a target, which has a name: write its lines under [tune.targets.NAME]"
-)]
+#[serde(deny_unknown_fields)]
 pub struct TargetTable {
     /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
     pub of: Spanned<String>,
@@ -75,6 +78,10 @@ pub struct TargetTable {
     pub change: Option<Spanned<Wanted>>,
     /// How far it may be off.
     pub within: Spanned<f64>,
+}
+
+impl UnderName for TargetTable {
+    const EXPECTED: &str = "a target, which has a name: write its lines under [tune.targets.NAME]";
 }
 
 /// One number for all places, or one for each.

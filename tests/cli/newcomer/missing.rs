@@ -69,12 +69,22 @@ fn an_unknown_field_that_stands_elsewhere_is_told_where() {
     }
 }
 
-/// Springs and targets stand in tables under their names.
+/// Springs, moves and targets stand in tables under their names.
 #[test]
 fn a_table_without_its_name_is_answered_with_the_heading_to_write() {
     for (lines, heading) in [
         ("[springs]\nalong = \"bump\"\n", "[springs.NAME]"),
         ("[tune.targets]\nof = \"toe\"\n", "[tune.targets.NAME]"),
+        (
+            "[tune.targets]\nvalue = [0.0, 0.1]\n",
+            "[tune.targets.NAME]",
+        ),
+        ("[tune.moves]\nalong = \"x\"\n", "[tune.moves.NAME]"),
+        (
+            "[tune.moves]\npoints = [\"tie_ball\"]\n",
+            "[tune.moves.NAME]",
+        ),
+        ("[tune.moves]\nby = [-0.01, 0.01]\n", "[tune.moves.NAME]"),
     ] {
         let said = refusal("motion", &[("a.toml", &format!("{CORNER}{lines}"))], &[]);
         let expected = format!("which has a name: write its lines under {heading}");
