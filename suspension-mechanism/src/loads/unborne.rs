@@ -94,15 +94,17 @@ struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    /// The ratio of a measure to a drive of travel that moves it at least as much as each other one does, and its share of all.
+    /// The ratio of a measure to a drive of travel that moves it more than each other one does, and its share of all: what both wheels
+    /// move alike, a bar say, is of neither.
     fn with(&self, measure: usize, drive: usize) -> Option<[f64; 2]> {
         let ratios = self.ratios[measure].as_ref()?;
-        let sizes = self.travel.iter().map(|drive| ratios[*drive].abs());
-        let (all, most) = sizes.fold((0.0, 0.0), |(all, most), size| {
+        let own = ratios[drive].abs();
+        let others = self.travel.iter().filter(|other| **other != drive);
+        let sizes = others.map(|other| ratios[*other].abs());
+        let (all, most) = sizes.fold((own, 0.0), |(all, most), size| {
             (all + size, f64::max(most, size))
         });
-        let own = ratios[drive].abs();
-        (own > ROUNDING * all && own >= (1.0 - ROUNDING) * most).then_some([own, own / all])
+        (own > most + ROUNDING * all).then_some([own, own / all])
     }
 
     /// The spring that moves with a drive and least with the others of travel; of several alike the one with the largest load.

@@ -181,3 +181,14 @@ fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
         }
     }
 }
+
+/// What a spring of both wheels bears is no load of one wheel.
+#[test]
+fn a_spring_of_both_wheels_is_not_proposed_for_one() {
+    let file = "linkage = \"steered_axle\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
+                drives = { bump_left = 0.3, bump_right = 0.3, steer = 0.34 }\n\
+                springs.bar = { along = \"roll_travel\", rate = 90000.0 }\n\
+                loads.a = { left_contact = [0.0, 0.0, 3000.0] }\n";
+    let (_, said) = told(file, &[]);
+    assert_eq!(said, "");
+}
