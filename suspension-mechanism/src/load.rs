@@ -13,6 +13,7 @@ mod loaded;
 mod masses;
 mod missing_travel;
 mod notes;
+mod one_sided;
 mod outlier;
 mod own_motion;
 mod points;

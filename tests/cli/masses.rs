@@ -336,3 +336,28 @@ fn grid(file: &str, drives: &[&str]) -> Rows {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     rows(&output.stdout)
 }
+
+/// Of a part that both sides have, a mass on one side alone is likely to be forgotten on the other.
+#[test]
+fn masses_of_one_side_alone_are_noted() {
+    let said = |masses: &str| {
+        let folder = folder();
+        let file = format!(
+            "linkage = \"steered_axle\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ bump_left = 0.3, bump_right = 0.3, steer = 0.34 }}\n[masses]\n{masses}\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        text(&run(folder.path(), &["motion", "a.toml"]).stderr).to_owned()
+    };
+    let one = "left_wheel_centre = 20.0\nrack = 4.0\n";
+    assert_eq!(
+        said(one),
+        "note: a.toml: [masses] has `left_wheel_centre`, and `right_wheel_centre` of the other side has no mass; state it too\n"
+    );
+    assert_eq!(
+        said(&format!("{one}right_tie_rod = 0.9\n")),
+        "note: a.toml: [masses] has `left_wheel_centre` and `right_tie_rod`, and `right_wheel_centre` and `left_tie_rod` of the other side have no \
+         mass; state them too\n"
+    );
+    assert_eq!(said(&format!("{one}right_wheel_centre = 20.0\n")), "");
+}

@@ -13,7 +13,7 @@ use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
 use crate::load::usual_drives::in_effect;
 use crate::load::{
-    columns, led, missing_travel, said_of_drives, said_of_wheels, start, wrong_side,
+    columns, led, missing_travel, one_sided, said_of_drives, said_of_wheels, start, wrong_side,
 };
 use crate::mechanism::{Description, DriveLaws, Lead, Mechanism, Suspension};
 
@@ -50,6 +50,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let mut notes = notes(&task, &assembled.given, &design.points, design.off, outlier);
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(&task, design, listing));
+        notes.extend(one_sided::note(&task, listing));
     }
     notes.extend(said_of_wheels::notes(&task, design, &couplings));
     notes.extend(of_drives);

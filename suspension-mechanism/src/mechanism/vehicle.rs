@@ -230,6 +230,19 @@ impl Pair {
     }
 }
 
+/// The name that has the other side in place of its own; `None` of a name that has none.
+pub fn on_other_side(name: &str) -> Option<String> {
+    let [left, right] = SIDES;
+    let exchange = |word| match word {
+        word if word == left => right,
+        word if word == right => left,
+        word => word,
+    };
+    let words: Vec<&str> = name.split('_').map(exchange).collect();
+    let other = words.join("_");
+    (other != name).then_some(other)
+}
+
 fn without_side(name: &str) -> String {
     let words = name.split('_').filter(|word| !SIDES.contains(word));
     words.collect::<Vec<_>>().join("_")

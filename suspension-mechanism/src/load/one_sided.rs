@@ -1,0 +1,37 @@
+//! Masses of one side of the vehicle alone.
+
+use suspension_runtime::Listing;
+
+use crate::file::in_order;
+use crate::load::task::Task;
+use crate::mechanism::on_other_side;
+
+/// Parts that have a mass, while the same parts of the other side have none.
+pub(super) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
+    let table = task.file.masses.as_ref()?;
+    let statements = listing.statements();
+    let is_part = |name: &String| {
+        task.names.points.contains(name) || statements.iter().any(|part| part.name == name)
+    };
+    let has_mass = |name: &String| table.get_ref().keys().any(|key| key.get_ref() == name);
+    let pairs = in_order(table).filter_map(|(name, _)| {
+        let other = on_other_side(name.get_ref())?;
+        (is_part(&other) && !has_mass(&other)).then(|| [name.get_ref().clone(), other])
+    });
+    let pairs: Vec<[String; 2]> = pairs.collect();
+    let all = |side: usize| {
+        let names = pairs.iter().map(|pair| format!("`{}`", pair[side]));
+        names.collect::<Vec<_>>().join(" and ")
+    };
+    let (verb, them) = match pairs.len() {
+        0 => return None,
+        1 => ("has", "it"),
+        _ => ("have", "them"),
+    };
+    Some(format!(
+        "{}: [masses] has {}, and {} of the other side {verb} no mass; state {them} too",
+        task.source.name(),
+        all(0),
+        all(1)
+    ))
+}
