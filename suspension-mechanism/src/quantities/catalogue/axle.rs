@@ -80,10 +80,10 @@ catalogue! {
     AXLE_ROLL_CENTRE: "roll centre of the axle" {
         name: "axle_roll_centre",
         sign: "in the axes and from the origin of the file",
-        definition: "of any axle whose wheels have a drive of travel each, symmetric or not, in roll, the left contact point rising as \
-                     fast as the right one falls: \
-                     where the normals to the velocities of both, as points of the carriers, meet in the front view; on the ground in the \
-                     middle, without derivatives, where both are level, as of trailing arms",
+        definition: "where, seen from the front, the normals to the velocities of both contact points meet in roll: the left one \
+                     rises as fast as the right one falls, each as a point of its carrier. The axle may be asymmetric, and each \
+                     wheel has a drive of travel. Where both normals are level, as of trailing arms, it is on the ground in the \
+                     middle, without derivatives",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: of_roll_centre,
@@ -91,8 +91,9 @@ catalogue! {
     ROLL_CAMBER: "roll camber" {
         name: "roll_camber",
         sign: "positive where the top of the wheel leans further outboard as the left wheel rises",
-        definition: "the derivative of the camber angle, to the chassis, by the roll angle of the axle: that of the line through \
-                     both contact points from the y axis in the front view, the left one rising as fast as the right one falls",
+        definition: "the derivative of the camber angle, to the chassis, with respect to the roll angle of the axle: the angle of \
+                     the line through both contact points from the y axis, seen from the front, where the left one rises as fast as \
+                     the right one falls",
         source: "roll camber coefficient, relative to the chassis",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.camber),
@@ -100,7 +101,7 @@ catalogue! {
     ROLL_STEER: "roll steer" {
         name: "roll_steer",
         sign: "positive where the wheel turns to the left as the left wheel rises",
-        definition: "the derivative of the steer angle by the roll angle of the axle, that of roll_camber",
+        definition: "the derivative of the steer angle with respect to the roll angle of the axle, which is that of roll_camber",
         source: "roll steer coefficient",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.steer),
@@ -108,8 +109,9 @@ catalogue! {
     HEAVE_RATE: "wheel rate in heave" {
         name: "heave_rate",
         sign: "positive where the springs push back",
-        definition: "of an axle whose wheels have drives of their own, the wheel rate of each wheel where both centres rise alike, half of \
-                     that of the axle: what ride frequencies follow from; where both sides stand alike an anti-roll bar has no part in it",
+        definition: "the wheel rate of each wheel where both wheel centres rise alike, which ride frequencies follow from: half of \
+                     that of the axle, whose wheels have drives of their own. Where both sides stand alike an anti-roll bar has no \
+                     part in it",
         source: "virtual work",
         shown: Shown::InTables,
         read: |names| sprung::of_heave(names, |sprung| sprung.rate),

@@ -12,9 +12,9 @@ catalogue! {
     VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
         name: "virtual_kingpin",
         sign: "positive where the top of the axis leans inboard",
-        definition: "of the screw axis of the wheel's carrier in steering, the other drives held: at constant height where the wheel's \
-                     height drives the travel; with the spring locked, as in Adams/Car, where a damper's length does, and then it is the \
-                     kingpin of a carrier on two ball joints",
+        definition: "of the screw axis about which the wheel's carrier turns in steering, the other drives held. Where the wheel's \
+                     height drives the travel, it turns at constant height; where a damper's length does, it turns with the spring \
+                     locked, as in Adams/Car, and the axis of a carrier on two ball joints is its kingpin",
         source: "as kingpin",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {

@@ -16,9 +16,10 @@ catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
         name: "roll_centre",
         sign: "positive above the contact point",
-        definition: "of an axle of independent wheels, symmetric about y = 0: where the normal to the velocity in travel of the \
-                     contact point, as a point of the carrier, meets that plane in the front view; none of a wheel \
-                     that another one moves, on one body or a twist beam, which has axle_roll_centre",
+        definition: "where, seen from the front, the normal to the velocity of the contact point meets the middle of the vehicle, \
+                     y = 0: the contact point moves with the carrier, in travel. It is the roll centre of the axle where that is symmetric \
+                     and its wheels are independent. A wheel that another one moves, on one body or a twist beam, has none, and its \
+                     axle has axle_roll_centre",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: |names| of_independent(names, Dimension::Length, |moving| {
@@ -28,8 +29,9 @@ catalogue! {
     JACKING: "jacking by lateral force" {
         name: "jacking",
         sign: "positive where a force on the contact point towards the middle of the vehicle lifts the body",
-        definition: "of an axle of independent wheels, the part of such a force that lifts the body, 100 v_y / v_z of the contact point as a point of the carrier in \
-                     travel, v_y outboard: the slope of the line from the contact point to the roll centre",
+        definition: "the part of such a force that lifts the body, of an axle of independent wheels: 100 v_y / v_z, with v the \
+                     velocity in travel of the contact point as a point of the carrier, v_y outboard. It is the slope of the line \
+                     from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
         read: |names| of_independent(names, Dimension::Percent, |moving| {
@@ -62,8 +64,8 @@ catalogue! {
         name: "side_centre",
         sign: "in the axes of the file",
         definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre; none where the \
-                     carrier does not turn in that view; of wheels of which one moves the other, on one body or a twist beam, in heave, both \
-                     wheel centres rising alike",
+                     carrier does not turn in that view. Where one wheel moves the other, on one body or a twist beam, it is in \
+                     heave: both wheel centres rise alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
         read: |names| of_moving_place(names, |rolling| side_view(names, rolling), &[Axis::X, Axis::Z], |moving| {
@@ -85,8 +87,8 @@ catalogue! {
         name: "brake_angle",
         sign: "positive where the contact point moves forward in bump",
         definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
-                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share; \
-                     of wheels of which one moves the other, on one body or a twist beam, in heave, both wheel centres rising alike",
+                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share. \
+                     Where one wheel moves the other, on one body or a twist beam, it is in heave: both wheel centres rise alike",
         source: "side-view support angle, brake torque borne by the carrier",
         shown: Shown::InTables,
         read: |names| of_support_angle(names, Torque::Carrier),
@@ -95,8 +97,8 @@ catalogue! {
         name: "drive_angle",
         sign: "positive where the wheel centre moves forward in bump",
         definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
-                     with v_z upwards; its tangent is anti-squat without the car's share; of wheels of which one moves the other in heave, as \
-                     brake_angle",
+                     with v_z upwards; its tangent is anti-squat without the car's share. Where one wheel moves the other, it is in heave, \
+                     as brake_angle",
         source: "side-view support angle, drive torque borne by the chassis",
         shown: Shown::InTables,
         read: |names| of_support_angle(names, Torque::Chassis),
