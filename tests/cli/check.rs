@@ -1,5 +1,7 @@
 //! The report on a design position.
 
+mod locks;
+
 use std::process::Output;
 
 use super::program::{CORNER, edited, folder, run, text};
@@ -149,122 +151,6 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
     );
 }
 
-/// Where the motion locks between two instants, the message names the later one, as that of `motion` does; what each drive reaches is known
-/// all the same.
-#[test]
-fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
-    let folder = folder();
-    let time = "{ start = 0.0, stop = 1.0, step = 0.28 }";
-    let file = CORNER
-        .replace("{ instants = [0.0] }", time)
-        .replace("bump = 0.3", "bump = [0.3, 0.25]");
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let [motion, check, range] =
-        ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
-    let expected = "no configuration at t = 0.56 s with ";
-    let said = text(&motion.stderr);
-    assert_eq!(motion.status.code(), Some(3), "{said}");
-    assert!(said.contains(expected), "{said}");
-    assert_eq!(check.status.code(), Some(3), "{check:?}");
-    let told = line(&check, "motion ");
-    assert!(told.contains(expected), "{told}");
-    assert_eq!(range.status.code(), Some(0), "{range:?}");
-}
-
-/// A file whose own motion locks has a healthy design: check and sheet say both.
-#[test]
-fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
-    let moved = "start = 0.0\nstop = 1.0\nstep = 0.5";
-    let file = |bump: &str| {
-        let timed = CORNER.replace(
-            "{ instants = [0.0] }",
-            &format!("{{ {} }}", moved.replace('\n', ", ")),
-        );
-        timed.replace("bump = 0.3", bump)
-    };
-    let folder = folder();
-    for (bump, expected) in [
-        ("bump = [0.3, 0.05]", None),
-        ("bump = [0.3, 0.5]", Some("the motion ends at t = ")),
-        (
-            "bump = [30.0, 0.5]",
-            Some("the first instant, t = 0 s with bump = 30 m"),
-        ),
-    ] {
-        let content = file(bump);
-        let output = check(&content, &[]);
-        let code = if expected.is_some() { 3 } else { 0 };
-        assert_eq!(output.status.code(), Some(code), "{output:?}");
-        let motion = line(&output, "motion ");
-        std::fs::write(folder.path().join("a.toml"), content).expect("written");
-        let output = run(folder.path(), &["sheet", "a.toml", "--out", "a.html"]);
-        assert_eq!(output.status.code(), Some(0), "{output:?}");
-        let page = std::fs::read_to_string(folder.path().join("a.html")).expect("a page");
-        let said = [motion, text(&output.stderr), page.as_str()];
-        let Some(expected) = expected else {
-            assert!(motion.contains("is within reach"), "{motion}");
-            assert_eq!(text(&output.stderr), "wrote a.html\n");
-            continue;
-        };
-        for said in said {
-            assert!(said.contains(expected), "{said}");
-        }
-        assert!(motion.contains("OUT OF REACH") && page.contains("own motion is out of reach"));
-    }
-}
-
-/// Neither the reason nor a doubt is repeated behind the report.
-#[test]
-fn what_is_out_of_reach_is_told_once() {
-    let output = check(&CORNER.replace("bump = 0.3", "bump = 0.0"), &[]);
-    assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let (report, error) = (text(&output.stdout), text(&output.stderr));
-    for once in [
-        "is out of reach from the design",
-        "takes the drive's own value",
-    ] {
-        assert_eq!(report.matches(once).count(), 1, "{report}");
-        assert!(!error.contains(once), "{error}");
-    }
-    let expected = "a.toml: the file's own motion is out of reach; the report says why\n";
-    assert_eq!(error, expected);
-}
-
-/// No link is too long or too short: the arm that the drive lifts stands across the axis of its hinge.
-#[test]
-fn a_hinge_that_locks_is_named_with_its_axis() {
-    let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");
-    let content = content
-        .replace("steer = 0.34\n", "")
-        .replace("bump = 0.3", "bump = 0.29");
-    let output = check(&content, &[]);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let fault = ": `arm` on its hinge `pivot_inner`, `pivot_outer` reaches no further";
-    assert_eq!(text(&output.stdout).matches(fault).count(), 2, "{output:?}");
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), content).expect("written");
-    let range = run(folder.path(), &["range", "a.toml"]);
-    assert_eq!(text(&range.stdout).matches(fault).count(), 2, "{range:?}");
-}
-
-/// An arm of a twist beam turns about its bush, a point: straight up or down it goes no further.
-#[test]
-fn an_arm_that_locks_is_named_with_its_joint() {
-    let drives = "drives = { bump_left = 0.29, bump_right = 0.29 }\n";
-    let content =
-        format!("linkage = \"twist_beam\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n{drives}");
-    let output = check(&content, &[]);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    for side in ["left", "right"] {
-        let fault = format!(": `{side}_arm` on its joint `{side}_bush` reaches no further");
-        assert_eq!(
-            text(&output.stdout).matches(&fault).count(),
-            2,
-            "{output:?}"
-        );
-    }
-}
-
 /// A seat that is stated on the points of two parts is no point of either.
 #[test]
 fn a_marker_on_points_that_are_not_rigid_is_noted() {
@@ -293,22 +179,4 @@ fn a_marker_on_points_that_links_make_rigid_is_not_noted() {
     let output = check(&file.replace("drive bump", &links), &[]);
     let note = line(&output, "note");
     assert!(note.contains("nothing keeps `q` and `tip` apart"), "{note}");
-}
-
-/// Straight down the arm's tip is at a height of -0.2 m; the suspension is 0.64 m large.
-#[test]
-fn a_lock_very_near_the_design_is_noted() {
-    let low = |height: f64| {
-        let across = (0.25 - (height - 0.3).powi(2)).sqrt();
-        let at_height = format!("drives = {{ bump = {height:?} }}");
-        let file = arm(&format!("[0.0, {across:?}, {height:?}]"));
-        check(&file.replace("drives = { bump = 0.0 }", &at_height), &[])
-    };
-    let output = low(-0.1995);
-    let note = line(&output, "note");
-    let said = "a.toml: `bump` reaches a lock at -0.0005 m from the design, ";
-    assert!(note.contains(said), "{note}");
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let output = low(-0.199);
-    assert!(line(&output, "notes").ends_with("none"), "{output:?}");
 }

@@ -1,0 +1,241 @@
+//! What is said of mistakes beside a mirror.
+
+use suspension_listing::include_source::NoIncludes;
+use suspension_listing::text::{self, Mistake};
+
+use super::HALF;
+
+fn mistakes(text: &str) -> Vec<Mistake> {
+    let read = text::parse(text, "axle", &NoIncludes);
+    read.expect_err("no axle").mistakes
+}
+
+fn only_mistake(text: &str) -> Mistake {
+    let mistakes = mistakes(text);
+    let [mistake] = mistakes.as_slice() else {
+        panic!("{mistakes:?}")
+    };
+    mistake.clone()
+}
+
+/// A mistake on one side is reported once, at its place.
+#[test]
+fn mistakes_are_told_of_what_is_mirrored() {
+    let replaced = |from: &str, to: &str| HALF.replace(from, to);
+    for (text, line, expected) in [
+        (
+            replaced("middle -> left_hub", "middle -> left_hob"),
+            11,
+            "there is no point `left_hob`; ",
+        ),
+        (
+            format!("{HALF}\nlink left_far: left -> right_hob;"),
+            18,
+            "there is no point `right_hob`; ",
+        ),
+        (
+            format!("{HALF}\nwheel left: left_hub -> left;"),
+            18,
+            "`wheel left` is stated twice; ",
+        ),
+        (
+            format!("{HALF}\nbody left_rod_end: bar, left;\npoint left_eye: left_rod_end;"),
+            18,
+            "body `left_rod_end` has two points, `bar` and `left`, and needs a third",
+        ),
+        (
+            replaced(
+                "drive left_bump: left along",
+                "drive left_bump: left_front along",
+            ),
+            8,
+            "`left_front` is one of two chassis points of body `arm_left`",
+        ),
+    ] {
+        let mistake = only_mistake(&text);
+        assert!(mistake.message.starts_with(expected), "{}", mistake.message);
+        assert_eq!(mistake.line, line, "{}", mistake.message);
+    }
+}
+
+/// What is wrong with the image alone is told with what makes it.
+#[test]
+fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
+    for (statement, expected) in [
+        (
+            "fixed: panhard_left at [0.0, 0.5, 0.4];\nlink panhard: panhard_left -> bar;",
+            "nothing depends on chassis point `panhard_right`; join it by a link or a body, or remove it; `mirror` makes `panhard_right`, as \
+             the image of `panhard_left`: what one side alone has is named without `left` and `right`",
+        ),
+        (
+            "free: right_far at [0.0, -0.5, 0.4];\nlink left_reach: left -> right_far;",
+            "there is no point `left_far`; declare it under `fixed:` or `free:`; did you mean `left_rear`? `mirror` makes `left_far`, as the image of `right_far`: \
+             what one side alone has is named without `left` and `right`",
+        ),
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistakes = mistakes(&text);
+        let told: Vec<&str> = mistakes
+            .iter()
+            .map(|mistake| mistake.message.as_str())
+            .collect();
+        assert!(told.contains(&expected), "{told:#?}");
+    }
+}
+
+/// The image of `y = z` is `-y = z`; the exchange of names would make `y = z` of it.
+#[test]
+fn sides_are_no_words_of_statements() {
+    for word in ["x", "z", "at", "length"] {
+        let text = format!("mirror: left -> {word};\nfixed: left_a;\n");
+        let message = text::parse(&text, "axle", &NoIncludes)
+            .unwrap_err()
+            .to_string();
+        let expected =
+            format!("axle:1:17: `{word}` is a word of statements; name the sides by other words");
+        assert!(message.contains(&expected), "{message}");
+    }
+}
+
+#[test]
+fn a_sum_of_y_with_other_coordinates_has_no_image() {
+    for statement in [
+        "couple left_wedge: left.y = tie_left.z;",
+        "measure left_sum: 0.5 left_hub.x - left_inner.y;",
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistake = only_mistake(&text);
+        let expected =
+            "`mirror` makes no image of a sum of y with x or z, whose y would change its sign; ";
+        assert!(mistake.message.starts_with(expected), "{}", mistake.message);
+        assert_eq!(mistake.line, text.lines().count());
+    }
+}
+
+/// Statements that name other images are not blamed for these being missing.
+#[test]
+fn an_image_that_is_stated_too_is_the_only_mistake() {
+    let statements = [
+        "free: right at [0.0, -0.7, 0.2];",
+        "measure stance: length(left_hub -> right_hub);",
+        "measure base: length(left_front -> right_front);",
+    ];
+    let text = format!("{HALF}\n{}", statements.join("\n"));
+    let mistakes = text::parse(&text, "axle", &NoIncludes)
+        .expect_err("stated beside its image")
+        .mistakes;
+    let told: Vec<&str> = mistakes
+        .iter()
+        .map(|mistake| mistake.message.as_str())
+        .collect();
+    let expected =
+        "`mirror` makes `right`, as the image of `left`; remove it here, or give it another name";
+    assert_eq!(told, [expected]);
+}
+
+/// Each statement that is an image's too gets one message, at its place, which says what makes the image.
+#[test]
+fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
+    for (statement, image, original) in [
+        (
+            "drive right_bump: right along [0.0, -0.6, 0.8];",
+            "drive right_bump",
+            "drive left_bump",
+        ),
+        (
+            "link right_rod: rack_right -> bar;",
+            "link right_rod",
+            "link left_rod",
+        ),
+        (
+            "measure right_spring: length(middle -> right_hub);",
+            "measure right_spring",
+            "measure left_spring",
+        ),
+        (
+            "link right_spring: middle -> right;",
+            "link right_spring",
+            "measure left_spring",
+        ),
+        (
+            "wheel right: right_hub -> right;",
+            "wheel right",
+            "wheel left",
+        ),
+        (
+            "kingpin right: middle -> right;",
+            "kingpin right",
+            "kingpin left",
+        ),
+    ] {
+        let text = format!("{HALF}\n{statement}");
+        let mistake = only_mistake(&text);
+        let expected = format!(
+            "`mirror` makes `{image}` already, as the image of `{original}`; remove this one, or, where the sides differ, state both under \
+             names without `left` and `right`"
+        );
+        assert_eq!(mistake.message, expected);
+        assert_eq!(mistake.line, text.lines().count());
+    }
+}
+
+/// The message about a statement that does under another name what an image does stands at its own place.
+#[test]
+fn a_statement_that_does_what_an_image_does_is_told_to_go() {
+    for (statement, expected) in [
+        (
+            "drive other_bump: right.z;",
+            "`mirror` makes drive `right_bump`, which prescribes what `other_bump` does; remove `other_bump`",
+        ),
+        (
+            "link spare: bar -> rack_right;",
+            "`spare` joins two points whose distance `right_rod` keeps, which `mirror` makes; remove `spare`",
+        ),
+        (
+            "drive other_bump: right along [0.0, 0.6, 0.8];",
+            "`mirror` makes drive `right_bump`, which moves `right` too, and a point driven along a direction takes one drive alone; remove \
+             `other_bump`, or write both as coordinates",
+        ),
+        (
+            "link spare: right_front -> right;",
+            "`spare` joins two points whose distance `arm_right` keeps, which `mirror` makes; remove `spare`",
+        ),
+    ] {
+        let half = HALF.replace("left along [0.0, 0.6, 0.8]", "left.z");
+        let text = format!("{half}\n{statement}");
+        let mistake = only_mistake(&text);
+        assert_eq!(mistake.message, expected);
+        assert_eq!(mistake.line, text.lines().count());
+    }
+}
+
+#[test]
+fn a_point_with_the_name_of_an_image_is_told_what_makes_it() {
+    let text = format!("{HALF}\nfree: right_rod at [0.0, -0.5, 0.4];");
+    let mistake = only_mistake(&text);
+    assert_eq!(
+        mistake.message,
+        "`mirror` makes `link right_rod`, as the image of `link left_rod`; give the point another name"
+    );
+    assert_eq!([mistake.line, mistake.column], [18, 7]);
+}
+
+/// A drive beside its image along the same direction is one mistake.
+#[test]
+fn a_second_drive_along_a_direction_gets_one_message() {
+    let text = format!("{HALF}\ndrive other_bump: right along [0.0, -0.6, 0.8];");
+    let mistake = only_mistake(&text);
+    assert_eq!(
+        mistake.message,
+        "`mirror` makes drive `right_bump`, which prescribes what `other_bump` does; remove `other_bump`"
+    );
+}
+
+#[test]
+fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
+    let text = HALF.replace("link stay: middle", "link left_stay: left_front");
+    let mistake = only_mistake(&text);
+    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of all that is named `left`: what one side alone has is \
+                    named without `left` and `right`, as a Panhard rod";
+    assert!(mistake.message.contains(expected), "{}", mistake.message);
+}

@@ -1,0 +1,70 @@
+//! What numbers of a file beside its points say that their author may not have meant.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use crate::load::task::Task;
+use crate::mechanism::{Instants, Length};
+use crate::number::{number, rounded};
+
+/// The motion ends before its stop, which is no whole number of steps from the start.
+pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Option<String> {
+    let time = task.file.time.get_ref();
+    let (stop, step) = (time.stop.as_ref()?, time.step.as_ref()?);
+    let [_, last] = instants.ends();
+    let (name, stop, step) = (task.source.name(), *stop.get_ref(), *step.get_ref());
+    (last != stop).then(|| {
+        let [last, stop, step] = [last, stop, step].map(|seconds| rounded(seconds, 9));
+        format!("{name}: the motion ends at t = {last} s: its stop at {stop} s is no whole number of steps of {step} s")
+    })
+}
+
+/// Lengths of the vehicle that are in another unit, as it seems.
+pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
+    let names = task.names;
+    let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
+    let radius = radii.map(|radius| length(task.file.length, "wheel_radius", radius, 0.05..5.0));
+    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
+    let rack_per_turn = vehicle.and_then(|vehicle| vehicle.rack_per_turn.as_ref());
+    let of_car = [
+        (
+            "rack_per_turn",
+            rack_per_turn.map(|travel| *travel.get_ref()),
+            0.01..0.5,
+        ),
+        ("wheelbase", names.vehicle.wheelbase, 0.5..20.0),
+        ("cg_height", names.vehicle.cg_height, 0.05..5.0),
+    ];
+    let of_car = of_car
+        .into_iter()
+        .filter_map(|(name, stated, usual)| length(task.file.length, name, stated?, usual));
+    radius.flatten().take(1).chain(of_car)
+}
+
+/// A length that is outside what is usual, in metres.
+pub(in crate::load) fn length(
+    unit: Length,
+    name: &str,
+    stated: f64,
+    usual: Range<f64>,
+) -> Option<String> {
+    if usual.contains(&(stated / unit.metre())) {
+        return None;
+    }
+    let (length, symbol) = (number(stated), unit.symbol());
+    // A length that is usual is about a metre long when divided by this.
+    let middle = (usual.start * usual.end).sqrt();
+    let doubt = match Length::of_size(stated / middle) {
+        other if other == unit => {
+            let [from, to] = [usual.start, usual.end].map(|end| rounded(end * unit.metre(), 5));
+            format!("it is usually from {from} {symbol} to {to} {symbol}; is the number right?")
+        }
+        other => format!(
+            "is it in {}? The file is in {}",
+            other.in_words(),
+            unit.in_words()
+        ),
+    };
+    Some(format!("{name} is {length} {symbol}: {doubt}"))
+}

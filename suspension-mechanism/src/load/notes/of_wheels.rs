@@ -1,0 +1,69 @@
+//! What the points of a wheel say that their author may not have meant.
+
+use nalgebra::Vector3;
+
+use crate::load::task::Task;
+use crate::mechanism::Wheel;
+use crate::number::rounded;
+
+/// No wheel is toed or cambered by so much at its design position, in degrees.
+const OFF_AXIS: f64 = 30.0;
+
+/// Notes on a wheel, of all points at the design position.
+pub(super) fn of_wheel(
+    task: &Task<'_>,
+    wheel: &Wheel,
+    placed: &[Vector3<f64>],
+) -> impl Iterator<Item = String> {
+    let notes = [
+        kingpin(task, wheel, placed),
+        across_the_wheel(task, wheel, placed),
+        spin_axis(task, wheel, placed),
+    ];
+    notes.into_iter().flatten()
+}
+
+/// The kingpin is stated from top to bottom.
+fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [lower, upper] = wheel.points.kingpin?;
+    let [from, to] = [lower, upper].map(|point| &names.points[point]);
+    let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
+    (upwards.z < 0.0).then(|| {
+        let kingpin = wheel.stated("kingpin");
+        format!(
+            "the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle, or look at the \
+             axes and the signs of z if `{to}` is to be the upper end"
+        )
+    })
+}
+
+/// At the design position the spin axis is far off the y direction: one of its two points is likely to be a wrong one.
+fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [inner, centre] = wheel.points.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let axis = placed[centre] - placed[inner];
+    let off = axis.xz().norm().atan2(axis.y.abs()).to_degrees();
+    (off > OFF_AXIS).then(|| {
+        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
+        format!(
+            "the spin axis of the {wheel}, from `{from}` to `{to}`, is {off} deg off the y direction at the design position: are these \
+             the two points that are meant, and their coordinates right?"
+        )
+    })
+}
+
+/// The spin axis of a wheel that is on one side points to the other.
+fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = task.names;
+    let [inner, centre] = wheel.points.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let outboard = placed[centre].y - placed[inner].y;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let side = placed[centre].y + task.middle;
+    (outboard * side < 0.0).then(|| {
+        let wheel = wheel.stated("wheel");
+        format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
+    })
+}
