@@ -49,6 +49,7 @@ suspension_core::linkage! {
     mod design_positions {
         fixed: a at [0.0, 1];
         fixed: b at [0.0, -1.5, "z"];
+        fixed: c at [0.0, 700mm, 0.2];
         free: p on [0.0, 0.0, 0.0];
     }
 }

@@ -79,11 +79,14 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
 pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
     let place = input.span();
     let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
-    let value: f64 = match &number {
-        Lit::Int(digits) => digits.base10_parse(),
-        Lit::Float(digits) => digits.base10_parse(),
-        _ => Err(not_a_number(place)),
-    }?;
+    let (digits, unit, value): (_, _, f64) = match &number {
+        Lit::Int(whole) => (whole.base10_digits(), whole.suffix(), whole.base10_parse()?),
+        Lit::Float(float) => (float.base10_digits(), float.suffix(), float.base10_parse()?),
+        _ => return Err(not_a_number(place)),
+    };
+    if !unit.is_empty() {
+        return Err(has_a_unit(place, digits, unit));
+    }
     if value.is_finite() {
         Ok(value)
     } else {
@@ -121,6 +124,16 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
     Error::new(
         span,
         format!("{what} has three coordinates, {count} are given; write `[x, y, z]`"),
+    )
+}
+
+/// Rust takes `700mm` for the number 700 with a suffix.
+fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
+    Error::new(
+        place,
+        format!(
+            "a number has no unit; write `{digits}` in place of `{digits}{unit}`: all lengths of a listing are in one unit"
+        ),
     )
 }
 

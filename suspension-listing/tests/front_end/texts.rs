@@ -106,6 +106,25 @@ fn what_is_missing_at_the_end_is_told_there() {
     assert!(!mistakes("").is_empty());
 }
 
+/// What stands in millimetres in a listing in metres would be taken for a thousand times as far.
+#[test]
+fn a_number_with_its_unit_is_refused() {
+    for (text, number, unit) in [
+        ("fixed: a at [700mm, 0, 0];", "700", "mm"),
+        ("fixed: a at [0, -0.7m, 0];", "0.7", "m"),
+        ("fixed: a at [0, 1.5e3f64, 0];", "1.5e3", "f64"),
+        ("fixed: a;\nfree: p;\ndrive y: 2in p.y;", "2", "in"),
+    ] {
+        let told = mistakes(text);
+        let expected = format!(
+            "a number has no unit; write `{number}` in place of `{number}{unit}`: all lengths of a listing are in one unit"
+        );
+        let found = told.iter().find(|mistake| mistake.message == expected);
+        let found = found.unwrap_or_else(|| panic!("{text}: {told:?}"));
+        assert_eq!(found.length, number.len() + unit.len(), "{text}");
+    }
+}
+
 #[test]
 fn what_is_no_token_is_told() {
     for (text, message) in [
