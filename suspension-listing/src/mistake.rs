@@ -21,7 +21,7 @@ impl Mistake {
     /// What an error says, at its place in a text.
     pub(crate) fn of(text: &str, error: &Error) -> Self {
         let message = error.to_string();
-        let message = errors::keyword_as_name(&message).unwrap_or(message);
+        let message = in_one_line(&errors::keyword_as_name(&message).unwrap_or(message));
         let (start, end) = (error.span().start(), error.span().end());
         // The parser has no place for what is missing at the end.
         if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
@@ -56,4 +56,16 @@ impl Mistake {
             length: to.saturating_sub(start.column),
         }
     }
+}
+
+/// A message as one line, whatever the name of a file in it has.
+fn in_one_line(message: &str) -> String {
+    let escaped = |character: char| {
+        if character.is_control() {
+            character.escape_default().to_string()
+        } else {
+            character.to_string()
+        }
+    };
+    message.chars().map(escaped).collect()
 }

@@ -124,6 +124,10 @@ fn names_that_are_words_of_rust_are_joined_without_their_mark() {
 fn what_cannot_be_included_is_refused_at_the_statement() {
     for (text, expected) in [
         ("include left: \"none\";", "vehicle:1:15: cannot read none"),
+        (
+            "include left: \"no\nn\u{1b}[31me\";",
+            "vehicle:1:15: cannot read no\\nn\\u{1b}[31me",
+        ),
         ("include left: axle;", "vehicle:1:15: no catalogue"),
         (
             "include left: \"wrong\";",
