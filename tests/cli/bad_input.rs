@@ -7,7 +7,7 @@ use super::program::{CORNER, edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 64] = [
+const BAD: [Case; 65] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -69,6 +69,7 @@ const BAD: [Case; 64] = [
     ("instants", "start = -1e308\nstop = 1e308\nstep = 1", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = 5e-324", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = nan", ":53:8", "finite"),
+    ("instants", "start = 1e17\nstop = 1.0000000000000002e17\nstep = 1", ":53:8", "the time step 1 s is lost in rounding beside a time of 1e17 s"),
     ("instants", "instants = [0.0, -inf]", ":51:18", "finite"),
     ("theta = [", "theta = [1e308, 1e308]", ":55:9", "between 0 and pi"),
     ("theta = [", "theta = [0.7, inf]", ":55:9", "finite"),

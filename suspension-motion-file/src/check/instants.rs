@@ -61,6 +61,14 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
             rounded(count, 12)
         ));
     }
+    let farthest = first.abs().max(stop.abs());
+    if count >= 2.0 && step.abs() < farthest * f64::EPSILON {
+        return refuse(format!(
+            "the time step {} s is lost in rounding beside a time of {} s",
+            exact(step),
+            rounded(farthest, 12)
+        ));
+    }
     if count < 2.0 && stop != first {
         return refuse(format!(
             "the time step {} s is longer than the motion from {} s to {} s; for one instant write instants = [{}]",
