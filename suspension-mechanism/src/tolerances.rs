@@ -65,7 +65,8 @@ pub fn sampled(
 ) -> Option<Sampled> {
     let columns = columns(mechanism);
     let mut random = Pcg64::seed_from_u64(seed);
-    let mut samples = Vec::new();
+    let mut built = 0;
+    let mut spreads: Vec<Vec<Spread>> = Vec::new();
     for _ in 0..count {
         if interrupted.load(Ordering::Relaxed) {
             return None;
@@ -80,28 +81,61 @@ pub fn sampled(
         });
         let changes = Changes::together(each);
         let changed = mechanism.changed(&changes);
-        samples.extend(changed.and_then(|changed| read(&*changed, &columns)));
+        if let Some(sample) = changed.and_then(|changed| read(&*changed, &columns)) {
+            built += 1;
+            add(&mut spreads, &sample);
+        }
     }
-    let first = samples.first().filter(|_| samples.len() > 1)?;
-    let of = |column: usize, number: usize| {
-        deviation(samples.iter().map(|sample| sample[column][number]))
-    };
-    let deviations = first.iter().enumerate();
-    let deviations = deviations.map(|(column, numbers)| {
-        (0..numbers.len())
-            .map(|number| of(column, number))
-            .collect()
-    });
-    Some(Sampled {
-        deviations: deviations.collect(),
-        built: samples.len(),
+    let of_column = |column: &Vec<Spread>| column.iter().map(Spread::deviation).collect();
+    (built > 1).then(|| Sampled {
+        deviations: spreads.iter().map(of_column).collect(),
+        built,
     })
 }
 
-/// The standard deviation of numbers, from their own mean.
-fn deviation(numbers: impl Iterator<Item = f64> + Clone) -> f64 {
-    let count = numbers.clone().count() as f64;
-    let mean = numbers.clone().sum::<f64>() / count;
-    let squares = numbers.map(|number| (number - mean).powi(2));
-    (squares.sum::<f64>() / (count - 1.0)).sqrt()
+/// Counts a sample in with those before it.
+fn add(spreads: &mut Vec<Vec<Spread>>, sample: &[Vec<f64>]) {
+    spreads.resize_with(sample.len(), Vec::new);
+    for (spreads, numbers) in spreads.iter_mut().zip(sample) {
+        spreads.resize_with(numbers.len(), Spread::default);
+        for (spread, number) in spreads.iter_mut().zip(numbers) {
+            spread.add(*number);
+        }
+    }
+}
+
+/// How numbers spread about their own mean, without the numbers, of which there may be millions (Welford's recurrence).
+#[derive(Default)]
+struct Spread {
+    count: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl Spread {
+    fn add(&mut self, number: f64) {
+        self.count += 1.0;
+        let before = number - self.mean;
+        self.mean += before / self.count;
+        self.squares += before * (number - self.mean);
+    }
+
+    fn deviation(&self) -> f64 {
+        (self.squares / (self.count - 1.0)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spread_has_the_deviation_from_the_mean() {
+        let numbers = [1e6, 1e6 + 1.0, 1e6 + 2.0, 1e6 + 5.0];
+        let mut spread = Spread::default();
+        numbers.into_iter().for_each(|number| spread.add(number));
+        assert!((spread.deviation().powi(2) - 14.0 / 3.0).abs() < 1e-12);
+        spread.add(f64::NAN);
+        assert!(spread.deviation().is_nan());
+    }
 }
