@@ -110,7 +110,7 @@ lengths but cannot be built. A `body` is never mirrored.
 The list is ordered by distance; one row each in the CSV file, with every free point and marker.
 
 How: the mechanism is put together part by part, as far as one part does not need the other: the rack, either corner, the rocker
-of a pushrod. Over complex numbers all assemblies of a part of general lengths hang together. They are
+of a pushrod. Over complex numbers all assemblies of a part of general lengths and chassis points hang together. They are
 found from random starts and by going round loops of such parts, and followed from there to
 the file's. The trace test confirms that none is missing: a general plane takes the place of a coordinate that a drive or another
 part gives, and as it turns a sum over all assemblies changes linearly. Of those with a plane some go to infinity as it becomes

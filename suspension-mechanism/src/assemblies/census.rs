@@ -4,7 +4,7 @@ use nalgebra::Complex;
 use suspension_core::Listing;
 
 use crate::assemblies::factors::Vector;
-use crate::assemblies::family::{Drives, Line, Member};
+use crate::assemblies::family::{Line, MemberOf};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
 use crate::assemblies::limits::MOST;
 use crate::assemblies::path::{End, FAR};
@@ -131,14 +131,20 @@ impl Tally {
 /// given up.
 pub(crate) fn census<G: Listing<N>, const N: usize>(
     generic: &mut Generic<'_, G, N>,
-    target: Member<Drives<G, N>, N>,
+    target: MemberOf<G, N>,
 ) -> Option<(Vec<Vector<N>>, PartTally)> {
     let size = generic.family.size;
     let mut roots = Vec::new();
     let mut infinite = 0;
     for way in 0..WAYS {
         let detour = (way > 0).then(|| generic.waypoint());
-        let lines = generic.lines(detour.into_iter().chain([target]));
+        // What goes to infinity as the chassis points become the mechanism's, and what as lengths and coordinates do: one after
+        // the other they are easier to tell.
+        let on_chassis = MemberOf::<G, N> {
+            fixed: target.fixed,
+            ..detour.unwrap_or(generic.member)
+        };
+        let lines = generic.lines(detour.into_iter().chain([on_chassis, target]));
         let ends = generic.follow_all(&lines)?;
         // Another way loses other paths: as many go to infinity on each.
         let mut far = 0;

@@ -1,6 +1,6 @@
 //! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
 
-use nalgebra::{Complex, SMatrix};
+use nalgebra::{Complex, SMatrix, Vector3};
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
 use crate::assemblies::factors::{Factors, Solved, Vector};
@@ -21,9 +21,12 @@ impl<L, const N: usize> Enumerable<N> for L where
 
 /// Driven coordinates.
 pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
-type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
+/// Chassis points, those that drives move included.
+pub(crate) type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
+/// A member of the family of a listing.
+pub(crate) type MemberOf<G, const N: usize> = Member<Fixed<G, N>, Drives<G, N>, N>;
 
-/// All systems `F(q; u) = c` of one part of a geometry, one equation tilted or not. In the place of the equations of other parts
+/// All systems `F(q; u) = c` of one part of a linkage, one equation tilted or not. In the place of the equations of other parts
 /// their unknowns are given: `q = c`.
 ///
 /// Each `q` is a root of exactly one `c` for given `u`, so that all pairs `(q, c)` form a copy of
@@ -41,8 +44,10 @@ pub(crate) struct Family<G: Listing<N>, const N: usize> {
 
 /// One system of a family.
 #[derive(Clone, Copy)]
-pub(crate) struct Member<D, const N: usize> {
-    /// `u`: the drives, angles as the coordinates that they prescribe.
+pub(crate) struct Member<F, D, const N: usize> {
+    /// `u`: the chassis points,
+    pub(crate) fixed: F,
+    /// and the drives, angles as the coordinates that they prescribe.
     pub(crate) drives: D,
     /// `c`.
     pub(crate) right: Vector<N>,
@@ -64,24 +69,37 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         }
     }
 
-    /// The member of which `q` is a root.
-    pub(crate) fn of_root(
-        &self,
-        q: &Vector<N>,
-        drives: Drives<G, N>,
-        plane: Plane,
-    ) -> Member<Drives<G, N>, N> {
-        let right = self.residual(q, &drives, plane);
+    /// The chassis points of the linkage.
+    pub(crate) fn own_fixed(&self) -> Fixed<G, N> {
+        *self.model.fixed()
+    }
+
+    /// Other ones anywhere near. Those of the linkage are special where axes are parallel; where they nearly are, some of the
+    /// roots lie so far away that rounding hides how many there are.
+    pub(crate) fn general_fixed(&self, random: &mut Random) -> Fixed<G, N> {
+        let of = |point: Vector3<Complex<f64>>| point + random.vector::<3>(self.size);
+        Values::from_values(self.own_fixed().values().map(of))
+    }
+
+    /// The member of which `q` is a root, otherwise as another.
+    pub(crate) fn of_root(&self, q: &Vector<N>, other: MemberOf<G, N>) -> MemberOf<G, N> {
+        let MemberOf::<G, N> { drives, plane, .. } = other;
+        let fixed = self.model.drive_anchors(other.fixed, &drives);
         Member {
-            drives,
-            right,
-            plane,
+            right: self.residual(q, &fixed, &drives, plane),
+            ..other
         }
     }
 
     /// `F(q; u)`.
-    fn residual(&self, q: &Vector<N>, drives: &Drives<G, N>, plane: Plane) -> Vector<N> {
-        let mut rows = self.model.residual(q, &self.fixed(drives), drives);
+    fn residual(
+        &self,
+        q: &Vector<N>,
+        fixed: &Fixed<G, N>,
+        drives: &Drives<G, N>,
+        plane: Plane,
+    ) -> Vector<N> {
+        let mut rows = self.model.residual(q, fixed, drives);
         for &[row, column] in &self.part.others {
             rows[row] = q[column];
         }
@@ -92,30 +110,21 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     }
 
     /// The straight line from one member to another.
-    pub(crate) fn line(
-        &self,
-        from: Member<Drives<G, N>, N>,
-        to: Member<Drives<G, N>, N>,
-    ) -> Line<'_, G, N> {
-        let ends = from.drives.values().zip(to.drives.values());
+    pub(crate) fn line(&self, from: MemberOf<G, N>, to: MemberOf<G, N>) -> Line<'_, G, N> {
+        let drives = to.drives.combined(&from.drives, |to, from| to - from);
+        let fixed = to.fixed.combined(&from.fixed, |to, from| to - from);
         let change = Member {
-            drives: Values::from_values(ends.map(|(from, to)| to - from)),
+            fixed: self.model.drive_anchors(fixed, &drives),
+            drives,
             right: to.right - from.right,
             plane: to.plane.plus(from.plane, -1.0),
         };
-        let fixed_rate = self
-            .model
-            .drive_anchors(Fixed::<G, N>::default(), &change.drives);
         Line {
             family: self,
             from,
             change,
-            fixed_rate,
+            is_to_own_chassis: to.fixed.values().eq(self.own_fixed().values()),
         }
-    }
-
-    fn fixed(&self, drives: &Drives<G, N>) -> Fixed<G, N> {
-        self.model.drive_anchors(*self.model.fixed(), drives)
     }
 
     /// The derivatives of an equation, where that gives an unknown of another part.
@@ -185,9 +194,10 @@ pub(crate) fn complex<L: Enumerable<N>, const N: usize>(
 /// Members `from + s change`, with `s` from 0 to 1.
 pub(crate) struct Line<'a, G: Listing<N>, const N: usize> {
     family: &'a Family<G, N>,
-    from: Member<Drives<G, N>, N>,
-    change: Member<Drives<G, N>, N>,
-    fixed_rate: Fixed<G, N>,
+    from: MemberOf<G, N>,
+    change: MemberOf<G, N>,
+    /// Whether it ends at the chassis points of the mechanism, with which some of the roots may be at infinity.
+    pub(crate) is_to_own_chassis: bool,
 }
 
 impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
@@ -196,14 +206,15 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         self.family.size
     }
 
-    /// Whether it ends at the mechanism itself, of which some of the roots may be at infinity.
-    pub(crate) fn is_to_the_mechanism(&self) -> bool {
-        self.plane(1.0) == Plane::default()
+    fn drives(&self, s: f64) -> Drives<G, N> {
+        let changed = |from, change| from + change * Complex::from(s);
+        self.from.drives.combined(&self.change.drives, changed)
     }
 
-    fn drives(&self, s: f64) -> Drives<G, N> {
-        let ends = self.from.drives.values().zip(self.change.drives.values());
-        Values::from_values(ends.map(|(from, change)| from + change * s))
+    fn fixed(&self, s: f64) -> Fixed<G, N> {
+        let changed = |from, change: Vector3<_>| from + change * Complex::from(s);
+        let fixed = self.from.fixed.combined(&self.change.fixed, changed);
+        self.family.model.drive_anchors(fixed, &self.drives(s))
     }
 
     fn plane(&self, s: f64) -> Plane {
@@ -213,13 +224,13 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     /// `F(q; u(s)) - c(s)`.
     pub(crate) fn residual(&self, q: &Vector<N>, s: f64) -> Vector<N> {
         let right = self.from.right + self.change.right * Complex::from(s);
-        self.family.residual(q, &self.drives(s), self.plane(s)) - right
+        let (fixed, drives) = (self.fixed(s), self.drives(s));
+        self.family.residual(q, &fixed, &drives, self.plane(s)) - right
     }
 
     /// The factors of `dF/dq`.
     pub(crate) fn factors(&self, q: &Vector<N>, s: f64) -> Factors<'_> {
-        let fixed = self.family.fixed(&self.drives(s));
-        let mut jacobian = self.family.model.jacobian(q, &fixed);
+        let mut jacobian = self.family.model.jacobian(q, &self.fixed(s));
         if let Some(tilt) = &self.family.tilt {
             self.family.give(tilt.row, &mut jacobian);
             tilt.add_gradient(self.plane(s), &mut jacobian);
@@ -236,13 +247,15 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         factors: &Factors<'_>,
     ) -> Option<[Vector<N>; K]> {
         let Family { model, .. } = self.family;
-        let fixed = self.family.fixed(&self.drives(s));
-        let of_drives = model.drive_rate(q, &fixed, &self.fixed_rate, &self.change.drives);
-        let of_drives = self.family.own(of_drives);
+        let (fixed, rate) = (self.fixed(s), &self.change.fixed);
+        let of_drives = model.drive_rate(q, &fixed, rate, &self.change.drives);
+        let of_inputs = self
+            .family
+            .own(of_drives + model.chassis_rate(q, &fixed, rate));
         let mut terms = [Vector::zeros(); K];
         for order in 0..K {
             let (mut right, last) = match order {
-                0 => (of_drives + self.change.right, q),
+                0 => (of_inputs + self.change.right, q),
                 _ => {
                     let curvature = self.curvature(&terms[..order]);
                     (curvature * Complex::from(-0.5), &terms[order - 1])
@@ -260,7 +273,13 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
     /// The sum of `C(a, b)` over the pairs of terms, in either order, whose orders make the next one.
     fn curvature(&self, terms: &[Vector<N>]) -> Vector<N> {
         let still = Fixed::<G, N>::default();
-        let rate = |index| if index == 0 { &self.fixed_rate } else { &still };
+        let rate = |index| {
+            if index == 0 {
+                &self.change.fixed
+            } else {
+                &still
+            }
+        };
         let of_pair = |i: usize| {
             let j = terms.len() - 1 - i;
             let model = &self.family.model;

@@ -4,7 +4,7 @@ use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
 use crate::assemblies::factors::Vector;
-use crate::assemblies::family::{Drives, Family, Line, Member};
+use crate::assemblies::family::{Drives, Family, Line, Member, MemberOf};
 use crate::assemblies::limits::Watch;
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
@@ -22,7 +22,7 @@ const QUIET: usize = 4;
 const MOST_LOOPS: usize = 80;
 
 /// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they were, those far away
-/// above all. Of double wishbones with skew axes 32 roots were found by 7 to 10 loops of this size, and by 8 to 16, or not by 80, of 4.
+/// above all. Of a live axle on a Watt linkage detours of this size told all 80 assemblies at infinity, those of 10 and 30 lost some.
 const LOOP: f64 = 100.0;
 
 /// How far, relative to its change, the sum over all roots may be from linear. Rounding leaves up to 4e-10. Missing roots left 2e-4
@@ -54,7 +54,7 @@ impl Evidence {
 /// A member of a family with its roots.
 pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
     pub(crate) family: Family<G, N>,
-    member: Member<Drives<G, N>, N>,
+    pub(crate) member: MemberOf<G, N>,
     pub(crate) roots: Vec<Vector<N>>,
     pub(crate) evidence: Evidence,
     random: Random,
@@ -78,8 +78,14 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             turned: Complex::ZERO,
         };
         let root = q.map(Complex::from) + random.vector::<N>(family.size);
+        let member = Member {
+            fixed: family.general_fixed(&mut random),
+            drives,
+            right: Vector::zeros(),
+            plane: tilted,
+        };
         let mut generic = Self {
-            member: family.of_root(&root, drives, tilted),
+            member: family.of_root(&root, member),
             family,
             roots: vec![root],
             evidence: Evidence::default(),
@@ -102,9 +108,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect();
         self.evidence.starts = starts.len();
         let ends = self.each(&starts, |start| {
-            let from = self
-                .family
-                .of_root(start, self.member.drives, self.member.plane);
+            let from = self.family.of_root(start, self.member);
             follow(&[self.family.line(from, self.member)], start)
         })?;
         self.add(ends);
@@ -149,9 +153,11 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         ends.into_iter().collect()
     }
 
-    /// A random member, to go round by.
-    pub(crate) fn waypoint(&mut self) -> Member<Drives<G, N>, N> {
+    /// A random member, to go round by. It has other chassis points too: those of a mechanism are special, as where axes of
+    /// wishbones are nearly parallel, and each way comes to them from another side.
+    pub(crate) fn waypoint(&mut self) -> MemberOf<G, N> {
         let mut member = self.member;
+        member.fixed = self.family.general_fixed(&mut self.random);
         member.right += self.random.vector::<N>(LOOP * self.family.size);
         member
     }
@@ -159,7 +165,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
     /// The way from here to a member.
     pub(crate) fn lines(
         &self,
-        way: impl IntoIterator<Item = Member<Drives<G, N>, N>>,
+        way: impl IntoIterator<Item = MemberOf<G, N>>,
     ) -> Vec<Line<'_, G, N>> {
         let mut from = self.member;
         way.into_iter()

@@ -19,6 +19,10 @@ const CORRECTION: f64 = 1e-4;
 /// is badly conditioned.
 const ROUNDING: f64 = 1e-7;
 
+/// The same where a root is so large that the rounding of products of its coordinates is more, as a multiple of the square of its
+/// size. Without it of a double wishbone's 32 roots one was lost at 30,000 times the linkage's size.
+const OF_PRODUCTS: f64 = 64.0 * f64::EPSILON;
+
 /// Steps that a path may take.
 const MOST_STEPS: usize = 400;
 
@@ -50,7 +54,7 @@ pub(crate) fn follow<G: Listing<N>, const N: usize>(
 ) -> End<N> {
     way.iter().fold(End::Root(*q), |end, line| match end {
         End::Root(q) => follow_line(line, q),
-        End::Infinite | End::Lost => End::Lost,
+        End::Infinite | End::Lost => end,
     })
 }
 
@@ -64,7 +68,7 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
         let Some(terms) = line.series(&q, s, &factors) else {
             return End::Lost;
         };
-        let is_far = line.is_to_the_mechanism() && scale > FAR * line.size();
+        let is_far = line.is_to_own_chassis && scale > FAR * line.size();
         if is_far && has_pole_at(1.0 - s, &terms) {
             return End::Infinite;
         }
@@ -107,8 +111,9 @@ fn step<'l, G: Listing<N>, const N: usize>(
         let second = factors.solve(&line.residual(&once, there))?;
         // A root that comes from far away is held to the size that it has now.
         let scale = scale.min(line.size() + once.camax());
+        let rounding = ROUNDING.max(OF_PRODUCTS * (scale / line.size()).powi(2));
         if first.camax() < CORRECTION * scale
-            && second.camax() < (1e-2 * first.camax()).max(ROUNDING * scale)
+            && second.camax() < (1e-2 * first.camax()).max(rounding * scale)
         {
             return Some((once - second, there, factors));
         }

@@ -96,6 +96,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         tally: &mut Option<PartTally>,
     ) -> Option<Vec<Vector<N>>> {
         let target = Member {
+            fixed: self.family().own_fixed(),
             drives,
             right: self.family().part.given(before),
             plane: Plane::default(),
