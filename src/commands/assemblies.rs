@@ -2,6 +2,7 @@
 
 pub mod listed;
 mod report;
+pub mod watched;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -116,7 +117,10 @@ the file's. The trace test confirms that none is missing: a general plane takes 
 part gives, and as it turns a sum over all assemblies changes linearly. Of those with a plane some go to infinity as it becomes
 the coordinate's. A complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
-It takes seconds, and lists 10,000 assemblies at most.
+It takes seconds, and minutes where a whole axle is one part, as a steered beam axle is: of 1,104 assemblies with general
+lengths. On a terminal it shows how many it has found. An interrupt (Ctrl-C) ends the search; what it has found is followed to
+the file's lengths and listed, and the list says that it may not be complete. Another interrupt gives that up. The search of a
+part ends by itself after 20,000 paths; the list has 10,000 assemblies at most.
 
 Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no
 assembly at a value, or the file's first instant is out of reach, 130 interrupted: what was found is kept.

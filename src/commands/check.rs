@@ -9,13 +9,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
-use crate::assemblies::Tally;
+use crate::commands::assemblies::watched::Watched;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::output::files::print;
-use crate::output::progress::{Found, GENERAL};
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
@@ -26,7 +25,7 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Count the assemblies at the design position too, which takes seconds.
+    /// Count the assemblies at the design position too, behind all else: it takes seconds, of a steered beam axle minutes.
     #[arg(long)]
     assemblies: bool,
 }
@@ -73,13 +72,12 @@ impl Arguments {
             condition,
             ranges,
             motion: is_known.then(|| in_words(motion_ends.as_deref())),
-            tally: self
-                .assemblies
-                .then(|| tally(mechanism, interrupted))
-                .flatten(),
             notes: &notes,
         };
         print(&report.text())?;
+        if self.assemblies {
+            count_assemblies(&report, mechanism, interrupted)?;
+        }
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{name}: interrupted; what is not in the report was not looked at"
@@ -116,14 +114,23 @@ fn in_words(ends: Option<&str>) -> String {
     }
 }
 
-/// How many assemblies there are; `None` where the user interrupts.
-fn tally(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Option<Tally> {
-    let found = Found::new(GENERAL);
-    let watch = |count| found.goes_on(count, interrupted);
-    let (_, tally) = mechanism
-        .assemblies(&watch)?
-        .at(&mechanism.first_drives())?;
-    Some(tally)
+/// Adds to the report how many assemblies there are.
+fn count_assemblies(
+    report: &Report<'_>,
+    mechanism: &dyn Kinematics,
+    interrupted: &AtomicBool,
+) -> Result<(), Failure> {
+    if interrupted.load(Ordering::Relaxed) {
+        return Ok(());
+    }
+    let watched = Watched::new(report.file, interrupted);
+    let watch = |stage, count| watched.goes_on(stage, count);
+    let mut search = mechanism.assemblies(&watch);
+    if let Some((_, tally)) = search.at(&mechanism.first_drives()) {
+        watched.clear();
+        print(&report.assemblies(&tally))?;
+    }
+    watched.ended()
 }
 
 const NOTES: &str = "\
@@ -141,8 +148,8 @@ Reads a file as the other commands do and prints of its design position, that of
                               and, where it is known, the link, or the body on its hinge or joint, that is in the way;
                               suspension range goes from the first instant, and has the whole curve
   motion                      whether the file's own motion is within reach, from its first instant to its last
-  assemblies                  with --assemblies: how many ways there are to put the parts together
   notes                       what the file says that its author may not have meant, and locks very near the design
+  assemblies                  with --assemblies: how many ways there are to put the parts together
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
 singular, or the file's own motion is out of reach, 130 interrupted.

@@ -1,17 +1,16 @@
 //! How far work is that takes more than a second, on standard error.
 
+use std::fmt::Display;
 use std::io::{IsTerminal, stderr};
 use std::sync::OnceLock;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::file::tell;
+
 /// What takes longer is shown.
 const LONG: Duration = Duration::from_secs(1);
-
-/// What a search for all assemblies finds first.
-pub const GENERAL: &str = "assemblies of such a mechanism with general lengths";
 
 /// Counts steps; shows a bar once the work has taken a second and only on a terminal.
 #[derive(Debug)]
@@ -93,13 +92,20 @@ impl Found {
         }
     }
 
-    /// So many are found; whether the search goes on, which it does until the user interrupts.
-    pub fn goes_on(&self, count: usize, interrupted: &AtomicBool) -> bool {
+    /// So many are found.
+    pub fn show(&self, count: usize) {
         if self.visible && self.began.elapsed() > LONG {
             let line = self.line.get_or_init(|| counter(self.units));
             line.set_position(count as u64);
         }
-        !interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Tells something above what is shown.
+    pub fn tell(&self, note: impl Display) {
+        match self.line.get() {
+            Some(line) => line.suspend(|| tell(note)),
+            None => tell(note),
+        }
     }
 
     /// Takes the line away for good, before something else is written.

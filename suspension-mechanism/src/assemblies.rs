@@ -23,7 +23,7 @@ use suspension_core::{Inputs, Newton, Still};
 pub use census::{PartTally, Tally};
 pub use family::Enumerable;
 pub use generic::Evidence;
-pub use limits::Watch;
+pub use limits::{Stage, Watch};
 
 use factors::Vector;
 use family::{complex, parts};
@@ -50,27 +50,27 @@ pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
 }
 
 impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
-    /// Searches the parts of a mechanism of general lengths, starting around `near`; `None` where `watch` gives the search up.
+    /// Searches the parts of a mechanism of general lengths, starting around `near`.
     pub fn new(
         model: &'a L,
         near: &SVector<f64, N>,
         inputs: &Inputs<Still, L::Drives>,
         watch: &'a Watch<'a>,
-    ) -> Option<Self> {
+    ) -> Self {
         const SEED: u64 = 1;
         let mut random = Random::new(SEED);
         let drives = complex(model, inputs);
         let parts = parts::<L::Listing, N>(model, &mut random).into_iter();
         let search = |part| Searched::new(model, part, near, drives, random.clone(), watch);
-        Some(Self {
+        Self {
             model,
             near: near.map(Into::into),
-            parts: parts.map(search).collect::<Option<_>>()?,
+            parts: parts.map(search).collect(),
             watch,
-        })
+        }
     }
 
-    /// All assemblies at values of the drives; `None` where the search is given up.
+    /// All assemblies at values of the drives; `None` where it is given up.
     pub fn at(&mut self, inputs: &Inputs<Still, L::Drives>) -> Option<Census<N>> {
         let drives = complex(self.model, inputs);
         let mut assemblies = vec![self.near];
@@ -85,7 +85,7 @@ impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
         }
         let mut real = Vec::new();
         for assembly in &assemblies {
-            if !(self.watch)(real.len()) {
+            if !(self.watch)(Stage::Follow, real.len()) {
                 return None;
             }
             let mut q = assembly.map(|entry| entry.re);

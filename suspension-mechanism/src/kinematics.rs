@@ -72,8 +72,8 @@ pub trait Kinematics: Deref<Target = Description> {
     /// The equations at the first instant.
     fn equations(&self) -> Equations;
 
-    /// The search for assemblies; `None` where `watch` gives it up.
-    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Option<Box<dyn Assembled + 'a>>;
+    /// The search for assemblies.
+    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Box<dyn Assembled + 'a>;
 
     /// The motion along one drive over a range, in local coordinates, the others held as at the first instant.
     ///
@@ -198,8 +198,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Equations::of(self)
     }
 
-    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Option<Box<dyn Assembled + 'a>> {
-        Some(Box::new(Enumerated::new(self, watch)?))
+    fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Box<dyn Assembled + 'a> {
+        Box::new(Enumerated::new(self, watch))
     }
 
     fn path(

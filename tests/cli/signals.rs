@@ -232,29 +232,64 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
 
 /// A live axle on a Watt linkage is one part, whose search takes seconds.
 #[cfg(unix)]
-#[test]
-fn a_search_for_assemblies_is_given_up() {
+fn watt_linkage() -> tempfile::TempDir {
     let folder = folder();
     let axle = include_str!("../../examples/live_axle_watt.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
-    let output = interrupted_by(
-        "-INT",
-        folder.path(),
-        &["assemblies", "axle.toml", "--csv", "all.csv"],
-    );
+    folder
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
+    let folder = watt_linkage();
+    let list = ["assemblies", "axle.toml", "--csv", "all.csv"];
+    let output = interrupted_by("-INT", folder.path(), &list);
+    let ended = "the search for those with general lengths was ended after ";
+    assert!(text(&output.stdout).contains(ended), "{output:?}");
+    assert!(folder.path().join("all.csv").exists());
+    let count = ["check", "axle.toml", "--assemblies"];
+    let output = interrupted_by("-INT", folder.path(), &count);
+    let report = text(&output.stdout);
+    let [notes, assemblies] = ["\nnotes         none\n", ended].map(|part| report.find(part));
+    assert!(notes.is_some() && notes < assemblies, "{output:?}");
     let said = text(&output.stderr);
-    let expected = "axle.toml: interrupted in the search for the assemblies of such a mechanism with general lengths: ";
-    assert!(said.contains(expected), "{said}");
-    let output = interrupted_by(
-        "-INT",
-        folder.path(),
-        &["check", "axle.toml", "--assemblies"],
-    );
-    let said = text(&output.stderr);
-    assert!(
-        said.ends_with("axle.toml: interrupted; what is not in the report was not looked at\n"),
-        "{said}"
-    );
+    let expected =
+        "axle.toml: interrupted in its search for assemblies, of which there may be more\n";
+    assert!(said.ends_with(expected), "{said}");
+}
+
+/// The second interrupt comes while what is found is followed to the file's lengths.
+#[cfg(unix)]
+#[test]
+fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
+    use std::io::{BufRead, BufReader, Read};
+
+    let folder = watt_linkage();
+    let mut child = command(folder.path())
+        .args(["assemblies", "axle.toml"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    let interrupt = |child: &Child| {
+        let mut kill = Command::new("kill");
+        let sent = kill.args(["-INT", &child.id().to_string()]);
+        assert!(sent.status().expect("a signal").success());
+    };
+    // Long enough for the random starts, after which there are many to follow.
+    std::thread::sleep(Duration::from_secs(5));
+    interrupt(&child);
+    let mut said = BufReader::new(child.stderr.take().expect("standard error"));
+    let mut line = String::new();
+    said.read_line(&mut line).expect("a note");
+    assert!(line.contains("interrupt again to give that up"), "{line}");
+    interrupt(&child);
+    line.clear();
+    said.read_to_string(&mut line).expect("text");
+    let expected = "axle.toml: interrupted after 0 of the drive's values\n";
+    assert_eq!(line, expected);
+    assert_eq!(child.wait().expect("an end").code(), Some(130));
 }
 
 /// After the first of many values has been listed.

@@ -1,12 +1,12 @@
 //! The assemblies of a file's mechanism.
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::assemblies::Tally;
+use crate::commands::assemblies::watched::Watched;
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
-use crate::output::progress::{Found, GENERAL};
 
 /// Where assemblies are wanted.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,25 +45,15 @@ pub fn list(
     on_listed: &mut OnListed<'_>,
 ) -> Result<(), Failure> {
     let places = places(mechanism, file, wish)?;
-    let given_up = |done: &str| Failure::Interrupted(format!("{file}: interrupted {done}"));
-    let known = AtomicUsize::new(0);
-    let found = Found::new(GENERAL);
-    let watch = |count| {
-        known.store(count, Ordering::Relaxed);
-        found.goes_on(count, interrupted)
-    };
+    let watched = Watched::new(file, interrupted);
+    let watch = |stage, count| watched.goes_on(stage, count);
     let mut nowhere = Vec::new();
-    let mut search = mechanism.assemblies(&watch).ok_or_else(|| {
-        let known = known.load(Ordering::Relaxed);
-        given_up(&format!(
-            "in the search for the {GENERAL}: {known} were found, and none was followed to the file's own lengths yet"
-        ))
-    })?;
+    let mut search = mechanism.assemblies(&watch);
     for (done, drives) in places.iter().enumerate() {
         let listed = search.at(drives);
-        let (assemblies, tally) =
-            listed.ok_or_else(|| given_up(&format!("after {done} of the drive's values")))?;
-        found.clear();
+        let given_up = || watched.given_up(&format!("after {done} of the drive's values"));
+        let (assemblies, tally) = listed.ok_or_else(given_up)?;
+        watched.clear();
         let given = mechanism.given(drives);
         let listed = Listed {
             drives_in_words: mechanism
@@ -77,6 +67,7 @@ pub fn list(
             nowhere.push(listed.drives_in_words);
         }
     }
+    watched.ended()?;
     if nowhere.is_empty() {
         return Ok(());
     }

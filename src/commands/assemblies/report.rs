@@ -141,6 +141,10 @@ fn of_part(part: &PartTally, whole: &str) -> String {
         1 => "one loop".to_owned(),
         loops => format!("{loops} loops, the last {}", evidence.quiet),
     };
+    let loops = match evidence.ended_after {
+        None => format!("{loops} without a\nnew one; {trace}"),
+        Some(paths) => format!("{loops} without a\nnew one, ended after {paths} paths"),
+    };
     let times = match part.times {
         0 | 1 => String::new(),
         times => format!("{times} times "),
@@ -148,7 +152,7 @@ fn of_part(part: &PartTally, whole: &str) -> String {
     format!(
         "{} complex assemblies, {} at infinity, \
          {} not accounted for{unconfirmed},\nof {times}the {} that such {whole} has with general \
-         lengths ({} random starts, {loops} without a\nnew one; {trace}).\n",
+         lengths ({} random starts, {loops}).\n",
         part.complex,
         part.infinite,
         part.unaccounted(),

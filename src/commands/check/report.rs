@@ -20,9 +20,11 @@ pub(super) struct Report<'a> {
     pub(super) ranges: Vec<DriveRange>,
     /// Whether the file's own motion is within reach.
     pub(super) motion: Option<String>,
-    pub(super) tally: Option<Tally>,
     pub(super) notes: &'a [String],
 }
+
+/// The widest heading that is no drive's name.
+const CONDITIONING: &str = "conditioning";
 
 /// Digits of a number that tells how large something is.
 const DIGITS: usize = 3;
@@ -46,7 +48,7 @@ impl Report<'_> {
                 format!("{residual} {symbol}: the design assembles"),
             ),
             ("rank".to_owned(), self.rank()),
-            ("conditioning".to_owned(), self.conditioning()),
+            (CONDITIONING.to_owned(), self.conditioning()),
             ("elimination".to_owned(), self.elimination()),
         ];
         if !self.ranges.is_empty() {
@@ -56,8 +58,6 @@ impl Report<'_> {
         }
         let motion = self.motion.iter();
         lines.extend(motion.map(|motion| ("motion".to_owned(), motion.clone())));
-        let tally = self.tally.iter();
-        lines.extend(tally.map(|tally| ("assemblies".to_owned(), assemblies(tally))));
         let none = [("notes".to_owned(), "none".to_owned())];
         let notes = self
             .notes
@@ -72,6 +72,21 @@ impl Report<'_> {
             self.linkage,
             self.axes.in_words(),
             laid_out(0, [TextColumn::left(what), TextColumn::left(text)])
+        )
+    }
+
+    /// The line of the assemblies, below the others.
+    pub(super) fn assemblies(&self, tally: &Tally) -> String {
+        let names = self.ranges.iter().map(|range| range.name.as_str());
+        let headings = names.chain([CONDITIONING]).map(|name| name.chars().count());
+        let width = headings.max().unwrap_or_default();
+        let doubts = match tally.doubts().as_slice() {
+            [] => "all by what was tried".to_owned(),
+            doubts => format!("there may be more ({})", doubts.join("; ")),
+        };
+        format!(
+            "{:width$}  {} at the design, {doubts}\n",
+            "assemblies", tally.real
         )
     }
 
@@ -183,12 +198,4 @@ impl Report<'_> {
         let [lower, upper] = &range.ends;
         [end(&range.name, lower), end("", upper)]
     }
-}
-
-fn assemblies(tally: &Tally) -> String {
-    let doubts = match tally.doubts().as_slice() {
-        [] => "all by what was tried".to_owned(),
-        doubts => format!("there may be more ({})", doubts.join("; ")),
-    };
-    format!("{} at the design, {doubts}", tally.real)
 }

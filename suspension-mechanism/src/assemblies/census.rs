@@ -6,7 +6,7 @@ use suspension_core::Listing;
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Line, MemberOf};
 use crate::assemblies::generic::{Evidence, Generic, add_distinct};
-use crate::assemblies::limits::MOST;
+use crate::assemblies::limits::{MOST, Stage};
 use crate::assemblies::path::{End, FAR};
 
 /// Ways on which the roots are followed at most: a straight one, and detours where paths of that
@@ -67,8 +67,14 @@ impl PartTally {
     }
 
     fn doubts(&self) -> impl Iterator<Item = String> {
-        let general =
-            || "not all assemblies of such a mechanism with general lengths were found".to_owned();
+        let general = || match self.evidence.ended_after {
+            Some(paths) => {
+                format!("the search for those with general lengths was ended after {paths} paths")
+            }
+            None => {
+                "not all assemblies of such a mechanism with general lengths were found".to_owned()
+            }
+        };
         let lost = |count| match count {
             1 => "one of them was lost on its way to this one".to_owned(),
             _ => format!("{count} of them were lost on their way to this one"),
@@ -145,10 +151,11 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
             ..detour.unwrap_or(generic.member)
         };
         let lines = generic.lines(detour.into_iter().chain([on_chassis, target]));
-        let ends = generic.follow_all(&lines)?;
+        let ends = generic.follow_all(Stage::Follow, &lines);
+        let ends: Option<Vec<_>> = ends.into_iter().collect();
         // Another way loses other paths: as many go to infinity on each.
         let mut far = 0;
-        for end in ends {
+        for end in ends? {
             match end {
                 End::Root(root) if root.camax() < 0.1 * FAR * size => {
                     add_distinct(&mut roots, root, size);

@@ -1,11 +1,13 @@
 //! All complex roots of one generic member of a family.
 
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
 use nalgebra::{Complex, SVector};
 use suspension_core::Listing;
 
 use crate::assemblies::factors::Vector;
 use crate::assemblies::family::{Drives, Family, Line, Member, MemberOf};
-use crate::assemblies::limits::Watch;
+use crate::assemblies::limits::{MOST_PATHS, Stage, Watch};
 use crate::assemblies::parallel;
 use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;
@@ -42,6 +44,8 @@ pub struct Evidence {
     /// linear as a plane in the place of a coordinate turns, relative to its change. Where one is missing it is not linear.
     /// `None` where neither a drive nor another part gives a coordinate of a free point.
     pub trace: Option<f64>,
+    /// After how many paths the search was ended, before it had found all by these.
+    pub ended_after: Option<usize>,
 }
 
 impl Evidence {
@@ -59,10 +63,14 @@ pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
     pub(crate) evidence: Evidence,
     random: Random,
     watch: &'a Watch<'a>,
+    /// How many were followed in the search.
+    paths: AtomicUsize,
+    is_ended: AtomicBool,
 }
 
 impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
-    /// Finds the roots of a random member near the one of which `q` is a root; `None` where `watch` gives the search up.
+    /// Finds the roots of a random member near the one of which `q` is a root, as many as are found before `watch` or
+    /// their bound ends the search.
     ///
     /// Duff, Hill, Jensen, Lee, Leykin and Sommars 2019, Solving polynomial systems via homotopy
     /// continuation and monodromy.
@@ -72,7 +80,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         drives: Drives<G, N>,
         mut random: Random,
         watch: &'a Watch<'a>,
-    ) -> Option<Self> {
+    ) -> Self {
         let tilted = Plane {
             tilted: 1.0,
             turned: Complex::ZERO,
@@ -91,14 +99,19 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             evidence: Evidence::default(),
             random,
             watch,
+            paths: AtomicUsize::new(0),
+            is_ended: AtomicBool::new(false),
         };
-        generic.start(q)?;
-        generic.go_round()?;
-        Some(generic)
+        generic.start(q);
+        generic.go_round();
+        if *generic.is_ended.get_mut() {
+            generic.evidence.ended_after = Some(*generic.paths.get_mut());
+        }
+        generic
     }
 
     /// Follows random points here, from the members of which they are roots.
-    fn start(&mut self, q: &SVector<f64, N>) -> Option<()> {
+    fn start(&mut self, q: &SVector<f64, N>) {
         let starts: Vec<Vector<N>> = (0..STARTS)
             .map(|index| {
                 // From a third of the linkage's size to thirty times that.
@@ -107,50 +120,66 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             })
             .collect();
         self.evidence.starts = starts.len();
-        let ends = self.each(&starts, |start| {
+        let ends = self.each(Stage::Search, &starts, |start| {
             let from = self.family.of_root(start, self.member);
             follow(&[self.family.line(from, self.member)], start)
-        })?;
+        });
         self.add(ends);
-        Some(())
     }
 
     /// Follows the roots along loops until there is good reason to believe that they are all. A root
     /// that the trace test misses may need more loops than those that were quiet.
-    fn go_round(&mut self) -> Option<()> {
+    fn go_round(&mut self) {
         while self.evidence.loops < MOST_LOOPS {
             if self.evidence.quiet >= QUIET {
-                self.evidence.trace = self.bend()?;
+                self.evidence.trace = self.bend();
                 if self.evidence.is_convincing() {
                     break;
                 }
             }
             let round = [self.waypoint(), self.waypoint(), self.member];
-            let ends = self.follow_all(&self.lines(round))?;
+            let ends = self.follow_all(Stage::Search, &self.lines(round));
             let known = self.roots.len();
             self.add(ends);
+            if *self.is_ended.get_mut() {
+                break;
+            }
             self.evidence.loops += 1;
             self.evidence.quiet += 1;
             if self.roots.len() > known {
                 self.evidence.quiet = 0;
             }
         }
-        Some(())
     }
 
-    /// Where a way leads from each root; `None` where the search is given up.
-    pub(crate) fn follow_all(&self, way: &[Line<'_, G, N>]) -> Option<Vec<End<N>>> {
-        self.each(&self.roots, |root| follow(way, root))
+    /// Where a way leads from each root; `None` of those that are no longer followed.
+    pub(crate) fn follow_all(&self, stage: Stage, way: &[Line<'_, G, N>]) -> Vec<Option<End<N>>> {
+        self.each(stage, &self.roots, |root| follow(way, root))
     }
 
     fn each(
         &self,
+        stage: Stage,
         roots: &[Vector<N>],
         end: impl Fn(&Vector<N>) -> End<N> + Sync,
-    ) -> Option<Vec<End<N>>> {
-        let goes_on = || (self.watch)(self.roots.len());
-        let ends = parallel::map(roots, |root| goes_on().then(|| end(root)));
-        ends.into_iter().collect()
+    ) -> Vec<Option<End<N>>> {
+        parallel::map(roots, |root| self.goes_on(stage).then(|| end(root)))
+    }
+
+    /// Whether one more root is followed.
+    fn goes_on(&self, stage: Stage) -> bool {
+        let watched = || (self.watch)(stage, self.roots.len());
+        if stage == Stage::Follow {
+            return watched();
+        }
+        let is_within = || self.paths.load(Ordering::Relaxed) < MOST_PATHS;
+        let goes_on = !self.is_ended.load(Ordering::Relaxed) && is_within() && watched();
+        if goes_on {
+            self.paths.fetch_add(1, Ordering::Relaxed);
+        } else {
+            self.is_ended.store(true, Ordering::Relaxed);
+        }
+        goes_on
     }
 
     /// A random member, to go round by. It has other chassis points too: those of a mechanism are special, as where axes of
@@ -177,30 +206,28 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect()
     }
 
-    /// The trace test, where there is a plane to turn; `None` where the search is given up.
-    fn bend(&mut self) -> Option<Option<f64>> {
+    /// The trace test; `None` where there is no plane to turn.
+    fn bend(&mut self) -> Option<f64> {
         let turned = self.random.vector::<1>(1.0).x;
-        let Some(tilt) = &self.family.tilt else {
-            return Some(None);
-        };
+        let tilt = self.family.tilt.as_ref()?;
         let sum = |times: f64| {
             let mut member = self.member;
             member.plane.turned = turned * times;
             member.right[tilt.row] += tilt.away * turned * Complex::from(times);
-            let ends = self.follow_all(&self.lines([member]))?;
-            Some(sum_of(ends, |root| tilt.seen(root)))
+            let ends = self.follow_all(Stage::Search, &self.lines([member]));
+            sum_of(ends, |root| tilt.seen(root))
         };
-        let (Some(one), Some(two)) = (sum(1.0)?, sum(2.0)?) else {
-            return Some(Some(f64::INFINITY));
+        let (Some(one), Some(two)) = (sum(1.0), sum(2.0)) else {
+            return Some(f64::INFINITY);
         };
         let none: Vector<N> = self.roots.iter().map(|root| tilt.seen(root)).sum();
         let bend = (two - one * Complex::from(2.0) + none).camax();
-        Some(Some(bend / (two - none).camax()))
+        Some(bend / (two - none).camax())
     }
 
-    fn add(&mut self, ends: Vec<End<N>>) {
+    fn add(&mut self, ends: Vec<Option<End<N>>>) {
         for end in ends {
-            if let End::Root(root) = end {
+            if let Some(End::Root(root)) = end {
                 add_distinct(&mut self.roots, root, self.family.size);
             }
         }
@@ -209,13 +236,13 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
 
 /// A sum over the roots, where all ends are roots.
 fn sum_of<const N: usize>(
-    ends: Vec<End<N>>,
+    ends: Vec<Option<End<N>>>,
     of: impl Fn(&Vector<N>) -> Vector<N>,
 ) -> Option<Vector<N>> {
     ends.into_iter()
         .try_fold(Vector::zeros(), |sum, end| match end {
-            End::Root(root) => Some(sum + of(&root)),
-            End::Infinite | End::Lost => None,
+            Some(End::Root(root)) => Some(sum + of(&root)),
+            Some(End::Infinite | End::Lost) | None => None,
         })
 }
 

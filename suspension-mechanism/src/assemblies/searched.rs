@@ -26,7 +26,7 @@ pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
 }
 
 impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
-    /// Searches with general lengths, starting around `near`; `None` where `watch` gives the search up.
+    /// Searches with general lengths, starting around `near`.
     pub(crate) fn new<L: Enumerable<N, Listing = G>>(
         model: &L,
         part: Part,
@@ -34,17 +34,17 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         drives: Drives<G, N>,
         mut random: Random,
         watch: &'a Watch<'a>,
-    ) -> Option<Self> {
+    ) -> Self {
         let is_linear = part.is_linear;
         let unknowns = names(model, &part);
         let family = Family::new(model, part, &mut random);
         if is_linear {
-            return Some(Self::Linear(family));
+            return Self::Linear(family);
         }
-        Some(Self::General {
-            generic: Generic::new(family, near, drives, random, watch)?,
+        Self::General {
+            generic: Generic::new(family, near, drives, random, watch),
             unknowns,
-        })
+        }
     }
 
     fn family(&self) -> &Family<G, N> {

@@ -31,7 +31,7 @@ pub struct Assembly {
 /// The search for all assemblies of a mechanism.
 pub trait Assembled {
     /// The assemblies at values of the drives, in local coordinates: the real ones, nearest to the configuration of
-    /// the first instant first, and what became of all; `None` where the search is given up.
+    /// the first instant first, and what became of all; `None` where it is given up.
     fn at(&mut self, drives: &[f64]) -> Option<(Vec<Assembly>, Tally)>;
 }
 
@@ -42,11 +42,11 @@ pub(super) struct Enumerated<'a, L: Suspension<N>, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
-    pub(super) fn new(mechanism: &'a Mechanism<L, N>, watch: &'a Watch<'a>) -> Option<Self> {
+    pub(super) fn new(mechanism: &'a Mechanism<L, N>, watch: &'a Watch<'a>) -> Self {
         let inputs = still::<L, N>(&mechanism.first_drives());
         let Mechanism { model, start, .. } = mechanism;
-        let search = Assemblies::new(model, &start.position, &inputs, watch)?;
-        Some(Self { mechanism, search })
+        let search = Assemblies::new(model, &start.position, &inputs, watch);
+        Self { mechanism, search }
     }
 
     /// Whether all points stand at the same places: at an angle about an axis of zero or half a turn its quarter has two values.

@@ -27,7 +27,7 @@ where
     Const<15>: DimMin<Const<15>, Output = Const<15>>,
 {
     let near = model.unknowns(rough);
-    let mut search = Assemblies::new(model, &near, &inputs(0.0), &|_| true).expect("a search");
+    let mut search = Assemblies::new(model, &near, &inputs(0.0), &|_, _| true);
     let each = INSTANTS.iter();
     let each = each.map(|t| search.at(&inputs(*t)).expect("a census"));
     each.collect()

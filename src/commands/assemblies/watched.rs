@@ -1,0 +1,66 @@
+//! The user before a search for assemblies.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::assemblies::Stage;
+use crate::failure::Failure;
+use crate::output::progress::Found;
+
+/// Shows how many are found, and ends the search at an interrupt, and at another what comes after it.
+pub struct Watched<'a> {
+    file: &'a str,
+    found: Found,
+    interrupted: &'a AtomicBool,
+    is_ended: AtomicBool,
+}
+
+impl<'a> Watched<'a> {
+    /// Of a file's mechanism.
+    pub fn new(file: &'a str, interrupted: &'a AtomicBool) -> Self {
+        Self {
+            file,
+            found: Found::new("assemblies of such a mechanism with general lengths"),
+            interrupted,
+            is_ended: AtomicBool::new(false),
+        }
+    }
+
+    /// Whether it goes on, where so many are known.
+    pub fn goes_on(&self, stage: Stage, count: usize) -> bool {
+        self.found.show(count);
+        if stage == Stage::Follow {
+            return !self.interrupted.load(Ordering::Relaxed);
+        }
+        let ends = self.interrupted.swap(false, Ordering::Relaxed);
+        if ends {
+            self.is_ended.store(true, Ordering::Relaxed);
+            self.found.tell(format_args!(
+                "note: {}: the search is ended, and what it has found is followed to the file's own lengths; interrupt again to give that up",
+                self.file
+            ));
+        }
+        !ends
+    }
+
+    /// Takes what it shows away.
+    pub fn clear(&self) {
+        self.found.clear();
+    }
+
+    /// What was given up at the second interrupt, after `done`.
+    pub fn given_up(&self, done: &str) -> Failure {
+        Failure::Interrupted(format!("{}: interrupted {done}", self.file))
+    }
+
+    /// Whether a search was ended.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Interrupted`] where it was.
+    pub fn ended(&self) -> Result<(), Failure> {
+        if self.is_ended.load(Ordering::Relaxed) {
+            return Err(self.given_up("in its search for assemblies, of which there may be more"));
+        }
+        Ok(())
+    }
+}
