@@ -104,7 +104,8 @@ fn enumerate(
 const NOTES: &str = "\
 An assembly is a way to put the parts together at the given value of the drive. Distances are from
 the configuration of the file's first instant: over all coordinates of free points, and of the
-point that lies farthest away. A pivot near zero is a singularity near by, where two assemblies meet.
+point that lies farthest away. A singular value of the Jacobian near zero, as `suspension check` has it, is a singularity near by,
+where two assemblies meet.
 Mirrored are points on the wrong side of those that links join them to: such an assembly has all
 lengths but cannot be built. A `body` is never mirrored.
 

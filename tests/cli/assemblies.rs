@@ -5,7 +5,7 @@ mod parts;
 
 use std::collections::BTreeMap;
 
-use super::program::{example, folder, rows, run, text};
+use super::program::{CORNER, example, folder, rows, run, text};
 
 /// How far two points are apart.
 fn length(row: &BTreeMap<String, f64>, [from, to]: &[String; 2]) -> f64 {
@@ -136,4 +136,19 @@ fn what_makes_no_sense_is_refused() {
     let output = run(folder.path(), &unknown);
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("unknown drive `bump`; known are theta"));
+}
+
+#[test]
+fn an_assembly_is_as_near_to_a_singularity_as_check_says() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let output = run(folder.path(), &["assemblies", "a.toml", "--csv", "-"]);
+    let smallest = rows(&output.stdout)[0]["smallest_singular_value"];
+    let checked = run(folder.path(), &["check", "a.toml"]);
+    let expected = format!("smallest singular value {smallest:.3}");
+    let report = text(&checked.stdout);
+    assert!(
+        report.contains(expected.trim_end_matches('0')),
+        "{expected}: {report}"
+    );
 }

@@ -24,7 +24,9 @@ pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
         Column::new(format!("distance_{symbol}"), |assembly| assembly.distance),
         Column::new(format!("farthest_{symbol}"), |assembly| assembly.farthest),
         Column::of_counts("mirrored", |assembly| assembly.mirrored.len() as f64),
-        Column::new("smallest_pivot", |assembly| assembly.smallest_pivot),
+        Column::new("smallest_singular_value", |assembly| {
+            assembly.smallest_singular_value
+        }),
     ]);
     columns.extend(of_state(&[&CAMBER, &TOE, &POSITIONS, &MARKERS]));
     columns
@@ -64,7 +66,8 @@ impl Report {
             let values = each().map(|assembly| column.value(&assembly.state));
             TextColumn::values(values, column.dimension, unit).under(column.heading(unit))
         });
-        let pivots = each().map(|assembly| format!("{:.1e}", assembly.smallest_pivot));
+        let singular_values =
+            each().map(|assembly| format!("{:.1e}", assembly.smallest_singular_value));
         let mirrored = each().map(|assembly| match assembly.mirrored.as_slice() {
             [] => "        -".to_owned(),
             points => format!("{:>9}", points.join(" ")),
@@ -73,7 +76,7 @@ impl Report {
             TextColumn::right(each().map(|assembly| assembly.number)).under(" assembly"),
             length("distance", |assembly| assembly.distance),
             length("farthest", |assembly| assembly.farthest),
-            TextColumn::right(pivots).under("smallest pivot"),
+            TextColumn::right(singular_values).under("smallest singular value"),
         ];
         columns.extend(wheel);
         // Many names run on, to the right of the heading.

@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Kind, Parts};
-use suspension_core::lu::Lu;
 use suspension_core::motion::Prescribed;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::assemblies::{Assemblies, Tally, Watch};
+use crate::kinematics::equations::jacobian;
 use crate::mechanism::{Mechanism, State, Suspension};
 
 /// A real assembly.
@@ -19,8 +19,8 @@ pub struct Assembly {
     pub farthest: f64,
     /// Its number in the list, from 1.
     pub number: usize,
-    /// The smallest pivot of the Jacobian with partial pivoting; zero where it is singular.
-    pub smallest_pivot: f64,
+    /// Of the Jacobian; zero where it is singular.
+    pub smallest_singular_value: f64,
     /// The points that stand on the wrong side of those that links join them to: a mirror image that
     /// has all lengths and cannot be built.
     pub mirrored: Vec<String>,
@@ -131,7 +131,6 @@ fn assembly<L: Suspension<N>, const N: usize>(
     let farthest = moved.chunks(3).map(length).fold(0.0, f64::max);
     let points = Motion::at_rest(*q).points(model, inputs).value;
     let fixed = Prescribed::new(model, inputs).fixed.value;
-    let factored = Lu::factor(&model.jacobian(q, &fixed));
     let sides = model.linked().zip(model.mirrored(q, &fixed));
     let mirrored = sides.filter(|(_, mirrored)| *mirrored > 0.5);
     let [first, _] = mechanism.instants.ends();
@@ -139,7 +138,7 @@ fn assembly<L: Suspension<N>, const N: usize>(
         distance: length(moved),
         farthest,
         number: 0,
-        smallest_pivot: factored.map_or(0.0, |lu| lu.smallest_pivot().1),
+        smallest_singular_value: jacobian(mechanism, q, &fixed).singular_values().min(),
         mirrored: mirrored
             .map(|(point, _)| mechanism.names.points[point].clone())
             .collect(),

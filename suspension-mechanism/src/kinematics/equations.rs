@@ -1,6 +1,6 @@
 //! The equations of a mechanism at a place, as numbers.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SVector};
 use suspension_core::motion::Prescribed;
 use suspension_core::pivots::Elimination;
 
@@ -26,13 +26,21 @@ impl Equations {
         let inputs = mechanism.drives.inputs::<L::Drives>(first);
         let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
         let (fixed, drives) = (fixed.value, drives.value);
-        let jacobian = model.jacobian(q, &fixed);
-        // A model has room for more unknowns than the listing has.
-        let size = mechanism.names.unknowns.len();
         Self {
-            jacobian: DMatrix::from_fn(size, size, |row, column| jacobian[(row, column)]),
+            jacobian: jacobian(mechanism, q, &fixed),
             elimination: Elimination::at(model, q, &fixed),
             residual: model.residual(q, &fixed, &drives).amax(),
         }
     }
+}
+
+/// The Jacobian of the listing's equations; a model has room for more.
+pub(super) fn jacobian<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    q: &SVector<f64, N>,
+    fixed: &L::Fixed,
+) -> DMatrix<f64> {
+    let size = mechanism.names.unknowns.len();
+    let jacobian = mechanism.model.jacobian(q, fixed);
+    jacobian.view((0, 0), (size, size)).into_owned()
 }
