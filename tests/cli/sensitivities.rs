@@ -133,7 +133,7 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
         "{report}"
     );
     assert!(
-        report.contains("\ncamber: 0 deg\n  wheel_centre.z -0.573, axle.z 0.573\n"),
+        report.contains("\ncamber: 0 deg\n  deg per mm: wheel_centre.z -0.573, axle.z 0.573\n"),
         "{report}"
     );
     assert!(!report.contains("\ntoe"), "{report}");

@@ -204,6 +204,8 @@ impl Report<'_> {
         }
         let each = numbers.iter().take(count);
         let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
-        each.collect::<Vec<_>>().join(", ")
+        let each = each.collect::<Vec<_>>().join(", ");
+        let unit = format!("{} per {}", at.symbol, self.per().0);
+        format!("{}: {each}", unit.trim_start())
     }
 }
