@@ -35,7 +35,7 @@ pub struct Arguments {
     /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// The same of the drive that steers; without it 30 mm to either side.
+    /// The same of the drive that steers; without it 30 mm to either side, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
     /// Draw the curves of both, a chart each, on a page of HTML.

@@ -31,7 +31,7 @@ pub struct Arguments {
     /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// The same of the drive that steers; without it 30 mm to either side.
+    /// The same of the drive that steers; without it 30 mm to either side, of an angle 0.2 rad.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
     /// Write the page to PATH, or to standard output for `-`; without it to out/NAME_sheet.html, NAME being that of the motion file.
