@@ -114,9 +114,10 @@ steer = [0.34, RATE]
 /// The link that a message names, the length that it has, and the length that it would need.
 fn misfit(message: &str) -> (&str, f64, f64) {
     let (before, needs) = message
-        .split_once(" m long and would have to be ")
+        .split_once(" m and would need ")
         .unwrap_or_else(|| panic!("no link is named: {message}"));
-    let (before, has) = before.rsplit_once("` is ").expect("a length");
+    let (before, has) = before.rsplit_once(": it has ").expect("a length");
+    let (before, _) = before.rsplit_once("` is too ").expect("a fault");
     let (_, name) = before.rsplit_once('`').expect("a name");
     let (needs, _) = needs.split_once(" m").expect("a unit");
     let number = |text: &str| text.parse().expect("a number");
@@ -187,6 +188,34 @@ turn = [0.949505195260471, -0.0516]
     let across = 0.3_f64.hypot(0.5) - length * sine;
     let needs = across.hypot(0.3 + length * cosine - 0.2);
     let said = text(&output.stderr);
-    let expected = format!("`bp` is 0.47592 m long and would have to be {needs:.6} m");
+    let expected = format!(
+        "`bp` is too short: it has 0.47592 m and would need {needs:.6} m at the place asked for"
+    );
     assert!(said.contains(&expected), "{expected}: {said}");
+}
+
+/// No link is too long or too short: the arm that the drive lifts stands across the axis of its hinge. As `range` does, a motion and a
+/// sweep name the hinge.
+#[test]
+fn a_hinge_that_ends_a_motion_is_named() {
+    let folder = folder();
+    let file = "statements = '''
+fixed: inner at [0.0, 0.2, 0.3], outer at [0.0, 0.4, 0.3];
+free: tip at [-0.3, 0.3, 0.35];
+hinge arm: inner, outer -> tip;
+drive bump: tip.z;
+'''
+unit = \"m\"
+time = { instants = [0.0, 1.0] }
+[drives]
+bump = [0.35, 0.3]
+";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let sweep = ["sweep", "a.toml", "--drive", "bump=0:0.3:4"];
+    for command in [&["motion", "a.toml"][..], &sweep] {
+        let output = run(folder.path(), command);
+        let said = text(&output.stderr);
+        let expected = "; `arm` on its hinge `inner`, `outer` reaches no further";
+        assert!(said.contains(expected), "{said}");
+    }
 }

@@ -22,9 +22,9 @@ pub struct Lock {
     /// The number of the drive that turns there, where one does: led by it, the mechanism locks.
     pub turns: Option<usize>,
     misfit: Option<Misfit>,
-    /// The hinge that bears most where no link is known, in words. Only near the lock is it what is in the way: with what is asked
-    /// for far beyond, the link that is in the way is not known either.
-    hinge: Option<String>,
+    /// Where no link is known at what was asked for, which may be far beyond: the one just beyond the lock, or else the hinge
+    /// that bears most, in words.
+    near: Option<String>,
     cause: Option<SolveError<f64>>,
 }
 
@@ -43,15 +43,20 @@ impl Lock {
         let there = laws.inputs::<L::Drives>(stopped.reached);
         let cause = stopped.refused.map(|(_, cause)| cause);
         let locks = !matches!(cause, Some(SolveError::OutOfRange { .. }));
-        let misfit = || Misfit::between(model, names, laws, [stopped.reached, asked], q);
-        let misfit = locks.then(misfit).flatten();
-        let hinge = || strained_hinge(model, names, laws, stopped.reached, q);
-        let hinge = (locks && misfit.is_none()).then(hinge).flatten();
+        let reached = stopped.reached;
+        let misfit = |asked| Misfit::between(model, names, laws, [reached, asked], q);
+        let just_beyond = || {
+            let link = misfit(reached + BEYOND * (asked - reached));
+            let hinge = || strained_hinge(model, names, laws, reached, q).map(Hinge::fault);
+            link.map(|link| link.fault()).or_else(hinge)
+        };
+        let at_asked = locks.then(|| misfit(asked)).flatten();
+        let near = (locks && at_asked.is_none()).then(just_beyond).flatten();
         Self {
             drives: given(&there.drives.value),
             turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
-            misfit,
-            hinge: hinge.map(Hinge::fault),
+            misfit: at_asked,
+            near,
             cause,
         }
     }
@@ -59,7 +64,7 @@ impl Lock {
     /// What is in the way of going on by a little: the link and whether it is too long or too short, in words, or else the hinge.
     pub fn fault(&self) -> Option<String> {
         let misfit = self.misfit.as_ref().map(Misfit::fault);
-        misfit.or_else(|| self.hinge.clone())
+        misfit.or_else(|| self.near.clone())
     }
 
     /// In words, `design` being the drives at the design position.
@@ -96,10 +101,9 @@ impl Lock {
                 )
             }
         };
-        let misfit = self.misfit.as_ref();
-        let misfit = misfit.and_then(|misfit| misfit.in_words(unit));
-        match misfit {
-            Some(misfit) => format!("{end}; {misfit}"),
+        let misfit = self.misfit.as_ref().map(|misfit| misfit.in_words(unit));
+        match misfit.or_else(|| self.near.clone()) {
+            Some(fault) => format!("{end}; {fault}"),
             None => end,
         }
     }
@@ -114,6 +118,9 @@ pub fn from_design(change: f64, symbol: &str) -> String {
         rounded(change.abs(), DIGITS)
     )
 }
+
+/// How far beyond the lock it is looked for what is in the way of going on by a little, as a part of the way to what was asked for.
+const BEYOND: f64 = 0.01;
 
 /// Steps within which the turning point must lie: the motion has stopped beside it.
 const STEPS: usize = 3;

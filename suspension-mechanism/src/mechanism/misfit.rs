@@ -84,14 +84,17 @@ impl Misfit {
         format!("`{}` is too {fault}", self.name)
     }
 
-    /// In words; `None` where the digits shown do not differ.
-    pub(crate) fn in_words(&self, unit: Unit) -> Option<String> {
+    /// The fault, and the lengths where the digits shown differ.
+    pub(crate) fn in_words(&self, unit: Unit) -> String {
         const DIGITS: usize = 6;
         let [has, needs] = [self.has, self.needs].map(|length| rounded(length, DIGITS));
-        let (name, symbol) = (&self.name, unit.symbol());
-        let words =
-            || format!("`{name}` is {has} {symbol} long and would have to be {needs} {symbol}");
-        (has != needs).then(words)
+        let (fault, symbol) = (self.fault(), unit.symbol());
+        if has == needs {
+            return fault;
+        }
+        format!(
+            "{fault}: it has {has} {symbol} and would need {needs} {symbol} at the place asked for"
+        )
     }
 }
 
