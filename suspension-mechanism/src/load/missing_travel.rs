@@ -16,7 +16,7 @@ pub(super) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     };
     let all = |has: fn(usize) -> bool| without.iter().all(|wheel| has(wheel.lifted_by.len()));
     let has_several = all(|drives| drives > 1);
-    let needed_by = needed_by(task, has_several)?;
+    let needed_by = needed_by(task, has_several || names.wheels.len() > 1)?;
     let titles: Vec<String> = without.iter().map(|wheel| wheel.title("wheel")).collect();
     let (file, titles) = (task.source.name(), titles.join(" and the "));
     if has_several {
@@ -41,14 +41,15 @@ pub(super) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     })
 }
 
-/// The table of the file that needs the travel of wheels; the ground under a wheel does only where no drive is its travel alone.
-fn needed_by(task: &Task<'_>, has_several: bool) -> Option<&'static str> {
+/// The table of the file that needs the travel of wheels; the ground under a wheel does where it has more than one drive, or another
+/// wheel, with which it rolls.
+fn needed_by(task: &Task<'_>, needs_each: bool) -> Option<&'static str> {
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let is_car = vehicle.is_some_and(|vehicle| {
         vehicle.cg_height.is_some()
             || vehicle.brake_share.is_some()
             || vehicle.drive_share.is_some()
-            || has_several && vehicle.wheel_radius.is_some()
+            || needs_each && vehicle.wheel_radius.is_some()
     });
     if task.file.springs.is_some() {
         Some("[springs]")

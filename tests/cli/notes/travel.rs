@@ -26,16 +26,16 @@ const CAR: &str = "axle = \"front\"\nwheelbase = 2.6\ncg_height = 0.5\nbrake_sha
 
 #[test]
 fn the_travel_of_each_wheel_is_proposed_where_it_is_needed() {
-    let told = notes(&arms(CAR));
-    assert_eq!(
-        told,
-        format!(
-            "note: a.toml: no drive is named as the travel of the fl wheel and the fr wheel, and quantities of [vehicle] that need it are \
-             left out; write {TRAVEL} under [vehicle]\n"
-        )
+    let expected = format!(
+        "note: a.toml: no drive is named as the travel of the fl wheel and the fr wheel, and quantities of [vehicle] that need it are \
+         left out; write {TRAVEL} under [vehicle]\n"
     );
-    assert_eq!(notes(&arms(&format!("{CAR}{TRAVEL}\n"))), "");
-    assert_eq!(notes(&arms("")), "");
+    // Of the ground, the roll centre and what follows in roll.
+    for vehicle in [CAR, ""] {
+        assert_eq!(notes(&arms(vehicle)), expected);
+        assert_eq!(notes(&arms(&format!("{vehicle}{TRAVEL}\n"))), "");
+    }
+    assert_eq!(notes(&arms("").replace("wheel_radius = 0.3\n", "")), "");
 }
 
 #[test]
