@@ -143,7 +143,7 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
     let mut roots = Vec::new();
     let mut infinite = 0;
     for way in 0..WAYS {
-        let detour = (way > 0).then(|| generic.waypoint());
+        let detour = (way > 0).then(|| generic.detour());
         // What goes to infinity as the chassis points become the mechanism's, and what as lengths and coordinates do: one after
         // the other they are easier to tell.
         let on_chassis = MemberOf::<G, N> {

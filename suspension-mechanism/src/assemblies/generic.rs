@@ -24,8 +24,12 @@ const QUIET: usize = 4;
 const MOST_LOOPS: usize = 80;
 
 /// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they were, those far away
-/// above all. Of a live axle on a Watt linkage detours of this size told all 80 assemblies at infinity, those of 10 and 30 lost some.
-const LOOP: f64 = 100.0;
+/// above all; large ones take more steps.
+const LOOP: f64 = 10.0;
+
+/// How large detours are, likewise. Of a live axle on a Watt linkage those of this size told all 80 assemblies at infinity, those of
+/// 10 and 30 lost some.
+const DETOUR: f64 = 100.0;
 
 /// How far, relative to its change, the sum over all roots may be from linear. Rounding leaves up to 4e-10. Missing roots left 2e-4
 /// and more of double wishbones with skew axes, and 4e-7 of an H-arm with a camber link.
@@ -137,7 +141,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
                     break;
                 }
             }
-            let round = [self.waypoint(), self.waypoint(), self.member];
+            let round = [self.waypoint(LOOP), self.waypoint(LOOP), self.member];
             let ends = self.follow_all(Stage::Search, &self.lines(round));
             let known = self.roots.len();
             self.add(ends);
@@ -182,12 +186,17 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         goes_on
     }
 
-    /// A random member, to go round by. It has other chassis points too: those of a mechanism are special, as where axes of
+    /// A random member, to go round by on a detour.
+    pub(crate) fn detour(&mut self) -> MemberOf<G, N> {
+        self.waypoint(DETOUR)
+    }
+
+    /// A random member so far away. It has other chassis points too: those of a mechanism are special, as where axes of
     /// wishbones are nearly parallel, and each way comes to them from another side.
-    pub(crate) fn waypoint(&mut self) -> MemberOf<G, N> {
+    fn waypoint(&mut self, away: f64) -> MemberOf<G, N> {
         let mut member = self.member;
         member.fixed = self.family.general_fixed(&mut self.random);
-        member.right += self.random.vector::<N>(LOOP * self.family.size);
+        member.right += self.random.vector::<N>(away * self.family.size);
         member
     }
 
