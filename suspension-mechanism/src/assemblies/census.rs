@@ -144,13 +144,7 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
     let mut infinite = 0;
     for way in 0..WAYS {
         let detour = (way > 0).then(|| generic.detour());
-        // What goes to infinity as the chassis points become the mechanism's, and what as lengths and coordinates do: one after
-        // the other they are easier to tell.
-        let on_chassis = MemberOf::<G, N> {
-            fixed: target.fixed,
-            ..detour.unwrap_or(generic.member)
-        };
-        let lines = generic.lines(detour.into_iter().chain([on_chassis, target]));
+        let lines = generic.lines(detour.into_iter().chain([target]));
         let ends = generic.follow_all(Stage::Follow, &lines);
         let ends: Option<Vec<_>> = ends.into_iter().collect();
         // Another way loses other paths: as many go to infinity on each.

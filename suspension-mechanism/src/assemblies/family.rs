@@ -123,7 +123,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
             family: self,
             from,
             change,
-            is_to_own_chassis: to.fixed.values().eq(self.own_fixed().values()),
+            is_to_the_mechanism: to.plane == Plane::default(),
         }
     }
 
@@ -196,8 +196,8 @@ pub(crate) struct Line<'a, G: Listing<N>, const N: usize> {
     family: &'a Family<G, N>,
     from: MemberOf<G, N>,
     change: MemberOf<G, N>,
-    /// Whether it ends at the chassis points of the mechanism, with which some of the roots may be at infinity.
-    pub(crate) is_to_own_chassis: bool,
+    /// Whether it ends at the mechanism itself, of which some of the roots may be at infinity.
+    pub(crate) is_to_the_mechanism: bool,
 }
 
 impl<G: Listing<N>, const N: usize> Line<'_, G, N> {

@@ -62,7 +62,7 @@ impl Evidence {
 /// A member of a family with its roots.
 pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
     pub(crate) family: Family<G, N>,
-    pub(crate) member: MemberOf<G, N>,
+    member: MemberOf<G, N>,
     pub(crate) roots: Vec<Vector<N>>,
     pub(crate) evidence: Evidence,
     random: Random,

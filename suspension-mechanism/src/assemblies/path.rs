@@ -54,7 +54,7 @@ pub(crate) fn follow<G: Listing<N>, const N: usize>(
 ) -> End<N> {
     way.iter().fold(End::Root(*q), |end, line| match end {
         End::Root(q) => follow_line(line, q),
-        End::Infinite | End::Lost => end,
+        End::Infinite | End::Lost => End::Lost,
     })
 }
 
@@ -68,7 +68,7 @@ fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vect
         let Some(terms) = line.series(&q, s, &factors) else {
             return End::Lost;
         };
-        let is_far = line.is_to_own_chassis && scale > FAR * line.size();
+        let is_far = line.is_to_the_mechanism && scale > FAR * line.size();
         if is_far && has_pole_at(1.0 - s, &terms) {
             return End::Infinite;
         }
