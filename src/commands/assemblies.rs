@@ -112,14 +112,14 @@ lengths but cannot be built. A `body` is never mirrored.
 The list is ordered by distance; one row each in the CSV file, with every free point and marker.
 
 How: the mechanism is put together part by part, as far as one part does not need the other: the rack, either corner, the rocker
-of a pushrod. Over complex numbers all assemblies of a part of general lengths and chassis points hang together. They are
+of a pushrod. Over complex numbers all assemblies of a part of general dimensions, lengths and chassis points, hang together. They are
 found from random starts and by going round loops of such parts, and followed from there to
 the file's. The trace test confirms that none is missing: a general plane takes the place of a coordinate that a drive or another
 part gives, and as it turns a sum over all assemblies changes linearly. Of those with a plane some go to infinity as it becomes
 the coordinate's. A complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
 
 It takes seconds, and minutes where a whole axle is one part, as a steered beam axle is: of 1,104 assemblies with general
-lengths. On a terminal it shows how many it has found. An interrupt (Ctrl-C) ends the search; what it has found is followed to
+dimensions. On a terminal it shows how many it has found. An interrupt (Ctrl-C) ends the search; what it has found is followed to
 the file's lengths and listed, and the list says that it may not be complete. Another interrupt gives that up. The search of a
 part ends by itself after 20,000 paths; the list has 10,000 assemblies at most.
 

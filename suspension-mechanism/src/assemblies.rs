@@ -40,7 +40,7 @@ pub struct Census<const N: usize> {
     pub tally: Tally,
 }
 
-/// The search for all assemblies of a mechanism. What it finds out about general lengths serves all
+/// The search for all assemblies of a mechanism. What it finds out about general dimensions serves all
 /// values of the drives.
 pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
     model: &'a L,
@@ -50,7 +50,7 @@ pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
 }
 
 impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
-    /// Searches the parts of a mechanism of general lengths, starting around `near`.
+    /// Searches the parts of a mechanism of general dimensions, starting around `near`.
     pub fn new(
         model: &'a L,
         near: &SVector<f64, N>,

@@ -24,8 +24,8 @@ pub(crate) trait UnderName {
     const EXPECTED: &str;
 }
 
-/// Reads tables under names. What stands there without one, a list too, is told what heading to write: without this, keys are read
-/// off a list in their order.
+/// Reads tables under names. The error about what stands there without one, a list too, says what heading to write: without this, keys
+/// are read off a list in their order.
 pub(crate) fn under_names<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
 where
     D: de::Deserializer<'de>,

@@ -245,7 +245,7 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
     let folder = watt_linkage();
     let list = ["assemblies", "axle.toml", "--csv", "all.csv"];
     let output = interrupted_by("-INT", folder.path(), &list);
-    let ended = "the search for those with general lengths was ended after ";
+    let ended = "the search for those with general dimensions was ended after ";
     assert!(text(&output.stdout).contains(ended), "{output:?}");
     assert!(folder.path().join("all.csv").exists());
     let count = ["check", "axle.toml", "--assemblies"];

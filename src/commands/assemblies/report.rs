@@ -155,7 +155,7 @@ fn of_part(part: &PartTally, whole: &str) -> String {
     format!(
         "{} complex assemblies, {} at infinity, \
          {} not accounted for{unconfirmed},\nof {times}the {} that such {whole} has with general \
-         lengths ({} random starts, {loops}).\n",
+         dimensions ({} random starts, {loops}).\n",
         part.complex,
         part.infinite,
         part.unaccounted(),

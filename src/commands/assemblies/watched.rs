@@ -19,7 +19,7 @@ impl<'a> Watched<'a> {
     pub fn new(file: &'a str, interrupted: &'a AtomicBool) -> Self {
         Self {
             file,
-            found: Found::new("assemblies of such a mechanism with general lengths"),
+            found: Found::new("assemblies of such a mechanism with general dimensions"),
             interrupted,
             is_ended: AtomicBool::new(false),
         }

@@ -1,4 +1,4 @@
-//! What is wrong with mirror images is told of what they are images of.
+//! Mistakes of mirror images are reported at the statements that they are images of.
 
 use proc_macro2::Span;
 use syn::Error;
@@ -6,7 +6,7 @@ use syn::Error;
 use crate::errors::Errors;
 use crate::sides::Sides;
 
-/// The errors without those of images that are told of their originals already. The others say what the image is of.
+/// The errors without those of images whose originals have the same one. The others say what the image is of.
 pub(crate) fn told_of_one_side(sides: &[Sides], errors: Errors) -> Errors {
     let mut told: Vec<(Span, String)> = Vec::new();
     let mut of_one_side = Errors::default();

@@ -35,7 +35,7 @@ fn a_body_that_lacks_its_third_point_is_told_so() {
     assert_eq!(places(text), [[3, 6, 7]]);
 }
 
-/// What to do with a link to a marker on a body in line is told in one message, and is all there is to do.
+/// One message says all that there is to do with a link to a marker on a body in line.
 #[test]
 fn a_marker_in_line_with_its_body_is_told_to_slide() {
     let listing = |middle: &str| {

@@ -50,7 +50,7 @@ pub struct PartTally {
     /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
     /// beside a fold two real ones or two complex ones, which are not told apart.
     pub unconfirmed: usize,
-    /// How many such a part with general lengths has, each time.
+    /// How many such a part with general dimensions has, each time.
     pub generic: usize,
     /// How many of those go to infinity as the lengths become the mechanism's.
     pub infinite: usize,
@@ -69,11 +69,12 @@ impl PartTally {
     fn doubts(&self) -> impl Iterator<Item = String> {
         let general = || match self.evidence.ended_after {
             Some(paths) => {
-                format!("the search for those with general lengths was ended after {paths} paths")
+                format!(
+                    "the search for those with general dimensions was ended after {paths} paths"
+                )
             }
-            None => {
-                "not all assemblies of such a mechanism with general lengths were found".to_owned()
-            }
+            None => "not all assemblies of such a mechanism with general dimensions were found"
+                .to_owned(),
         };
         let lost = |count| match count {
             1 => "one of them was lost on its way to this one".to_owned(),

@@ -13,7 +13,7 @@ use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
 
-/// A part, and what is known of it with general lengths.
+/// A part, and what is known of it with general dimensions.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
     /// Its equations are linear in its unknowns.
     Linear(Family<G, N>),
@@ -26,7 +26,7 @@ pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
 }
 
 impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
-    /// Searches with general lengths, starting around `near`.
+    /// Searches with general dimensions, starting around `near`.
     pub(crate) fn new<L: Enumerable<N, Listing = G>>(
         model: &L,
         part: Part,

@@ -58,7 +58,7 @@ fn mistakes_are_told_of_what_is_mirrored() {
     }
 }
 
-/// What is wrong with the image alone is told with what makes it.
+/// The message about a mistake of the image alone says which statement makes the image.
 #[test]
 fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
     for (statement, expected) in [
