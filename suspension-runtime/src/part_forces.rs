@@ -78,7 +78,7 @@ impl PartForces {
     ) -> Vec<(&str, Vector3<f64>)> {
         let mut moments: Vec<(&str, Vector3<f64>)> = Vec::new();
         for each in self.moments.iter().filter(|moment| moment.acts) {
-            let about_origin = each.forces(loads, at).into_iter();
+            let about_origin = each.forces(loads, at);
             let about_origin = about_origin.map(|(point, force)| nth(at, point).cross(&force));
             let moment: Vector3<f64> = about_origin.sum();
             match moments.iter_mut().find(|(angle, _)| *angle == each.angle) {
@@ -96,10 +96,10 @@ impl Moment {
         &self,
         loads: &Loads<'_, L, N>,
         at: &L::Points,
-    ) -> Vec<(usize, Vector3<f64>)> {
+    ) -> impl Iterator<Item = (usize, Vector3<f64>)> {
         let of_angle = by(loads, &self.equations);
-        let (force, at) = (|point| nth(&of_angle, point), |point| nth(at, point));
-        self.share.forces(force, at).collect()
+        let force = move |point| nth(&of_angle, point);
+        self.share.forces(force, |point| nth(at, point))
     }
 }
 
