@@ -157,9 +157,9 @@ weight and moments that act on it. A moment about an angle acts on what carries 
 is that of a torsion bar, N m, all that acts in the measure bar together; `cross on shaft` that of a universal joint, or of what else
 drives or holds an angle. What the two bushes of a hinge bear along its axis rigid parts leave open: each is given half of it. Where
 two bodies share two points, likewise only the sum along their line is determined. Links, joints and moments that bear nothing at any
-place are named in one line, `no load in:`; tables of --csv have their columns too. On the chassis: the force that all links, joints,
+place are named in one line, `no load in:`; tables of --csv have their columns too. Chassis points: the force that all links, joints,
 measures and drives of lengths at a chassis point exert on it together, as its bracket bears it, without the weight of what is at the
-point itself. A chassis point that a drive moves, a rack's end say, is one of them.
+point itself. A chassis point that a drive moves, a rack's end say, is one of them: along its way the drive bears the force.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,

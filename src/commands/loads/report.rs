@@ -60,13 +60,17 @@ impl Report<'_> {
         });
         let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line));
         let on_chassis: Vec<Line> = on_chassis.collect();
-        let [of_forces, of_moments] = match found.places {
-            1 => ["force along x, y and z", "about x, y and z"],
-            _ => ["size of the force", "size"],
+        let [of_forces, of_moments, borne] = match found.places {
+            1 => [
+                "force along x, y and z",
+                "about x, y and z",
+                "bears along x, y and z",
+            ],
+            _ => ["size of the force", "size", "bears"],
         };
         table(["joint", of_forces], joints);
         table(["moment", of_moments], moments);
-        table(["on the chassis at", of_forces], on_chassis);
+        table(["chassis point", borne], on_chassis);
         out.push_str(&unloaded.in_words());
         out.push_str(&self.near_a_lock(found));
         out

@@ -75,7 +75,7 @@ fn the_report_has_a_table_of_the_brackets() {
     let row = &table(&loaded(), &[])[0];
     let report = run(folder.path(), &["loads", "a.toml"]);
     let report = text(&report.stdout);
-    let begins = report.find("on the chassis at").expect("the table");
+    let begins = report.find("chassis point  ").expect("the table");
     let line = report[begins..]
         .lines()
         .find(|line| line.starts_with("front "));
