@@ -113,8 +113,8 @@ const FILE: &str = r#"The file:
   steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left, left_steer or steer
   rack_per_turn = 0.052              # how far that drive moves in a turn of the steering wheel, in the unit (the C-factor):
                                      # angle of the steering wheel, steering ratio
-  steering_box_ratio = 16.0          # in its place where that drive is an angle, as of a pitman arm: how far the steering
-                                     # wheel turns for it
+  steering_box_ratio = 16.0          # in place of rack_per_turn where that drive is an angle, as of a pitman arm: the angle of
+                                     # the steering wheel for that of the arm, degrees per degree
   wheelbase = 2.6                    # in the unit: Ackermann, turning circle
   axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
   cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit

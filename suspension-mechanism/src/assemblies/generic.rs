@@ -27,8 +27,8 @@ const MOST_LOOPS: usize = 80;
 /// above all; large ones take more steps.
 const LOOP: f64 = 10.0;
 
-/// How large detours are, likewise. Of a live axle on a Watt linkage those of this size told all 80 assemblies at infinity, those of
-/// 10 and 30 lost some.
+/// How large detours are, likewise. Of a live axle on a Watt linkage those of this size recognised all 80 assemblies at infinity,
+/// those of 10 and 30 lost some.
 const DETOUR: f64 = 100.0;
 
 /// How far, relative to its change, the sum over all roots may be from linear. Rounding leaves up to 4e-10. Missing roots left 2e-4

@@ -120,12 +120,12 @@ impl Gear {
     fn of_another_kind(&self, drive: &str) -> String {
         if self.is_of_angle {
             format!(
-                "{BOX} is of a drive that is an angle, and the drive that steers, {drive}, is none; write {RACK} in its place, how far \
+                "{BOX} is of a drive that is an angle, and the drive that steers, {drive}, is none; leave {BOX} out and write {RACK}, how far \
                  it moves in a turn of the steering wheel"
             )
         } else {
             format!(
-                "{RACK} is the travel of a rack, and the drive that steers, {drive}, is an angle; write {BOX} in its place, how far the \
+                "{RACK} is the travel of a rack, and the drive that steers, {drive}, is an angle; leave {RACK} out and write {BOX}, how far the \
                  steering wheel turns for that angle, as 16.0"
             )
         }

@@ -246,7 +246,7 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         ),
         (
             turned_about_an_axis,
-            "rack_per_turn is the travel of a rack, and the drive that steers, `theta`, is an angle; write steering_box_ratio in its place, \
+            "rack_per_turn is the travel of a rack, and the drive that steers, `theta`, is an angle; leave rack_per_turn out and write steering_box_ratio, \
              how far the steering wheel turns for that angle, as 16.0",
         ),
         (
@@ -259,7 +259,7 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         ),
         (
             steered("steering_box_ratio = 16.0"),
-            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; write rack_per_turn in its place, \
+            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; leave steering_box_ratio out and write rack_per_turn, \
              how far it moves in a turn of the steering wheel",
         ),
         (

@@ -8,7 +8,7 @@ catalogue! {
     MEASURES: "measures" {
         name: "",
         sign: "",
-        definition: "what the linkage measures; its derivative per drive is a motion ratio, negative where a length gets shorter. (An angle about an axis is told within half a turn of its design value.)",
+        definition: "what the linkage measures; its derivative per drive is a motion ratio, negative where a length gets shorter. An angle about an axis is within half a turn of its design value",
         source: "`measure` of the listing",
         shown: Shown::InBoth,
         read: |names| {
