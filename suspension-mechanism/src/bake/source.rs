@@ -106,10 +106,30 @@ struct Titled<'a> {
 
 /// A bound, rounded up to two digits: still a bound.
 fn bound(bound: f64) -> String {
-    // Rounding to two digits takes off at most one part in twenty.
     let digits = rounded(bound, 2);
+    let second_digit = 10_f64.powf(bound.log10().floor() - 1.0);
     match digits.parse::<f64>() {
-        Ok(below) if below < bound => rounded(bound * 1.05, 2),
+        Ok(below) if below < bound => rounded(below + second_digit, 2),
         _ => digits,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The header of a motion that is within 2.44e-7 of a tolerance of 2.5e-7 said 2.6e-7.
+    #[test]
+    fn bounds_are_rounded_up_by_less_than_a_digit() {
+        for (value, expected) in [
+            (2.44e-7, "2.5e-7"),
+            (2.72e-7, "2.8e-7"),
+            (2.401e-7, "2.5e-7"),
+            (9.94e-7, "1e-6"),
+            (3e-7, "3e-7"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(bound(value), expected, "{value}");
+        }
     }
 }

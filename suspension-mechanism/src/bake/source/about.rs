@@ -116,6 +116,15 @@ impl About {
     }
 }
 
+/// What makes a length of what a spin axis is off, before the next sentence; empty where none is baked.
+pub(super) fn metric(outputs: &[Output]) -> &'static str {
+    if outputs.contains(&Output::SpinAxis) {
+        "The spin axis counts as a point 1 m from the wheel centre. "
+    } else {
+        ""
+    }
+}
+
 /// The numbers' names, in order.
 pub(super) fn output_names(outputs: &[Output]) -> Vec<String> {
     let coordinates = |output: &Output| {
