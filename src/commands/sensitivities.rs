@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::Source;
+use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::output::csv_file::{CsvFile, in_full};
@@ -70,6 +70,9 @@ impl Arguments {
                 "{}: --samples and --seed are of random changes, for which the file states no [tolerances]",
                 source.name()
             )));
+        }
+        if let Some(note) = loaded.doubtful_tolerance() {
+            tell(format_args!("note: {note}"));
         }
         let stopped = || {
             let message = format!("{}: interrupted; nothing was written", source.name());

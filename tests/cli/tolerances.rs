@@ -145,3 +145,26 @@ fn the_text_tells_both_and_wrong_tolerances_are_refused() {
         );
     }
 }
+
+/// In a file in metres a tolerance in millimetres is remarked; one of zero, a point that does not scatter, is not.
+#[test]
+fn a_tolerance_in_another_unit_is_remarked() {
+    for (stated, expected) in [
+        ("0.0005", None),
+        ("0.0", None),
+        (
+            "0.5",
+            Some(
+                "note: a.toml: the tolerance of `tie_rod` is 0.5 m: is it in mm? The file is in m",
+            ),
+        ),
+    ] {
+        let folder = folder();
+        let file = format!("{CORNER}[tolerances]\ntie_rod = {stated}\n");
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["sensitivities", "a.toml"]);
+        let said = text(&output.stderr);
+        let note = said.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{said}");
+    }
+}

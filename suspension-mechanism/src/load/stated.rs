@@ -18,6 +18,9 @@ use crate::tune::{Move, Target};
 /// How wide the boxes of moves usually are, in metres.
 const BOX: Range<f64> = 5e-4..1.0;
 
+/// How large standard deviations of hardpoints usually are, in metres.
+const TOLERANCE: Range<f64> = 1e-6..0.02;
+
 impl Loaded<'_> {
     /// The load cases of the file, in its order.
     ///
@@ -35,6 +38,18 @@ impl Loaded<'_> {
     /// [`Failure::Input`] with the place of what is no tolerance, or of nothing in the mechanism.
     pub fn tolerances(&self, mechanism: &Description) -> Result<Vec<Tolerance>, Failure> {
         tolerances(self.source, &self.file, mechanism)
+    }
+
+    /// A note on the first tolerance that is in another unit, as it seems.
+    pub fn doubtful_tolerance(&self) -> Option<String> {
+        let stated = self.file.tolerances.as_ref()?.get_ref();
+        let note = stated.iter().find_map(|(name, deviation)| {
+            let what = format!("the tolerance of `{}`", name.get_ref());
+            let deviation = *deviation.get_ref();
+            let stated = (deviation > 0.0).then_some(deviation)?;
+            length(self.file.length, &what, stated, TOLERANCE)
+        })?;
+        Some(format!("{}: {note}", self.source.name()))
     }
 
     /// What `suspension sensitivities` changes: the coordinates of all points, the lengths of links, and the moves of
