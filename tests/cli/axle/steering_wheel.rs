@@ -154,19 +154,23 @@ fn only_wheels_that_the_rack_turns_have_a_ratio() {
     );
 }
 
-/// The double wishbone, its tie rod on the arm of a steering box.
+/// The double wishbone, its tie rod on the arm of a steering box, as the page of layouts has it.
 fn on_a_steering_box(vehicle: &str) -> String {
     let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
-    let listing = listing.replace("fixed: rack at", "free:  rack at").replace(
-        "drive steer: rack.y;",
-        "drive steer: angle(pitman_low -> rack, y);",
-    );
+    let listing = ["fixed: rack at [0.11, 0.34, 0.20];", "drive steer: rack.y;"]
+        .into_iter()
+        .fold(listing.to_owned(), |listing, replaced| {
+            assert!(listing.contains(replaced), "{replaced}");
+            listing.replace(replaced, "")
+        });
+    let page = include_str!("../../../docs/layouts.md");
+    let statements = page.split("```text\n").nth(1);
+    let statements = statements.and_then(|block| block.split("```").next());
     format!(
-        "statements = '''{listing}\n\
-         fixed: pitman_low at [0.25, 0.34, 0.20], pitman_high at [0.25, 0.34, 0.30];\n\
-         hinge pitman: pitman_low, pitman_high -> rack;'''\n\
+        "statements = '''{listing}\n{}'''\n\
          unit = \"m\"\nangle = \"deg\"\n[vehicle]\n{vehicle}\n[time]\ninstants = [0.0]\n\
-         [drives]\nbump = 0.3\nsteer = 90.0\n"
+         [drives]\nbump = 0.3\nsteer = 90.0\n",
+        statements.expect("a block")
     )
 }
 
