@@ -1,7 +1,6 @@
 //! The steering wheel: how far it moves the drive of steering, and which way.
 
 use std::f64::consts::TAU;
-use std::ops::Range;
 
 use nalgebra::Vector3;
 use suspension_core::Values;
@@ -19,13 +18,11 @@ const RACK: &str = "rack_per_turn";
 const BOX: &str = "steering_box_ratio";
 
 /// What a file states of a steering wheel.
-struct Gear {
+struct Gear<'a> {
     key: &'static str,
     /// Whether it is of a drive that is an angle.
     is_of_angle: bool,
-    place: Range<usize>,
-    /// How far the drive moves in a turn, in the unit of lengths or in radians.
-    per_turn: f64,
+    stated: &'a Spanned<f64>,
 }
 
 /// The steering wheel of a file that states how far it moves its drive; `names` are those in effect.
@@ -38,7 +35,7 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     names: &Names,
     design: &Design<L, N>,
 ) -> Result<Option<SteeringWheel>, Failure> {
-    let gears = gears(task)?;
+    let gears = gears(task);
     if gears.is_empty() {
         return Ok(None);
     }
@@ -49,48 +46,53 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     let drives = design.given(&design.drives);
     let wheels = gears.into_iter().map(|gear| {
         let drive = gear.drive(names, &turned);
-        let drive = drive.map_err(|message| task.source.refuse(&gear.place, message))?;
-        Ok(SteeringWheel {
+        let drive = drive.map_err(|message| task.source.refuse(&gear.stated.span(), message))?;
+        let per_turn = gear.per_turn(task)?;
+        Ok(per_turn.map(|per_turn| SteeringWheel {
             drive,
             turned: turned.iter().map(|turned| turned.wheel).collect(),
-            per_turn: gear.per_turn.copysign(about_z * up),
+            per_turn: per_turn.copysign(about_z * up),
             design: drives[drive],
-        })
+        }))
     });
     // Of two gears one is not of the kind of the drive.
-    Ok(wheels.collect::<Result<Vec<_>, Failure>>()?.pop())
+    Ok(wheels.collect::<Result<Vec<_>, Failure>>()?.pop().flatten())
 }
 
 /// What a file states, by either key.
-fn gears(task: &Task<'_>) -> Result<Vec<Gear>, Failure> {
-    let Some(vehicle) = task.file.vehicle.as_ref().map(Spanned::get_ref) else {
-        return Ok(Vec::new());
+fn gears<'a>(task: &'a Task<'_>) -> Vec<Gear<'a>> {
+    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
+    let keys = vehicle.map(|vehicle| {
+        [
+            (RACK, false, &vehicle.rack_per_turn),
+            (BOX, true, &vehicle.steering_box_ratio),
+        ]
+    });
+    let gear = |(key, is_of_angle, stated): (_, _, &'a Option<_>)| {
+        stated.as_ref().map(|stated| Gear {
+            key,
+            is_of_angle,
+            stated,
+        })
     };
-    let travel = length(task, RACK, vehicle.rack_per_turn.as_ref())?;
-    let ratio = vehicle.steering_box_ratio.as_ref();
-    let stated = ratio.map(|ratio| (*ratio.get_ref(), ratio.span()));
-    let ratio_of_box = checked(task, stated, is_positive, || {
-        format!(
-            "{BOX} is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0"
-        )
-    })?;
-    let place = |stated: &Option<Spanned<f64>>| stated.as_ref().map_or(0..0, Spanned::span);
-    let rack = travel.map(|travel| Gear {
-        key: RACK,
-        is_of_angle: false,
-        place: place(&vehicle.rack_per_turn),
-        per_turn: travel,
-    });
-    let of_box = ratio_of_box.map(|ratio| Gear {
-        key: BOX,
-        is_of_angle: true,
-        place: place(&vehicle.steering_box_ratio),
-        per_turn: TAU / ratio,
-    });
-    Ok(rack.into_iter().chain(of_box).collect())
+    keys.into_iter().flatten().filter_map(gear).collect()
 }
 
-impl Gear {
+impl Gear<'_> {
+    /// How far the drive moves in a turn, in the unit of lengths or in radians.
+    fn per_turn(&self, task: &Task<'_>) -> Result<Option<f64>, Failure> {
+        if !self.is_of_angle {
+            return length(task, self.key, Some(self.stated));
+        }
+        let stated = Some((*self.stated.get_ref(), self.stated.span()));
+        let ratio = checked(task, stated, is_positive, || {
+            format!(
+                "{BOX} is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0"
+            )
+        })?;
+        Ok(ratio.map(|ratio| TAU / ratio))
+    }
+
     /// The drive that the steering wheel moves, or why there is none, in words.
     fn drive(&self, names: &Names, turned: &[Turned]) -> Result<usize, String> {
         let mut drives: Vec<usize> = turned.iter().map(|turned| turned.drive).collect();

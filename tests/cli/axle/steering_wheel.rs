@@ -267,6 +267,15 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
              how far it moves in a turn of the steering wheel",
         ),
         (
+            steered("steering_box_ratio = 0.0"),
+            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; leave steering_box_ratio out and write rack_per_turn, \
+             how far it moves in a turn of the steering wheel",
+        ),
+        (
+            on_a_steering_box("rack_per_turn = 0.0"),
+            "rack_per_turn is the travel of a rack, and the drive that steers, `steer`, is an angle",
+        ),
+        (
             steered("steer = { left = \"steer\", right = \"bump_right\" }\nrack_per_turn = 0.052"),
             "rack_per_turn is of one drive, and several steer the wheels, `steer` and `bump_right`; leave rack_per_turn out",
         ),
