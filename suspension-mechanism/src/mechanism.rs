@@ -7,6 +7,7 @@ mod description;
 mod doubtful;
 mod drives;
 mod end;
+mod end_of_angle;
 mod gradient;
 mod grid;
 mod guide;

@@ -242,6 +242,45 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
 }
 
+/// Of the angle between a link and an axis the cosine enters, which does not change where the link lies along the axis.
+#[test]
+fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
+    let at_end = |arm: &str, turn: &str| {
+        let listing = [
+            (
+                "angle(a -> mark, a -> p about a -> ahead)",
+                "angle(a -> p, z)",
+            ),
+            (", mark at [0.0, 0.3, 0.3]", ""),
+            ("[0.1, 0.0, 0.5]", arm),
+        ];
+        let listing = listing
+            .into_iter()
+            .fold(HINGE.to_owned(), |listing, (old, new)| {
+                listing.replace(old, new)
+            });
+        format!("{listing}[drives]\nturn = {turn}\n")
+    };
+    let said = "the angle `turn` ends at 0 rad, beyond it the drive would act as before it; to drive it there and past it, write it in the \
+                listing as one about a line: `angle(p -> q, r -> s about t -> u)`";
+    for (file, command) in [
+        (at_end("[0.0, 0.0, 0.5]", "[0.0, 0.5]"), "motion"),
+        (at_end("[0.0, 0.0, 0.5]", "0.0"), "check"),
+        (at_end("[0.0, 0.1, 0.5]", "0.0"), "motion"),
+        (at_end("[0.0, 0.1, 0.5]", "[0.3, -0.5]"), "motion"),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+        let output = run(folder.path(), &[command, "a.toml"]);
+        assert_eq!(output.status.code(), Some(3), "{file}: {output:?}");
+        let told = text(&output.stderr);
+        assert!(
+            told.contains(said) && !told.contains("pivot"),
+            "{file}: {told}"
+        );
+    }
+}
+
 /// More than half a turn from the points, in a mechanism that does not find its way there.
 #[test]
 fn a_design_on_another_turn_is_told_by_name() {

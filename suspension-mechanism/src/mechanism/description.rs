@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::end_of_angle::EndOfAngle;
 use crate::mechanism::locking::Lock;
 use crate::mechanism::measure::nearest;
 use crate::mechanism::names::Names;
@@ -74,5 +75,11 @@ impl Description {
     /// Where the mechanism locks, in words.
     pub fn lock_in_words(&self, lock: &Lock) -> String {
         lock.in_words(&self.names, self.unit, &self.design)
+    }
+
+    /// That a driven angle is at the end of its range at the design position, and what to do, in words.
+    pub fn design_at_end_of_angle(&self) -> Option<String> {
+        let end = EndOfAngle::of(&self.names, None, &self.design);
+        end.map(|end| end.in_words(&self.names, self.unit))
     }
 }

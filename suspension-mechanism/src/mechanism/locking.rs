@@ -1,13 +1,13 @@
 //! Where a motion that its drives lead ends: the drive that turns there, and the link or the hinge that is in the way.
 
 use nalgebra::SVector;
-use suspension_core::listing::Part;
 use suspension_core::path::{Continuation, Curve};
 use suspension_core::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
 use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
+use crate::mechanism::end_of_angle::EndOfAngle;
 use crate::mechanism::hinge::Hinge;
 use crate::mechanism::misfit::{Misfit, strained_hinge};
 use crate::mechanism::names::{Names, Suspension};
@@ -25,6 +25,8 @@ pub struct Lock {
     /// Where no link is known at what was asked for, which may be far beyond: the one just beyond the lock, or else the hinge
     /// that bears most, in words.
     near: Option<String>,
+    /// The driven angle that is at the end of its range.
+    end_of_angle: Option<EndOfAngle>,
     cause: Option<SolveError<f64>>,
 }
 
@@ -42,7 +44,9 @@ impl Lock {
     ) -> Self {
         let there = laws.inputs::<L::Drives>(stopped.reached);
         let cause = stopped.refused.map(|(_, cause)| cause);
-        let locks = !matches!(cause, Some(SolveError::OutOfRange { .. }));
+        let drives = given(&there.drives.value);
+        let end_of_angle = EndOfAngle::of(names, cause.as_ref(), &drives);
+        let locks = end_of_angle.is_none();
         let reached = stopped.reached;
         let misfit = |asked| Misfit::between(model, names, laws, [reached, asked], q);
         let just_beyond = || {
@@ -53,10 +57,11 @@ impl Lock {
         let at_asked = locks.then(|| misfit(asked)).flatten();
         let near = (locks && at_asked.is_none()).then(just_beyond).flatten();
         Self {
-            drives: given(&there.drives.value),
+            drives,
             turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
             misfit: at_asked,
             near,
+            end_of_angle,
             cause,
         }
     }
@@ -69,16 +74,8 @@ impl Lock {
 
     /// In words, `design` being the drives at the design position.
     pub fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
-        if let Some(SolveError::OutOfRange { part, end, .. }) = self.cause
-            && let Part::Drive(drive) = part
-            && let Some(drive) = names.drives.get(drive)
-        {
-            const DIGITS: usize = 6;
-            let end = rounded(end * Dimension::from(drive.kind).in_file(unit), DIGITS);
-            let (name, symbol) = (&drive.name, Dimension::from(drive.kind).symbol(unit));
-            return format!(
-                "the angle `{name}` ends at {end} {symbol}, beyond it the drive would act as before it"
-            );
+        if let Some(end) = &self.end_of_angle {
+            return end.in_words(names, unit);
         }
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {
