@@ -146,7 +146,7 @@ the masses are at the wheel in travel.
 
 The drives hold the mechanism where it is: springs of [springs] do not act by themselves. What a drive bears is the work of the
 loads per unit of the drive: what holds the drive must bear it; a note says where springs could, if
-the case leaves them all out. With bump = \"damper\" the drive bears nothing, and the force in the measure damper that takes
+the case leaves them all out. With bump = \"damper\" the drive bears nothing, `bump (its load is in damper)`, and the force in the measure damper that takes
 its load is printed: negative where a spring pulls; where the case states a force in the same measure, the sum of both.
 
 Links: tension is positive. Joints: the force that a body, or what else a statement is, exerts at each of its points, on
@@ -159,7 +159,7 @@ drives or holds an angle. What the two bushes of a hinge bear along its axis rig
 two bodies share two points, likewise only the sum along their line is determined. Links, joints and moments that bear nothing at any
 place are named in one line, `no load in:`; tables of --csv have their columns too. Chassis points: the force that all links, joints,
 measures and drives of lengths at a chassis point exert on it together, as its bracket bears it, without the weight of what is at the
-point itself. A chassis point that a drive moves, a rack's end say, is one of them: along its way the drive bears the force.
+point itself. A chassis point that a drive moves, a rack's end say, is one of them, marked `(driven)`: along its way the drive bears the force.
 
 Over a grid of drives, or a motion, the least and the greatest are printed with the place of each: the time of a motion, and the
 drives that move, with the values that they have in the file. A row for each place is written: the time of a motion, the drives,

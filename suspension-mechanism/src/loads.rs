@@ -132,6 +132,21 @@ impl<'l> Structure<'l> {
         }
     }
 
+    /// Whether what exerts a force at a joint is a hinge on two bushes, which share what acts along their line.
+    pub fn is_on_two_bushes(&self, by: By) -> bool {
+        matches!(by, By::Part(number) if self.bushes(number).is_some())
+    }
+
+    /// The two chassis points of a hinge.
+    fn bushes(&self, number: usize) -> Option<[usize; 2]> {
+        let statement = &self.statements[number];
+        let points = statement.points.iter().copied();
+        let axis: Vec<usize> = points.filter(|point| *point < self.chassis).collect();
+        axis.try_into()
+            .ok()
+            .filter(|_| statement.kind == Kind::HINGE)
+    }
+
     /// Where the loads of a case act at places, in the file's coordinates, and their forces, N.
     pub fn acting(
         &self,
@@ -182,12 +197,8 @@ impl<'l> Structure<'l> {
         for force in own {
             by[force.point] += force.force;
         }
-        if statement.kind == Kind::HINGE {
-            let points = statement.points.iter().copied();
-            let axis: Vec<usize> = points.filter(|point| *point < self.chassis).collect();
-            if let [first, second] = *axis {
-                share_along(&mut by, [first, second], at);
-            }
+        if let Some(bushes) = self.bushes(number) {
+            share_along(&mut by, bushes, at);
         }
         let joints = statement.points.iter();
         let joints = joints.map(|point| (By::Part(number), *point, by[*point]));

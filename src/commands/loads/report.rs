@@ -1,12 +1,13 @@
 //! What a load case does, for people.
 
+use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
 use crate::commands::loads::line::{Line, shown, table};
 use crate::commands::loads::unloaded::Unloaded;
-use crate::loads::{Case, Structure};
+use crate::loads::{By, Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 
 /// What the text is about.
@@ -14,6 +15,8 @@ pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
     pub(super) structure: &'a Structure<'a>,
+    /// The chassis points that drives move.
+    pub(super) driven: Vec<usize>,
     pub(super) leading: &'a Leading,
 }
 
@@ -32,7 +35,10 @@ impl Report<'_> {
         let mut unloaded = Unloaded::of(found);
         let mut table = |headings, lines: Vec<Line>| out.push_str(&table(headings, &lines));
         let drives = names.drives.iter();
-        let drives = drives.map(|drive| line(&drive.name, unit_of(drive)));
+        let drives = drives.enumerate().map(|(number, drive)| {
+            let name = with_what_bears(names, found.case, number);
+            line(&name, unit_of(drive))
+        });
         table(["drive", "bears"], drives.collect());
         let bearing = first.in_measures.iter().map(|(measure, _)| {
             let unit = unit_in(&names.measures[*measure]);
@@ -55,7 +61,7 @@ impl Report<'_> {
         });
         let moments = unloaded.without(moments.collect());
         let on_chassis = first.on_chassis.iter().map(|(point, force)| {
-            let line = line(&names.points[*point], "N");
+            let line = line(&self.on_chassis(*point), "N");
             line.of(force, found)
         });
         let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line));
@@ -72,6 +78,7 @@ impl Report<'_> {
         table(["moment", of_moments], moments);
         table(["chassis point", borne], on_chassis);
         out.push_str(&unloaded.in_words());
+        out.push_str(self.shared_along_hinges(found));
         out.push_str(&self.near_a_lock(found));
         out
     }
@@ -123,6 +130,29 @@ impl Report<'_> {
         })
     }
 
+    /// The name of a chassis point, marked where a drive moves it.
+    fn on_chassis(&self, point: usize) -> String {
+        let name = &self.mechanism.names.points[point];
+        if self.driven.contains(&point) {
+            format!("{name} (driven)")
+        } else {
+            name.clone()
+        }
+    }
+
+    /// A note where a hinge has two bushes and bears a load.
+    fn shared_along_hinges(&self, found: &Found<'_>) -> &'static str {
+        let mut joints = found.first.joints.iter();
+        let is_shared = |(by, _, force): &(By, usize, Vector3<f64>)| {
+            self.structure.is_on_two_bushes(*by) && *force != Vector3::zeros()
+        };
+        if joints.any(is_shared) {
+            "Along the axis of a hinge each of its two bushes is given half of the load: rigid parts do not determine the shares.\n\n"
+        } else {
+            ""
+        }
+    }
+
     /// A note where forces inside are so large that a lock must be near.
     fn near_a_lock(&self, found: &Found<'_>) -> String {
         /// Arms and rockers make forces several times as large as the load.
@@ -135,6 +165,16 @@ impl Report<'_> {
         format!(
             "The largest force inside is {most:.0} times the largest load, at {place}: the mechanism is near a position where it locks.\n\n"
         )
+    }
+}
+
+/// A drive, with the measure that bears its load where the case names one.
+fn with_what_bears(names: &Names, case: &Case, drive: usize) -> String {
+    let Drive { name, .. } = &names.drives[drive];
+    let borne = case.borne_by.iter().find(|(borne, _)| *borne == drive);
+    match borne {
+        Some((_, by)) => format!("{name} (its load is in {})", names.measures[*by].name),
+        None => name.clone(),
     }
 }
 

@@ -195,6 +195,7 @@ impl<'a> Run<'a> {
             file: self.source,
             mechanism: self.mechanism,
             structure: self.structure,
+            driven: self.listing.driven_points(),
             leading,
         };
         let mut found = found.iter().flatten();

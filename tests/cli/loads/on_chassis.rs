@@ -87,3 +87,31 @@ fn the_report_has_a_table_of_the_brackets() {
     let expected: Vec<String> = expected.chain(["N".to_owned()]).collect();
     assert_eq!(words, expected, "{report}");
 }
+
+/// What a reader would ask: why a drive bears nothing, what moves, and how bushes share.
+#[test]
+fn the_report_explains_what_it_assumes() {
+    let rocker = include_str!("../../../examples/double_wishbone_rocker.toml");
+    let without_spring = rocker.replace("bump = \"damper\"\n", "");
+    let note = "\nAlong the axis of a hinge each of its two bushes is given half of the load: rigid parts do not determine the shares.\n";
+    for (file, drive) in [
+        (rocker, "bump (its load is in damper)     0.0 N"),
+        (&without_spring, "\nbump   4004.5 N"),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["loads", "a.toml"]);
+        let report = text(&output.stdout);
+        for said in [drive, "\nrack (driven) ", "\nlower_front ", note] {
+            assert!(report.contains(said), "{said}: {report}");
+        }
+    }
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), loaded()).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    let report = text(&output.stdout);
+    assert!(
+        !report.contains("hinge") && !report.contains("(driven)"),
+        "{report}"
+    );
+}
