@@ -133,6 +133,12 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
         "{report}"
     );
     assert!(
+        report.contains(
+            "\nA point is moved with its links built anew to it: an end of a tie rod changes slopes"
+        ),
+        "{report}"
+    );
+    assert!(
         report.contains("\ncamber: 0 deg\n  deg per mm: wheel_centre.z -0.573, axle.z 0.573\n"),
         "{report}"
     );

@@ -151,7 +151,9 @@ impl Report<'_> {
         let (per, _) = self.per();
         let axes = self.mechanism.axes.in_words();
         let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n",
+            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n\
+             A point is moved with its links built anew to it: an end of a tie rod changes slopes, as bump steer, and not the toe at the \
+             design position, which `length` of the rod does.\n",
             self.file
         );
         let is_wanted = |number: &Number| {
