@@ -46,6 +46,10 @@ fn a_table_of_assemblies_and_how_sure_it_is() {
         report.contains("4 real and 36 complex assemblies"),
         "{report}"
     );
+    assert!(
+        report.contains("Only real ones can be built: a complex assembly has coordinates that are complex numbers"),
+        "{report}"
+    );
     let table = std::fs::read(folder.path().join("a.csv")).expect("a table");
     let rows = rows(&table);
     let counts: Vec<f64> = rows.iter().map(|row| row["assembly"]).collect();

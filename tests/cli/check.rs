@@ -39,7 +39,10 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
         ("design", "bump = 0 m"),
         ("rank", "3 of 3: no equation is redundant"),
         // The tip is where it is, or on the other side.
-        ("assemblies", "2 at the design, all by what was tried"),
+        (
+            "assemblies",
+            "2 at the design, ways to put the same parts together: all by what was tried",
+        ),
         ("notes", "none"),
     ] {
         let line = line(&output, heading);

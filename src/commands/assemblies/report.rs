@@ -99,16 +99,24 @@ fn certainty(listed: &Listed) -> String {
     let real = format!("{} real{turned}", tally.real);
     match tally.parts.as_slice() {
         [] => format!("{verdict}:\n{real}; all equations are linear.\n"),
-        [part] => format!("{verdict}:\n{real} and {}", of_part(part, "a mechanism")),
+        [part] => format!(
+            "{verdict}:\n{real} and {}{WORDS}",
+            of_part(part, "a mechanism")
+        ),
         parts => {
             let count = parts.len();
             let lines: String = parts.iter().map(one_of_several).collect();
             format!(
-                "{verdict}:\n{real} assemblies, put together part by part, in {count} parts:\n{lines}"
+                "{verdict}:\n{real} assemblies, put together part by part, in {count} parts:\n{lines}{WORDS}"
             )
         }
     }
 }
+
+/// What the numbers are of.
+const WORDS: &str = "\
+Only real ones can be built: a complex assembly has coordinates that are complex numbers, and one at infinity has moved there as \
+general\ndimensions become the file's. They are counted, as with them the number of all is known; the trace test fails if one is missing.\n";
 
 fn one_of_several(part: &PartTally) -> String {
     let times = match part.times {

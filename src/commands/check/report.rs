@@ -85,7 +85,7 @@ impl Report<'_> {
             doubts => format!("there may be more ({})", doubts.join("; ")),
         };
         format!(
-            "{:width$}  {} at the design, {doubts}\n",
+            "{:width$}  {} at the design, ways to put the same parts together: {doubts}\n",
             "assemblies", tally.real
         )
     }
