@@ -9,6 +9,7 @@ use super::axle::Axle;
 use super::imported::Imported;
 use super::stand_in::number;
 use crate::mechanism::Length;
+use crate::number::rounded;
 
 /// What the motion file says, but for the drives' values.
 #[derive(Debug)]
@@ -115,7 +116,7 @@ impl<'a> Draft<'a> {
         if wheel_radius.is_none() {
             remarks.push("the file has no tire_radius; wheel_radius under [vehicle] gives what needs the ground".to_owned());
         }
-        Self {
+        let mut draft = Self {
             source: imported.stated.source.name(),
             listing,
             stated,
@@ -123,7 +124,29 @@ impl<'a> Draft<'a> {
             remarks,
             points,
             wheel_radius,
-        }
+        };
+        draft.remarks.push(draft.of_motion());
+        draft
+    }
+
+    /// That the motion is made up.
+    fn of_motion(&self) -> String {
+        let travel = (0..self.drives()).filter(|drive| self.is_travel(*drive));
+        let travel = travel.map(|drive| {
+            let rate = match self.listing.drive_kind(drive) {
+                DriveKind::Coordinate => {
+                    let rate = rounded(TRAVEL * self.unit.metre(), 3);
+                    format!("{rate} {}", self.unit.symbol())
+                }
+                DriveKind::Angle | DriveKind::Turn => format!("{TURN} deg"),
+            };
+            format!("{} grows by {rate} a second", self.drive(drive))
+        });
+        let travel: Vec<String> = travel.collect();
+        format!(
+            "the motion is an example: for one second {}, other drives are held",
+            travel.join(", ")
+        )
     }
 
     /// The file, the drives starting where they are at the design position, whose values are in radians where they are angles.

@@ -39,3 +39,12 @@ fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
         assert!(!imported.notes.contains(doubt), "{}", imported.notes);
     }
 }
+
+/// The rates of the drives are in no file of hardpoints.
+#[test]
+fn the_motion_is_said_to_be_an_example() {
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    let said = "the motion is an example: for one second bump grows by 30 mm a second, other drives are held\n";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+}
