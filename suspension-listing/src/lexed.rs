@@ -34,11 +34,30 @@ pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
 
 /// The tokens of a text.
 pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
+    if let Some(mistake) = lone_carriage_return(text) {
+        return Err(vec![mistake]);
+    }
     let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
     match exceeded(&tokens) {
         Some(error) => Err(vec![Mistake::of(text, &error)]),
         None => Ok(tokens),
     }
+}
+
+/// Refuses a line that ends by a carriage return alone: a comment goes on behind it, though an editor shows the next line.
+fn lone_carriage_return(text: &str) -> Option<Mistake> {
+    let mut lines = text.split('\n').enumerate();
+    lines.find_map(|(number, line)| {
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        let (before, _) = line.split_once('\r')?;
+        Some(Mistake {
+            message: "a line ends by a carriage return alone; end each by a line feed, with or without a carriage return before it"
+                .to_owned(),
+            line: number + 1,
+            column: before.chars().count() + 1,
+            length: 1,
+        })
+    })
 }
 
 /// Tokens that were read with their places; for a lexer that tells none, all at `place`.

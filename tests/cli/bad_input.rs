@@ -202,3 +202,17 @@ fn an_unreadable_file_is_refused() {
         "{message}"
     );
 }
+
+#[test]
+fn a_listing_without_a_name_is_refused_by_its_key() {
+    let folder = folder();
+    let file =
+        "listing = \"\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.3 }\n";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["check", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert_eq!(
+        text(&output.stderr),
+        "a.toml:1:11: `listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"\n"
+    );
+}

@@ -28,8 +28,8 @@ pub(crate) const INCLUDE: Word = Word {
         let name = operands::name(input)?;
         input.parse::<Token![:]>()?;
         listing.include = Some(Include {
+            source: source(input, &name)?,
             name,
-            source: source(input)?,
             at: position(input)?,
         });
         Ok(())
@@ -40,12 +40,18 @@ pub(crate) const INCLUDE: Word = Word {
 pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
 
 /// A name of the catalogue, or a file's path in quotes.
-fn source(input: ParseStream<'_>) -> syn::Result<Source> {
-    if input.peek(LitStr) {
-        input.parse().map(Source::File)
-    } else {
-        operands::name(input).map(Source::OfCatalogue)
+fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<Source> {
+    if !input.peek(LitStr) {
+        return operands::name(input).map(Source::OfCatalogue);
     }
+    let path: LitStr = input.parse()?;
+    if path.value().is_empty() {
+        let message = format!(
+            "`{name}` includes no file; write the path of one of statements, as `include {name}: \"corner.linkage\";`"
+        );
+        return Err(Error::new(path.span(), message));
+    }
+    Ok(Source::File(path))
 }
 
 impl Include {

@@ -145,6 +145,14 @@ fn what_is_no_token_is_told() {
             "fixed: a;\n//! a rack",
             "`//!` may stand above the first statement alone; begin the line with `//`",
         ),
+        (
+            "include b: \"\";",
+            "`b` includes no file; write the path of one of statements, as `include b: \"corner.linkage\";`",
+        ),
+        (
+            "// the rack\rfixed: a;\r\nfree: p;",
+            "a line ends by a carriage return alone; end each by a line feed, with or without a carriage return before it",
+        ),
     ] {
         assert_eq!(only_message(text), message);
     }

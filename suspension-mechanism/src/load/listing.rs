@@ -129,6 +129,10 @@ fn of_file(
 ) -> Result<(String, Listing), Failure> {
     let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let place = path.span();
+    if path.get_ref().is_empty() {
+        let message = "`listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"";
+        return Err(source.refuse(&place, message));
+    }
     let path = folder.join(path.get_ref());
     let text = Source::read(&path).map_err(|failure| match failure {
         Failure::Input(message) => source.refuse(&place, message),
