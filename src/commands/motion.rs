@@ -27,20 +27,23 @@ pub struct Arguments {
     file: PathBuf,
     /// Write every row as comma-separated values to PATH, or to standard output for `-`. Missing
     /// folders are made.
-    #[arg(long, value_name = "PATH")]
+    #[arg(long, value_name = "PATH", help_heading = TABLES)]
     csv: Option<PathBuf>,
     /// Write every row as JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows
     /// under the same names.
-    #[arg(long, value_name = "PATH")]
+    #[arg(long, value_name = "PATH", help_heading = TABLES)]
     json: Option<PathBuf>,
     /// Write the rows as Parquet to PATH, units and axes as its metadata; needs a program built with the feature
     /// `parquet`.
-    #[arg(long, value_name = "PATH")]
+    #[arg(long, value_name = "PATH", help_heading = TABLES)]
     parquet: Option<PathBuf>,
     /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", help_heading = "Plots")]
     plots: Option<PathBuf>,
 }
+
+/// The heading of options that write tables.
+const TABLES: &str = "Tables";
 
 /// States kept of a motion for the summary and as marks in the plots.
 const KEPT: usize = 12;

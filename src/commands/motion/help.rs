@@ -88,7 +88,9 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
     }
 }
 
-const FILE: &str = r#"The file:
+const FILE: &str = r#"Sections below: The file, Results, Results of axles, Axes, The published motion, Exit codes, Example.
+
+The file:
 
   linkage = "attia2003"              # or another of `suspension list`; in its place
                                      # listing = "corner.linkage", a file of statements beside this one, or
@@ -144,12 +146,16 @@ const FILE: &str = r#"The file:
   [tolerances]                       # of points and links: see suspension sensitivities --help
   [tune]                             # what may be moved, what is to be reached: see suspension tune --help
 
-Results, one row an instant, its columns in this order, named here as for attia2003; lengths and angles are in
+Results:
+
+One row an instant, its columns in this order, named here as for attia2003; lengths and angles are in
 the file's units (with angle = "deg" camber_deg in place of camber_rad, omega in deg/s):
 
 "#;
 
 const AXLE: &str = "
+Results of axles:
+
 Where a listing names its wheels, all columns of a wheel are there for each, with its name before them: left_camber_rad,
 right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has behind these what follows; one with
 several axles, whose wheels are named front_left, front_right, rear_left and so on, has it of each, as front_track_m:
@@ -157,12 +163,16 @@ several axles, whose wheels are named front_left, front_right, rear_left and so 
 ";
 
 const EXIT_CODES: &str = r#"
-Axes, all right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z
+Axes:
+
+All are right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z
 down. Points, offsets, coordinates and axes in statements (wheel_centre.z, angle(a -> b, z)), drives and measures among
 them, are in those of the file, and so are coordinates, velocities and derivatives per drive in results; angles and
 offsets of the wheel have the signs above in any. A layout of the catalogue has its points turned to the file's axes.
 The header of JSON, sheet, check and summary name the axes; a CSV file has no place for them. What a linkage lacks, a kingpin say, has no columns, nor has what the
 [vehicle] table leaves out.
+
+The published motion:
 
 In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
 coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
@@ -184,6 +194,18 @@ Example:
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_section_has_its_heading() {
+        let text = text();
+        let (sections, _) = text.split_once(".\n").expect("the sections");
+        let sections = sections
+            .strip_prefix("Sections below: ")
+            .expect("the sections");
+        for section in sections.split(", ") {
+            assert!(text.contains(&format!("\n{section}:\n")), "{section}");
+        }
+    }
 
     #[test]
     fn every_quantity_of_a_table_is_explained() {
