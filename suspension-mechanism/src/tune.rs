@@ -41,6 +41,8 @@ pub struct Tuned {
     pub drives: Vec<f64>,
     /// Points, by number, that assembly puts elsewhere than the moves do: what holds them was not moved.
     pub held: Vec<usize>,
+    /// Targets, by number, that no move changes, next to the design.
+    pub unaffected: Vec<usize>,
     /// Whether the user interrupted before the best was found.
     pub interrupted: bool,
 }
@@ -63,10 +65,13 @@ pub fn tune(
         least: each.by[0],
         greatest: each.by[1],
     });
-    let trial = |moved: &DVector<f64>| {
+    let off = |moved: &DVector<f64>| {
         let mechanism = mechanism.changed(&changes(moves, moved))?;
         let off = targets.iter().map(|target| target.deviations(&*mechanism));
-        let off = off.collect::<Option<Vec<_>>>()?;
+        off.collect::<Option<Vec<_>>>()
+    };
+    let trial = |moved: &DVector<f64>| {
+        let off = off(moved)?;
         let parts = off.iter().zip(targets);
         let parts = parts.flat_map(|(off, target)| off.iter().map(|off| off / target.within));
         Some(DVector::from_vec(parts.collect()))
@@ -86,6 +91,7 @@ pub fn tune(
     let after = targets.iter().map(|target| target.deviations(&*tuned));
     let after = after.collect::<Option<Vec<_>>>().ok_or_else(unmoved)?;
     Ok(Tuned {
+        unaffected: unaffected(moves, targets, off),
         moved: at.iter().copied().collect(),
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
@@ -99,6 +105,43 @@ pub fn tune(
 fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
     let each = moves.iter().zip(moved.iter());
     Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
+}
+
+/// The targets that are off by the same with each move at a place and at one beside it.
+fn unaffected(
+    moves: &[Move],
+    targets: &[Target],
+    off: impl Fn(&DVector<f64>) -> Option<Vec<Deviations>>,
+) -> Vec<usize> {
+    /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
+    const BESIDE: f64 = 1e-3;
+    const SAME: f64 = 1e-6;
+    let near = |part: f64| {
+        let at = moves.iter().map(
+            |Move {
+                 by: [least, greatest],
+                 ..
+             }| {
+                let start = 0_f64.clamp(*least, *greatest);
+                let end = if start - least < greatest - start {
+                    greatest
+                } else {
+                    least
+                };
+                start + part * (end - start)
+            },
+        );
+        DVector::from_iterator(moves.len(), at)
+    };
+    let (Some(here), Some(beside)) = (off(&near(0.0)), off(&near(BESIDE))) else {
+        return Vec::new();
+    };
+    let each = here.iter().zip(&beside).zip(targets).enumerate();
+    let same = each.filter(|(_, ((here, beside), target))| {
+        let mut differences = here.iter().zip(*beside).map(|(here, beside)| beside - here);
+        differences.all(|difference| difference.abs() <= SAME * target.within)
+    });
+    same.map(|(target, _)| target).collect()
 }
 
 /// The points that are not where they were moved to once the mechanism is assembled.

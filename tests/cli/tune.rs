@@ -121,6 +121,42 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
     assert!(off.fold(0.0, f64::max) > 0.02);
 }
 
+/// The rack's height turns the tie rod about its other end at the design position: toe is that of the tie rod's length, which
+/// is built anew.
+#[test]
+fn a_target_that_no_move_changes_is_named() {
+    let folder = folder();
+    let moved = FLAT.split("[tune.targets").next().expect("moves");
+    let toe = target("toe", 1.0, 0.01);
+    let output = tuned(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{moved}{toe}")),
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let told = "a.toml: not met: toe; no move changes toe: move points, or lengths, that do\n";
+    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+}
+
+/// Two values are wanted of one quantity.
+#[test]
+fn targets_that_contradict_each_other_may_be_the_reason() {
+    let folder = folder();
+    let one = target("caster", 1.0, 0.01);
+    let two = one
+        .replace("targets.caster", "targets.other")
+        .replace("1.0", "2.0");
+    let moves =
+        "[tune.moves.upper]\npoints = [\"upper_ball\"]\nalong = \"x\"\nby = [-0.03, 0.03]\n";
+    let output = tuned(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{moves}{one}{two}")),
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let told = "a.toml: not met: caster, other; no box stops the moves: other moves, or more, are needed, or targets that do not \
+                contradict each other\n";
+    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+}
+
 /// The tables of a design with points elsewhere are reached by moving these there: a list has a number for each place, a
 /// derivative is a target like a value.
 #[test]
@@ -140,7 +176,7 @@ fn a_known_design_is_found_by_its_curves() {
 points = [\"upper_rear\", \"upper_front\"]
 along = \"z\"
 by = [-0.03, 0.03]
-[tune.targets.camber]
+[tune.targets.caster]
 of = \"camber\"
 over = {{ bump = [-0.06, 0.06] }}
 change = {camber:?}

@@ -87,7 +87,7 @@ impl Report<'_> {
         })
     }
 
-    /// The targets that are not met, and the boxes that may have stopped them.
+    /// The targets that are not met, and why: no move changes them, or boxes may have stopped the moves.
     pub(super) fn unmet(&self) -> Option<String> {
         let targets = self.targets.iter().zip(&self.tuned.targets);
         let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
@@ -98,12 +98,26 @@ impl Report<'_> {
         let moves = self.moves.iter().zip(&self.tuned.moved);
         let ends = moves.filter(|(each, by)| at_end(each, **by));
         let ends: Vec<&str> = ends.map(|(each, _)| each.name.as_str()).collect();
-        let (unmet, ends) = (unmet.join(", "), ends.join(", "));
-        Some(if ends.is_empty() {
-            format!("not met: {unmet}; no box stops the moves: other ones, or more, are needed")
-        } else {
-            format!("not met: {unmet}; at the end of their boxes: {ends}")
-        })
+        let unaffected = self.tuned.unaffected.iter();
+        let unaffected = unaffected.map(|target| self.targets[*target].name.as_str());
+        let unaffected: Vec<&str> = unaffected.filter(|name| unmet.contains(name)).collect();
+        let reasons = [
+            (!unaffected.is_empty()).then(|| {
+                let names = unaffected.join(", ");
+                format!("no move changes {names}: move points, or lengths, that do")
+            }),
+            (!ends.is_empty()).then(|| format!("at the end of their boxes: {}", ends.join(", "))),
+            (ends.is_empty() && unaffected.len() < unmet.len()).then(|| {
+                "no box stops the moves: other moves, or more, are needed, or targets that do not contradict each other"
+                    .to_owned()
+            }),
+        ];
+        let reasons: Vec<String> = reasons.into_iter().flatten().collect();
+        Some(format!(
+            "not met: {}; {}",
+            unmet.join(", "),
+            reasons.join("; ")
+        ))
     }
 }
 
