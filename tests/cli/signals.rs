@@ -1,5 +1,7 @@
 //! A user who has enough.
 
+use std::ffi::OsStr;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
@@ -94,6 +96,41 @@ fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
     ended(child, &[signal])
 }
 
+/// What is interrupted once it has printed a line that starts so prints after that, and its end.
+#[cfg(unix)]
+fn interrupted_after<A: AsRef<OsStr>>(
+    line: &str,
+    folder: &Path,
+    arguments: &[A],
+) -> (String, Output) {
+    let mut child = command(folder)
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    let mut printed = BufReader::new(child.stdout.take().expect("standard output"));
+    let mut last = String::new();
+    while last.is_empty() || !last.starts_with(line) {
+        last.clear();
+        assert!(printed.read_line(&mut last).expect("a line") > 0);
+    }
+    send("-INT", &child);
+    let mut rest = String::new();
+    printed.read_to_string(&mut rest).expect("text");
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(130), "{output:?}");
+    (rest, output)
+}
+
+#[cfg(unix)]
+fn send(signal: &str, child: &Child) {
+    let sent = Command::new("kill")
+        .args([signal, &*child.id().to_string()])
+        .status();
+    assert!(sent.expect("a signal").success());
+}
+
 /// The end of a program that is sent signals.
 #[cfg(unix)]
 fn ended(mut child: Child, signals: &[&str]) -> Output {
@@ -101,10 +138,7 @@ fn ended(mut child: Child, signals: &[&str]) -> Output {
         std::thread::sleep(Duration::from_millis(500));
         let has_ended = child.try_wait().expect("a state").is_some();
         assert!(!has_ended, "before {signal}");
-        let sent = Command::new("kill")
-            .args([signal, &*child.id().to_string()])
-            .status();
-        assert!(sent.expect("a signal").success());
+        send(signal, &child);
     }
     let output = child.wait_with_output().expect("the program ends");
     assert_eq!(output.status.code(), Some(130), "{signals:?} {output:?}");
@@ -213,10 +247,7 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
             .spawn()
             .expect("the program runs");
         std::thread::sleep(Duration::from_millis(500));
-        let sent = Command::new("kill")
-            .args(["-INT", &child.id().to_string()])
-            .status();
-        assert!(sent.expect("a signal").success());
+        send("-INT", &child);
         let ends = (0..200).any(|_| {
             std::thread::sleep(Duration::from_millis(50));
             child.try_wait().expect("a state").is_some()
@@ -249,10 +280,8 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
     assert!(text(&output.stdout).contains(ended), "{output:?}");
     assert!(folder.path().join("all.csv").exists());
     let count = ["check", "axle.toml", "--assemblies"];
-    let output = interrupted_by("-INT", folder.path(), &count);
-    let report = text(&output.stdout);
-    let [notes, assemblies] = ["\nnotes         none\n", ended].map(|part| report.find(part));
-    assert!(notes.is_some() && notes < assemblies, "{output:?}");
+    let (report, output) = interrupted_after("notes         none\n", folder.path(), &count);
+    assert!(report.contains(ended), "{report}");
     let said = text(&output.stderr);
     let expected =
         "axle.toml: interrupted in its search for assemblies, of which there may be more\n";
@@ -263,8 +292,6 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
 #[cfg(unix)]
 #[test]
 fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
-    use std::io::{BufRead, BufReader, Read};
-
     let folder = watt_linkage();
     let mut child = command(folder.path())
         .args(["assemblies", "axle.toml"])
@@ -272,19 +299,14 @@ fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the program runs");
-    let interrupt = |child: &Child| {
-        let mut kill = Command::new("kill");
-        let sent = kill.args(["-INT", &child.id().to_string()]);
-        assert!(sent.status().expect("a signal").success());
-    };
     // Long enough for the random starts, after which there are many to follow.
     std::thread::sleep(Duration::from_secs(5));
-    interrupt(&child);
+    send("-INT", &child);
     let mut said = BufReader::new(child.stderr.take().expect("standard error"));
     let mut line = String::new();
     said.read_line(&mut line).expect("a note");
     assert!(line.contains("interrupt again to give that up"), "{line}");
-    interrupt(&child);
+    send("-INT", &child);
     line.clear();
     said.read_to_string(&mut line).expect("text");
     let expected = "axle.toml: interrupted after 0 of the drive's values\n";
@@ -296,29 +318,14 @@ fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
 #[cfg(unix)]
 #[test]
 fn assemblies_that_were_found_are_kept() {
-    use std::io::{BufRead, BufReader, Read};
-
     let folder = folder();
     let values = (0..400).map(|step| format!("{}", 0.7 + 1e-3 * f64::from(step)));
     std::fs::write(folder.path().join("motion.toml"), example("five_link.toml")).expect("written");
-    let mut child = command(folder.path())
-        .args(["assemblies", "motion.toml", "--csv", "all.csv", "--at"])
-        .args(values)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
-    let mut listed = BufReader::new(child.stdout.take().expect("standard output"));
-    let mut first = String::new();
-    listed.read_line(&mut first).expect("a line");
-    let sent = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(sent.expect("a signal").success());
-    let mut rest = String::new();
-    listed.read_to_string(&mut rest).expect("text");
-    let output = child.wait_with_output().expect("the program ends");
-    assert_eq!(output.status.code(), Some(130), "{output:?}");
+    let mut list: Vec<_> = ["assemblies", "motion.toml", "--csv", "all.csv", "--at"]
+        .map(String::from)
+        .into();
+    list.extend(values);
+    interrupted_after("", folder.path(), &list);
     let mut table = csv::Reader::from_path(folder.path().join("all.csv")).expect("a table");
     let kept: Result<Vec<_>, _> = table.records().collect();
     assert!(!kept.expect("whole rows").is_empty());
