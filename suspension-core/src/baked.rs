@@ -40,7 +40,7 @@ pub trait Split: Real {
 }
 
 impl Split for f32 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn split(self, last: usize) -> (usize, Self) {
         let whole = (self as u32).min(last as u32);
         (whole as usize, self - whole as f32)
@@ -48,7 +48,7 @@ impl Split for f32 {
 }
 
 impl Split for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn split(self, last: usize) -> (usize, Self) {
         let whole = (self as u32).min(last as u32);
         (whole as usize, self - f64::from(whole))
@@ -79,7 +79,7 @@ pub struct Outside<T> {
 
 impl<T: Real> Outside<T> {
     /// `None` where a drive is inside its range.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(drive: T, [first, last]: [T; 2]) -> Option<Self> {
         let nearest = if drive > last { last } else { first };
         let inside = first <= drive && drive <= last;
@@ -114,7 +114,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
     ///
     /// [`Outside`] where the curve does not reach. To clip instead:
     /// `curve.at(drive).or_else(|outside| curve.at(outside.nearest))`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at(&self, drive: T) -> Result<Place<'a, T, OUT, TERMS>, Outside<T>> {
         let [first, _] = self.range;
         let last_segment = self.segments.len().wrapping_sub(1);
@@ -136,7 +136,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
 
 impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
     /// Position.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self) -> [T; OUT] {
         let [position] = polynomial(self.segment, self.variable);
         position
@@ -144,7 +144,7 @@ impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
 
     /// Position and velocity, where the drive moves at `rate` per second. With a rate of one, the
     /// velocity is the derivative with respect to the drive.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, rate: T) -> [[T; OUT]; 2] {
         let [position, first] = polynomial(self.segment, self.variable);
         let rate = rate * self.segments_per_unit;
@@ -154,7 +154,7 @@ impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
     /// Position, velocity and acceleration, where the drive moves at `rate` per second and
     /// `second_rate` per second squared: the chain rule
     /// `qddot = q'' rate^2 + q' second_rate`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, rate: T, second_rate: T) -> [[T; OUT]; 3] {
         let [position, first, half_second] = polynomial(self.segment, self.variable);
         let rate = rate * self.segments_per_unit;
@@ -168,7 +168,7 @@ impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
 
 /// A polynomial and its derivatives up to order `ORDERS - 1`, each divided by the factorial of its
 /// order, from coefficients by power, constants first: Horner's scheme, repeated.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn polynomial<T: Real, const OUT: usize, const ORDERS: usize>(
     coefficients: &[[T; OUT]],
     variable: T,
@@ -192,7 +192,7 @@ pub fn polynomial<T: Real, const OUT: usize, const ORDERS: usize>(
 }
 
 /// `sum += factors * scale`, output by output.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_product<T: Real, const OUT: usize>(sum: &mut [T; OUT], factors: &[T; OUT], scale: T) {
     for (sum, factor) in sum.iter_mut().zip(factors) {
         *sum = *factor * scale + *sum;

@@ -85,7 +85,7 @@ pub struct Bounded<T, const CORRECTIONS: usize = 1, const ORDER: usize = 2> {
 
 /// One correction from a prediction of second order: for others see [`Bounded::new`].
 impl<T: Real> Default for Bounded<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn default() -> Self {
         Self::new()
     }
@@ -93,7 +93,7 @@ impl<T: Real> Default for Bounded<T> {
 
 impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
     /// With as many corrections, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new() -> Self {
         Self {
             tolerance: Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE)),
@@ -130,7 +130,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
     /// # Errors
     ///
     /// See [`SolveError`]; the motion is then unchanged.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn step_to<L, C, const N: usize>(
         &self,
         outputs: Outputs,
@@ -157,7 +157,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
     ///
     /// [`Refusal`]; the motion is then unchanged. An error of the prediction is
     /// [`Diverging`](Refusal::Diverging) by its size alone, however far the step goes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn attempt<L, C, const N: usize>(
         &self,
         outputs: Outputs,

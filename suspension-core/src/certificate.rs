@@ -129,7 +129,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn bounds<C>(
         &self,
         inputs: &Inputs<C, L::Drives>,
@@ -158,7 +158,7 @@ where
     }
 
     /// The coordinates that drives prescribe.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinates(&self, drives: &L::Drives) -> <Enclosing<L, N> as Linkage<N>>::Drives {
         let exact = Values::from_values(drives.values().map(Enclosed::exact));
         let computed = self.enclosing.coordinates(&Signal {

@@ -46,7 +46,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     /// # Errors
     ///
     /// As [`Tangent::new`](crate::Tangent::new), else those of `work`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at<R, E: From<SolveError<T>>>(
         linkage: &L,
         drives: L::Drives,
@@ -153,7 +153,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     }
 
     /// The drives' coordinates where they change as `change` says.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinates(&self, change: L::Drives) -> Signal<L::Drives> {
         self.linkage.coordinates(&Signal {
             rate: change,
@@ -162,18 +162,18 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     }
 
     /// Derivatives of the chassis points, given those of the drives' coordinates.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchors(&self, drives: &L::Drives) -> L::Fixed {
         self.linkage.drive_anchors(L::Fixed::default(), drives)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
         self.linkage
             .drive_rate(self.position, self.fixed, fixed, drives)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn direction(
         &self,
         change: L::Drives,
@@ -204,7 +204,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         Ok(unknowns)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn accelerations(
         &self,
         velocities: &L::Points,

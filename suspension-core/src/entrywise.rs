@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use crate::scalar::Scalar;
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn zip<T: Scalar, const N: usize>(
     a: &SVector<T, N>,
     b: &SVector<T, N>,
@@ -19,7 +19,7 @@ fn zip<T: Scalar, const N: usize>(
 }
 
 /// `a + b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sum<T: Scalar, const N: usize>(
     a: &SVector<T, N>,
     b: &SVector<T, N>,
@@ -28,7 +28,7 @@ pub(crate) fn sum<T: Scalar, const N: usize>(
 }
 
 /// `a - b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn difference<T: Scalar, const N: usize>(
     a: &SVector<T, N>,
     b: &SVector<T, N>,
@@ -37,13 +37,13 @@ pub(crate) fn difference<T: Scalar, const N: usize>(
 }
 
 /// `a k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn multiple<T: Scalar, const N: usize>(a: &SVector<T, N>, k: T) -> SVector<T, N> {
     zip(a, a, |a, _| a * k)
 }
 
 /// `a + b k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn plus_multiple<T: Scalar, const N: usize>(
     a: &SVector<T, N>,
     b: &SVector<T, N>,
@@ -53,7 +53,7 @@ pub(crate) fn plus_multiple<T: Scalar, const N: usize>(
 }
 
 /// `a - b k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn minus_multiple<T: Scalar, const N: usize>(
     a: &SVector<T, N>,
     b: &SVector<T, N>,

@@ -44,7 +44,7 @@ pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
 ///
 /// [`SolveError::Singular`] from partial pivoting, [`SolveError::NotFinite`] where an entry of the
 /// Jacobian is not finite.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn with_factors<T, L, R, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,
@@ -69,7 +69,7 @@ where
 /// # Errors
 ///
 /// As [`with_factors`].
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn with_factors_for_rates<T, L, R, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,

@@ -52,7 +52,7 @@ pub use crate::{unknown_names, vector_of};
 pub use stand_in::stand_in;
 
 /// The product, in four chains side by side.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn product<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let mut products = [T::one(); 4];
     for (index, number) in numbers.into_iter().enumerate() {

@@ -48,13 +48,13 @@ impl<T: Scalar> Linked<T> {
 
     /// `(1 - V / V0) / 2`: where the distances are kept, 0 on the point's own side of the frame and
     /// 1 on the other.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mirrored(&self, point: Vector3<T>, frame: &Frame<T>) -> T {
         T::constant(0.5).minus_product(volume(point, frame), self.half_inverse)
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Linked<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
@@ -67,14 +67,14 @@ impl<T: Scalar> Linked<T> {
 }
 
 /// The signed volume of the edges `u`, `v` and the line from the frame's origin to the point.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn volume<T: Scalar>(point: Vector3<T>, frame: &Frame<T>) -> T {
     dot(difference(point, frame.origin), cross(frame.u, frame.v))
 }
 
 /// How many of [`Linkage::linked`] are mirrored: where the distances are kept, a whole number to
 /// rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn count_mirrored<L, const N: usize>(
     linkage: &L,
     q: &SVector<L::Scalar, N>,
@@ -88,7 +88,7 @@ where
 }
 
 /// Whether a [`count_mirrored`] tells that none is.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn is_right<T: Real>(count: T) -> bool {
     count < T::constant(0.5)
 }

@@ -96,7 +96,7 @@ pub trait Linkage<const N: usize>: Parts {
 
     /// The points watched for mirror images, by index: those that links alone join to three others
     /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linked(&self) -> impl Iterator<Item = usize> {
         core::iter::empty()
     }
@@ -117,7 +117,7 @@ pub trait Linkage<const N: usize>: Parts {
     fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives);
 
     /// Chassis points, or their rates, with the coordinates that drives prescribe.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn drive_anchors(&self, mut fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed {
         self.put_drives(&mut fixed, drives);
         fixed
@@ -218,7 +218,7 @@ pub trait Linkage<const N: usize>: Parts {
 
     /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
     /// kept, 0 on the side of the three others where the model has it, 1 on the other.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mirrored(
         &self,
         _q: &SVector<Self::Scalar, N>,

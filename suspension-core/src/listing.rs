@@ -19,20 +19,20 @@ pub trait Parts {
     }
 
     /// How many parts of a kind there are.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn count(&self, kind: Kind) -> usize {
         self.table().count(kind)
     }
 
     /// What the drive with this index measures.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn drive_kind(&self, drive: usize) -> DriveKind {
         let kind = self.table().drive_kinds.get(drive).copied();
         kind.unwrap_or(DriveKind::Coordinate)
     }
 
     /// What the measure with this index is.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         let kind = self.table().measure_kinds.get(measure).copied();
         kind.unwrap_or(MeasureKind::Length)
@@ -241,7 +241,7 @@ impl Names {
         table.get(index).copied().unwrap_or("?")
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn count(&self, kind: Kind) -> usize {
         match kind {
             Kind::Unknown => self.unknowns.len(),

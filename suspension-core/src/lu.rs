@@ -35,7 +35,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
     }
 
     /// A matrix that is not factored yet.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn of(matrix: SMatrix<T, N, N>) -> Self {
         Self {
             columns: matrix.data.0,

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::scalar::{Real, Scalar};
 
 /// The largest magnitude; zero where there are none. Four chains of comparisons run side by side.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn largest<T: Real, const K: usize>(numbers: [T; K]) -> T {
     let mut largest = [T::zero(); 4];
     for (index, number) in numbers.into_iter().enumerate() {
@@ -19,7 +19,7 @@ pub(crate) fn largest<T: Real, const K: usize>(numbers: [T; K]) -> T {
 }
 
 /// The sum of the squares, in four chains side by side. A NaN is passed on.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn sum_of_squares<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let mut sums = [T::zero(); 4];
     for (index, number) in numbers.into_iter().enumerate() {
@@ -32,7 +32,7 @@ pub fn sum_of_squares<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
 }
 
 /// The largest magnitude of the entries; the index of the first that is not finite as the error.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn magnitude<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<T, usize> {
     // A number that is not finite times zero is NaN.
     let [entries] = vector.data.0;

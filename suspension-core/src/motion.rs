@@ -56,7 +56,7 @@ impl<T: Real, const N: usize> Motion<T, N> {
     }
 
     /// The same with the chassis points at hand.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn points_with<L>(&self, linkage: &L, fixed: &Signal<L::Fixed>) -> Signal<L::Points>
     where
         L: Linkage<N, Scalar = T>,
@@ -84,7 +84,7 @@ pub struct Prescribed<F, D> {
 
 impl<F, D> Prescribed<F, D> {
     /// Prepares the inputs of a linkage.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new<L, C, const N: usize>(linkage: &L, inputs: &Inputs<C, D>) -> Self
     where
         L: Linkage<N, Fixed = F, Drives = D>,
@@ -184,14 +184,14 @@ where
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn velocity(&self) -> SVector<T, N> {
         let Prescribed { fixed, drives } = self.prescribed;
         self.factors
             .solve(&self.input_terms(&fixed.rate, &drives.rate))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(&self, velocity: &SVector<T, N>) -> SVector<T, N> {
         let Prescribed { fixed, drives } = self.prescribed;
         let inputs = self.input_terms(&fixed.second_rate, &drives.second_rate);
@@ -200,7 +200,7 @@ where
             .solve(&(inputs - self.linkage.curvature(velocity, rate, velocity, rate)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
         let velocity = self.velocity();
         let acceleration = self.acceleration(&velocity);
@@ -215,7 +215,7 @@ where
         })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn input_terms(&self, fixed: &L::Fixed, drives: &L::Drives) -> SVector<T, N> {
         let at = &self.prescribed.fixed.value;
         input_terms::<_, C, N>(self.linkage, self.position, at, fixed, drives)
@@ -223,7 +223,7 @@ where
 }
 
 /// `-dF/du udot`, or with second rates `-dF/du uddot`, of drives and chassis points.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn input_terms<L, C, const N: usize>(
     linkage: &L,
     position: &SVector<L::Scalar, N>,
@@ -244,7 +244,7 @@ where
 }
 
 /// What velocity and acceleration at a position are computed from.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn rates_at<'a, T, L, C, const N: usize>(
     linkage: &'a L,
     prescribed: &'a Prescribed<L::Fixed, L::Drives>,

@@ -162,7 +162,7 @@ impl<T: Real> Newton<T> {
     }
 
     /// The largest residual that counts as a root at a position.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn tolerance_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
     where
         L: Linkage<N, Scalar = T>,
@@ -200,7 +200,7 @@ impl<T: Real> Default for Newton<T> {
 }
 
 /// What rounding leaves of a length at a position.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn rounding_at<T, L, const N: usize>(linkage: &L, q: &SVector<T, N>) -> T
 where
     T: Real,

@@ -17,7 +17,7 @@ pub struct Row<'a, T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Rows<T, N> {
     /// All zero.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn zero() -> Self {
         Self {
             columns: [[T::zero(); N]; N],
@@ -25,7 +25,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     }
 
     /// The row with an index.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at(&mut self, row: usize) -> Row<'_, T, N> {
         Row {
             columns: &mut self.columns,
@@ -34,14 +34,14 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     }
 
     /// The matrix.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn matrix(self) -> SMatrix<T, N, N> {
         SMatrix::from_array_storage(ArrayStorage(self.columns))
     }
 }
 
 impl<T: Scalar, const N: usize> Row<'_, T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn put(&mut self, below: usize, column: usize, entry: T) {
         let column = self.columns.get_mut(column);
         if let Some(place) = column.and_then(|column| column.get_mut(self.row + below)) {
@@ -50,14 +50,14 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
     }
 
     /// What it is by one unknown.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_one(mut self, column: usize, entry: T) -> Self {
         self.put(0, column, entry);
         self
     }
 
     /// What it is by a point.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by(self, column: usize, entries: Vector3<T>) -> Self {
         self.by_one(column, entries.x)
             .by_one(column + 1, entries.y)
@@ -65,7 +65,7 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
     }
 
     /// What three are by one unknown.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn three_by_one(mut self, column: usize, entries: Vector3<T>) -> Self {
         self.put(0, column, entries.x);
         self.put(1, column, entries.y);
@@ -74,7 +74,7 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
     }
 
     /// What three are by a point. A loop would have the matrix in memory, and stacks are small.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn three_by(self, column: usize, entries: Matrix3<T>) -> Self {
         let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = entries.data.0;
         self.three_by_one(column, Vector3::new(xx, yx, zx))
@@ -83,7 +83,7 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
     }
 
     /// What three are by a point, where this is a multiple of the identity.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn diagonal_by(mut self, column: usize, factor: T) -> Self {
         self.put(0, column, factor);
         self.put(1, column + 1, factor);

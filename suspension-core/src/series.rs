@@ -78,7 +78,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         Self::expand::<L, C>(linkage, &prescribed, *position, factors)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn expand<L, C>(
         linkage: &L,
         prescribed: &PrescribedSeries<L::Fixed, L::Drives, K>,

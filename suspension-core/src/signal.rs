@@ -20,7 +20,7 @@ pub struct Signal<V> {
 
 impl<V> Signal<V> {
     /// A linear function of the quantity, with its derivatives.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(&self, linear: impl Fn(&V) -> U) -> Signal<U> {
         Signal {
             value: linear(&self.value),
@@ -30,7 +30,7 @@ impl<V> Signal<V> {
     }
 
     /// Puts a quantity into a part of this one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn set<U>(&mut self, quantity: Signal<U>, part: impl Fn(&mut V) -> &mut U) {
         *part(&mut self.value) = quantity.value;
         *part(&mut self.rate) = quantity.rate;
@@ -102,7 +102,7 @@ pub trait ChassisMotion<F>: Copy {
 impl<F: Copy + Default> ChassisMotion<F> for Still {
     const MOVES: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn signal(&self, rest: &F) -> Signal<F> {
         Signal {
             value: *rest,
@@ -115,7 +115,7 @@ impl<F: Copy + Default> ChassisMotion<F> for Still {
 impl<F: Copy> ChassisMotion<F> for Signal<F> {
     const MOVES: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn signal(&self, _rest: &F) -> Signal<F> {
         *self
     }

@@ -64,7 +64,7 @@ impl<L: Linkage<N>, const N: usize> Clone for Configuration<'_, L, N> {
 impl<L: Linkage<N>, const N: usize> Copy for Configuration<'_, L, N> {}
 
 impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(linkage: &'a L, drives: L::Drives, position: &SVector<T, N>) -> Self {
         let rate = L::Drives::from_values(drives.values().map(|_| T::one()));
         let drives = Signal {
@@ -81,7 +81,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
     }
 
     /// The work of forces per unit of each drive: by the equations, and of those at chassis points that it moves.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn on_drives(&self, multipliers: &SVector<T, N>, forces: &L::Points) -> L::Drives {
         let Self {
             linkage,
@@ -167,7 +167,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         Self::checked(at, multipliers, forces)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn checked(
         at: Configuration<'a, L, N>,
         multipliers: SVector<T, N>,
@@ -240,7 +240,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
 }
 
 /// The forces on the coordinates of the free points. Unknowns that are no coordinates, as a place along a line, bear none.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn on_unknowns<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     linkage: &L,
     forces: &L::Points,

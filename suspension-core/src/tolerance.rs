@@ -14,7 +14,7 @@ pub enum Tolerance<T> {
 
 impl<T: Scalar> Tolerance<T> {
     /// In units of length, where rounding leaves `rounding` of a length.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn length(self, rounding: T) -> T {
         match self {
             Self::Roundings(multiple) => multiple * rounding,

@@ -88,7 +88,7 @@ impl<T: Real> Tracker<T> {
         self.step_over::<_, C, N>(linkage, &change, motion)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_over<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -123,7 +123,7 @@ impl<T: Real> Tracker<T> {
 
     /// The step where two corrections with the same factors meet every condition, as in most steps
     /// of a control loop.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_once<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -224,7 +224,7 @@ impl<T: Real> Tracker<T> {
     }
 
     /// The largest correction that a step of this move may need.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn correction_bound(&self, moved: T, size: T) -> T {
         (self.correction_of_move * moved).max(self.correction_of_size * size)
     }

@@ -44,7 +44,7 @@ pub(crate) const LARGEST_ANGLE: f64 = 1e3 * core::f64::consts::TAU;
 /// Sine and cosine of an angle in radians, each off by no more than `EPSILON` for magnitudes up to a
 /// thousand turns; NaN for an angle that is not finite. `f32` and `f64` give the same bits on
 /// every target.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
     let turns = (angle * T::constant(core::f64::consts::FRAC_2_PI)).nearest_integer();
     let [first, second, third, last] = QUARTER_TURN.map(T::constant);
@@ -70,7 +70,7 @@ pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
 }
 
 /// Sine and cosine between plus and minus a quarter of `pi`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn within_an_eighth<T: Scalar>(x: T) -> (T, T) {
     let square = x * x;
     let sine = x.plus_product(x * square, polynomial(SINE, square));
@@ -83,7 +83,7 @@ fn within_an_eighth<T: Scalar>(x: T) -> (T, T) {
 }
 
 /// `c_0 + c_1 x + c_2 x^2 + ...`, in pairs so that the chain of operations is short.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn polynomial<T: Scalar>(coefficients: [f64; 6], x: T) -> T {
     let [a, b, c, d, e, f] = coefficients.map(T::constant);
     let square = x * x;

@@ -23,7 +23,7 @@ pub trait Values<V>: Copy {
     }
 
     /// Other values in the same order.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn map(&self, value: impl Fn(V) -> V) -> Self
     where
         V: Default,
@@ -32,7 +32,7 @@ pub trait Values<V>: Copy {
     }
 
     /// The same values but for the one with this index; with an index beyond the last, the same values.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with(&self, index: usize, value: V) -> Self
     where
         V: Copy + Default,
@@ -42,7 +42,7 @@ pub trait Values<V>: Copy {
     }
 
     /// These values and others, pair by pair.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn combined(&self, others: &Self, combine: impl Fn(V, V) -> V) -> Self
     where
         V: Default,

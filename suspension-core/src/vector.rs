@@ -7,38 +7,38 @@ use crate::scalar::Scalar;
 use crate::values::Values;
 
 /// `a - b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
     Vector3::new(a.x - b.x, a.y - b.y, a.z - b.z)
 }
 
 /// `-a`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn opposite<T: Scalar>(a: Vector3<T>) -> Vector3<T> {
     Vector3::new(-a.x, -a.y, -a.z)
 }
 
 /// The components.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn xyz<T: Scalar>(a: Vector3<T>) -> [T; 3] {
     let [components] = a.data.0;
     components
 }
 
 /// `a k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn multiple<T: Scalar>(a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(a.x * k, a.y * k, a.z * k)
 }
 
 /// `a . b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn dot<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> T {
     (a.x * b.x).plus_product(a.y, b.y).plus_product(a.z, b.z)
 }
 
 /// `sum + a x b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
     Vector3::new(
         sum.x.plus_product(a.y, b.z).minus_product(a.z, b.y),
@@ -48,7 +48,7 @@ pub(crate) fn plus_cross<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, b: Vector3<T
 }
 
 /// `a x b`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
     Vector3::new(
         (a.y * b.z).minus_product(a.z, b.y),
@@ -58,7 +58,7 @@ pub(crate) fn cross<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
 }
 
 /// `sum + a k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(
         sum.x.plus_product(a.x, k),
@@ -68,7 +68,7 @@ pub(crate) fn plus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> 
 }
 
 /// `sum - a k`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) -> Vector3<T> {
     Vector3::new(
         sum.x.minus_product(a.x, k),
@@ -78,7 +78,7 @@ pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) ->
 }
 
 /// A point moved along a unit vector until its coordinate along that is the given one.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn moved_along<T: Scalar>(
     point: Vector3<T>,
     direction: Vector3<T>,
@@ -88,7 +88,7 @@ pub fn moved_along<T: Scalar>(
 }
 
 /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn gather_vector<M, S: Scalar, T: Scalar>(
     of: impl Fn(&M) -> Vector3<S>,
     number: &impl Fn(&dyn Fn(&M) -> S) -> T,

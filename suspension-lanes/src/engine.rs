@@ -70,7 +70,7 @@ where
 /// Makes the function that it is inlined into align its frame for whole vectors. Without a variable
 /// that asks for it vectors are spilt to wherever the frame happens to lie, across cache lines more
 /// often than not: 640 ns for eight lanes instead of 450.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn align_frame() {
     #[repr(align(64))]
     struct CacheLine(#[expect(dead_code, reason = "it takes room")] u8);
@@ -79,7 +79,7 @@ fn align_frame() {
 }
 
 /// One number of each lane.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
     let mut vector = V::splat(0.0);
     for (lane, value) in lanes.into_iter().enumerate() {
@@ -106,7 +106,7 @@ fn lane_of<V: Vector<Lane: Real>, const N: usize>(
 }
 
 /// The drives of all lanes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn packed_drives<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LANES: usize>(
     lanes: [&G::Drives<V::Lane>; LANES],
 ) -> G::Drives<Number<V>> {
@@ -134,7 +134,7 @@ where
     ) -> [Measures<V::Lane>; LANES] {
         let proof = self.proof;
         proof.vectorize(
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             || {
                 align_frame();
                 let drives = Signal {

@@ -28,7 +28,7 @@ macro_rules! token {
         impl Token for fearless_simd::$token {
             const REGISTER_BITS: u32 = $bits;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             unsafe fn assumed() -> Self {
                 // SAFETY: the caller's.
                 unsafe { Self::assume_supported() }
@@ -72,41 +72,41 @@ macro_rules! vector {
             type Proof = S;
             const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn splat(value: f64) -> Self {
                 // SAFETY: see `Vector::Proof`.
                 let proof = unsafe { S::assumed() };
                 fearless_simd::SimdBase::splat(proof, value as $lane)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn lane(&self, index: usize) -> $lane {
                 self[index]
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn set_lane(&mut self, index: usize, value: $lane) {
                 self[index] = value;
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn add(self, other: Self) -> Self {
                 self + other
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn subtract(self, other: Self) -> Self {
                 self - other
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn multiply(self, other: Self) -> Self {
                 self * other
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn divide(self, other: Self) -> Self {
                 self / other
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn negative(self) -> Self {
                 -self
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn plus_product(self, a: Self, b: Self) -> Self {
                 SimdFloat::mul_add(a, b, self)
             }
@@ -130,39 +130,39 @@ macro_rules! fused {
             type Proof = S;
             const LARGE: f64 = 1.5 / <$lane>::EPSILON as f64;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn splat(value: f64) -> Self {
                 Self(value as $lane, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn lane(&self, _: usize) -> $lane {
                 self.0
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn set_lane(&mut self, _: usize, value: $lane) {
                 self.0 = value;
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn add(self, other: Self) -> Self {
                 Self(self.0 + other.0, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn subtract(self, other: Self) -> Self {
                 Self(self.0 - other.0, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn multiply(self, other: Self) -> Self {
                 Self(self.0 * other.0, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn divide(self, other: Self) -> Self {
                 Self(self.0 / other.0, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn negative(self) -> Self {
                 Self(-self.0, PhantomData)
             }
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn plus_product(self, a: Self, b: Self) -> Self {
                 Self(a.0.mul_add(b.0, self.0), PhantomData)
             }
@@ -181,13 +181,13 @@ macro_rules! operator {
     ($operator:ident, $method:ident, $of_vector:ident, $assign:ident, $assign_method:ident) => {
         impl<V: Vector> $operator for Number<V> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self(self.0.$of_vector(other.0))
             }
         }
         impl<V: Vector> $assign for Number<V> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $assign_method(&mut self, other: Self) {
                 self.0 = self.0.$of_vector(other.0);
             }
@@ -202,7 +202,7 @@ operator!(Div, div, divide, DivAssign, div_assign);
 
 impl<V: Vector> Neg for Number<V> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self(self.0.negative())
     }
@@ -216,14 +216,14 @@ impl<V: Vector> PartialEq for Number<V> {
 }
 
 impl<V: Vector> Default for Number<V> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn default() -> Self {
         Self(V::splat(0.0))
     }
 }
 
 impl<V: Vector> Zero for Number<V> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn zero() -> Self {
         Self(V::splat(0.0))
     }
@@ -233,27 +233,27 @@ impl<V: Vector> Zero for Number<V> {
 }
 
 impl<V: Vector> One for Number<V> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn one() -> Self {
         Self(V::splat(1.0))
     }
 }
 
 impl<V: Vector> Scalar for Number<V> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
         Self(V::splat(value))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {
         let large = Self(V::splat(V::LARGE));
         (self + large) - large
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         Self(self.0.plus_product(a.0, b.0))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         Self(self.0.plus_product(a.0.negative(), b.0))
     }

@@ -35,7 +35,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Surface<'a, T, OUT, TER
     /// # Errors
     ///
     /// [`Outside`] with the first drive that is outside its range.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at(&self, drives: [T; 2]) -> Result<SurfacePlace<'a, T, OUT, TERMS>, Outside<T>> {
         let [first, second] = drives;
         let [first_range, second_range] = self.ranges;
@@ -65,14 +65,14 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Surface<'a, T, OUT, TER
 
 impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TERMS> {
     /// Position.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self) -> [T; OUT] {
         let [[position]] = self.derivatives();
         position
     }
 
     /// Position and velocity, where the drives move at `rates` per second.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, rates: [T; 2]) -> [[T; OUT]; 2] {
         let [[position, by_first], [by_second, _]] = self.derivatives();
         let [first, second] = self.scaled(rates);
@@ -83,7 +83,7 @@ impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TER
 
     /// Position, velocity and acceleration, where the drives move at `rates` per second and
     /// `second_rates` per second squared.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, rates: [T; 2], second_rates: [T; 2]) -> [[T; OUT]; 3] {
         let [
             [position, by_first, half_by_first_twice],
@@ -115,7 +115,7 @@ impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TER
 
     /// Derivatives by order in the second variable, then in the first, divided by the factorials of
     /// both.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn derivatives<const ORDERS: usize>(&self) -> [[[T; OUT]; ORDERS]; ORDERS] {
         let [u, v] = self.variables;
         let rows: [[[T; OUT]; ORDERS]; TERMS] = self.patch.map(|row| polynomial(&row, v));

@@ -23,7 +23,7 @@ pub struct Measures<T> {
 
 impl<T> Measures<T> {
     /// Each measure of another number: a lane of it, say.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, number: impl Fn(T) -> U) -> Measures<U> {
         Measures {
             residual_squared: number(self.residual_squared),
@@ -44,7 +44,7 @@ impl<T: Real> Measures<T> {
     }
 
     /// The motion with the sign of the determinant.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn signed<const N: usize>(&self, motion: Motion<T, N>) -> Motion<T, N> {
         Motion {
             positive_determinant: Some(self.determinant_sign > T::zero()),

@@ -18,7 +18,7 @@ pub(super) struct Prediction<T, const N: usize, const ORDER: usize> {
 
 impl<T: Scalar, const N: usize, const ORDER: usize> Prediction<T, N, ORDER> {
     /// The Taylor polynomial of the last motion, `dt` later.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(from: &Motion<T, N>, dt: T) -> Self {
         let zero = SVector::from([T::zero(); N]);
         let (q, v, a) = (&from.position, &from.velocity, &from.acceleration);
@@ -41,14 +41,14 @@ impl<T: Scalar, const N: usize, const ORDER: usize> Prediction<T, N, ORDER> {
     }
 
     /// The velocity at the end, with an error `e` of the prediction that grows as `dt^(p + 1)`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn velocity(&self, error: &SVector<T, N>) -> SVector<T, N> {
         let power = T::constant((ORDER + 1) as f64);
         minus_multiple(&self.velocity, error, self.per_step * power)
     }
 
     /// The acceleration at the end, likewise.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn acceleration(&self, error: &SVector<T, N>) -> SVector<T, N> {
         let powers = T::constant((ORDER * (ORDER + 1)) as f64);
         let rate = self.per_step * self.per_step * powers;
@@ -59,14 +59,14 @@ impl<T: Scalar, const N: usize, const ORDER: usize> Prediction<T, N, ORDER> {
     /// it is `3/2 d - (v1 + v2) / 4`, with `d` the mean velocity of the step and `v1`, `v2` the
     /// velocities before it: of second order, errors halve from step to step. After others it is `d`.
     /// With the full power of [`velocity`](Self::velocity) in its place errors would grow.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn velocity_from_positions(&self, error: &SVector<T, N>) -> SVector<T, N> {
         let power = T::constant(if ORDER < 2 { 1.0 } else { 1.5 });
         minus_multiple(&self.velocity, error, self.per_step * power)
     }
 
     /// The mean acceleration of the step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn mean_acceleration(
         &self,
         from: &Motion<T, N>,

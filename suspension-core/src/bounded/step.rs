@@ -39,7 +39,7 @@ where
     C: ChassisMotion<L::Fixed>,
 {
     /// Predicts the position after `dt`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new(
         linkage: &'a L,
         prescribed: &'a Prescribed<L::Fixed, L::Drives>,
@@ -57,7 +57,7 @@ where
     }
 
     /// The motion in the macro's order of pivots, and what to judge it by.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
         let at = &self.prediction.position;
         let factors = self.linkage.factor(at, &self.prescribed.fixed.value);
@@ -66,7 +66,7 @@ where
 
     /// The motion with any factors of the Jacobian at the prediction. The equations are written out
     /// wherever they are evaluated, which is fast; or `CALLED`, which is short.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn settle<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
@@ -100,7 +100,7 @@ where
     C: ChassisMotion<L::Fixed>,
 {
     /// The error of the prediction, and the square of the residual that is left without it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn error<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
@@ -133,7 +133,7 @@ where
     }
 
     /// Velocity and acceleration at `position`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rates<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
@@ -166,7 +166,7 @@ where
     }
 
     /// What solves `J(q0 - e) rate = terms`, from a first value.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rate<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
         factors: &F,
@@ -186,7 +186,7 @@ where
     }
 
     /// `C(v, w)` of changes that leave the chassis where it is.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn change_of_jacobian<const CALLED: bool>(
         &self,
         v: &SVector<L::Scalar, N>,
@@ -196,7 +196,7 @@ where
         self.curvature::<CALLED>(v, &at_rest, w, &at_rest)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn curvature<const CALLED: bool>(
         &self,
         v: &SVector<L::Scalar, N>,
@@ -223,7 +223,7 @@ where
         self.linkage.curvature(v, v_fixed, w, w_fixed)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn residual(&self, at: &SVector<L::Scalar, N>) -> SVector<L::Scalar, N> {
         let Prescribed { fixed, drives } = self.prescribed;
         self.linkage.residual(at, &fixed.value, &drives.value)

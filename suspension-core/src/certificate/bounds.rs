@@ -44,7 +44,7 @@ impl<T: Real> Bounds<T> {
     /// # Errors
     ///
     /// [`SolveError::Overflow`] where a bound is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<const N: usize>(
         residual: &SVector<Enclosed<T>, N>,
         jacobian: &SMatrix<Enclosed<T>, N, N>,
@@ -73,7 +73,7 @@ impl<T: Real> Bounds<T> {
 
 impl<T: Real> Row<T> {
     /// Adds another row, `times` itself; bounds by its magnitude.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(&mut self, times: T, row: &Self) {
         let size = times.abs();
         self.residual += times * row.residual;
@@ -84,7 +84,7 @@ impl<T: Real> Row<T> {
 }
 
 /// `A`, column by column.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn inverse<T: Real, const N: usize>(factors: &dyn Factors<T, N>) -> [[T; N]; N] {
     let mut columns = [[T::zero(); N]; N];
     for (k, column) in columns.iter_mut().enumerate() {
@@ -93,7 +93,7 @@ fn inverse<T: Real, const N: usize>(factors: &dyn Factors<T, N>) -> [[T; N]; N] 
     columns
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
     let mut unit = [T::zero(); N];
     if let Some(entry) = unit.get_mut(k) {
@@ -103,13 +103,13 @@ fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
 }
 
 /// Rounding of sums of `N + 1` products and of sums of their magnitudes, relative.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rounding<T: Real, const N: usize>() -> T {
     T::EPSILON * T::constant((2 * N + 16) as f64)
 }
 
 /// The equations, row by row.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rows<T: Real, const N: usize>(
     residual: &SVector<Enclosed<T>, N>,
     jacobian_spreads: &[T; N],
@@ -132,7 +132,7 @@ fn rows<T: Real, const N: usize>(
 
 /// The sums of the magnitudes of each row of `I - A J`, as computed from the middles of `J`; and of each row of `J`, how far
 /// its entries may be off, with what these sums lose of them in rounding.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn defects_and_spreads<T: Real, const N: usize>(
     inverse: &[[T; N]; N],
     jacobian: &SMatrix<Enclosed<T>, N, N>,
@@ -158,7 +158,7 @@ fn defects_and_spreads<T: Real, const N: usize>(
 }
 
 /// A bound of all sums of positive numbers, which rounding made smaller.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn upper<T: Real, const N: usize>(sums: [T; N]) -> Result<T, SolveError<T>> {
     let largest = magnitude(&SVector::from(sums)).map_err(SolveError::overflow)?;
     Ok(largest * (T::one() + rounding::<T, N>()) + T::SMALLEST)

@@ -23,52 +23,52 @@ pub struct Enclosed<T> {
 
 impl<T: Real> Enclosed<T> {
     /// This number alone.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn exact(value: T) -> Self {
         let radius = T::zero();
         Self { value, radius }
     }
 
     /// All numbers within `radius`, which is not negative, of `value`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn within(value: T, radius: T) -> Self {
         Self { value, radius }
     }
 
     /// The middle.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn value(self) -> T {
         self.value
     }
 
     /// How far the numbers lie from the middle, at most.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn radius(self) -> T {
         self.radius
     }
 
     /// A number not below the magnitude of any within.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn magnitude(self) -> T {
         (self.value.abs() + self.radius) * enlargement()
     }
 
     /// A number not above any within.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn least(self) -> T {
         let least = self.value - self.radius;
         least - least.abs() * T::EPSILON
     }
 
     /// The same and all numbers not farther than `by` from it.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn widened(self, by: T) -> Self {
         Self::rounded(self.value, self.radius + by, T::zero())
     }
 
     /// A result `value` whose operands' radii make `spread`, and which is off by the rounding of
     /// numbers whose magnitudes sum to `magnitude`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rounded(value: T, spread: T, magnitude: T) -> Self {
         let rounding = magnitude * T::EPSILON + T::SMALLEST;
         let radius = (spread + rounding) * enlargement();
@@ -77,20 +77,20 @@ impl<T: Real> Enclosed<T> {
 }
 
 /// `1 + 8 EPSILON`: makes up for the rounding of a dozen operations on positive numbers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn enlargement<T: Real>() -> T {
     T::one() + T::EPSILON * T::constant(8.0)
 }
 
 /// What the radii add to a product.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn spread_of_product<T: Real>(a: Enclosed<T>, b: Enclosed<T>) -> T {
     a.value.abs() * b.radius + a.radius * (b.value.abs() + b.radius)
 }
 
 impl<T: Real> Add for Enclosed<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         let value = self.value + other.value;
         Self::rounded(value, self.radius + other.radius, value.abs())
@@ -99,7 +99,7 @@ impl<T: Real> Add for Enclosed<T> {
 
 impl<T: Real> Sub for Enclosed<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -107,7 +107,7 @@ impl<T: Real> Sub for Enclosed<T> {
 
 impl<T: Real> Mul for Enclosed<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         Self::rounded(value, spread_of_product(self, other), value.abs())
@@ -120,7 +120,7 @@ impl<T: Real> Div for Enclosed<T> {
     ///
     /// `a'/b' - a/b = ((a' - a) - a/b (b' - b)) / b'`, with `SMALLEST` for what underflows before
     /// the division by a small `b'`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         let nearest_zero = other.value.abs() - other.radius;
@@ -136,7 +136,7 @@ impl<T: Real> Div for Enclosed<T> {
 
 impl<T: Real> Neg for Enclosed<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self::within(-self.value, self.radius)
     }
@@ -145,7 +145,7 @@ impl<T: Real> Neg for Enclosed<T> {
 macro_rules! assignments {
     ($($operation:ident $method:ident $symbol:tt;)*) => {$(
         impl<T: Real> $operation for Enclosed<T> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(&mut self, other: Self) {
                 *self = *self $symbol other;
             }
@@ -160,18 +160,18 @@ assignments! {
 }
 
 impl<T: Real> Zero for Enclosed<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn zero() -> Self {
         Self::exact(T::zero())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
 }
 
 impl<T: Real> One for Enclosed<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn one() -> Self {
         Self::exact(T::one())
     }
@@ -179,7 +179,7 @@ impl<T: Real> One for Enclosed<T> {
 
 impl<T: Real> Scalar for Enclosed<T> {
     /// `value` to all its digits is within.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
         let nearest = T::constant(value);
         let stored: f64 = nearest.to_subset_unchecked();
@@ -193,12 +193,12 @@ impl<T: Real> Scalar for Enclosed<T> {
     /// The whole number nearest to the middle, exactly. Where it is asked for
     /// ([`sine_cosine`](crate::trigonometry::sine_cosine)) any whole number near by will do, as
     /// long as it is one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {
         Self::exact(self.value.nearest_integer())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         let product = a.value * b.value;
         let value = self.value + product;
@@ -206,7 +206,7 @@ impl<T: Real> Scalar for Enclosed<T> {
         Self::rounded(value, spread, value.abs() + product.abs())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn minus_product(self, a: Self, b: Self) -> Self {
         self.plus_product(-a, b)
     }

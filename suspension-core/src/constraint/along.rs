@@ -42,7 +42,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// `F(p, o, h, s)`, from the line or plane to the point; each end with its distance.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(
         &self,
         point: Vector3<T>,
@@ -56,7 +56,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// The derivatives by `o`, by the ends of the lines and by the distances.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, from: Vector3<T>, ends: [(Vector3<T>, T); K]) -> AlongGradient<T, K> {
         let mut gradient = AlongGradient {
             from: -T::one(),
@@ -72,7 +72,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// `C(v, w)`, with the changes of each `e_k` and `s_k` in each.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: [(Vector3<T>, T); K], w: [(Vector3<T>, T); K]) -> Vector3<T> {
         let lines = v.into_iter().zip(w).zip(self.inverses);
         // An addition to a negative zero leaves no trace.
@@ -84,7 +84,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Along<S, K>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

@@ -27,7 +27,7 @@ impl<T: Scalar> Bilinear<T> {
     }
 
     /// `F`, from the linear part and the factors of each product.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, linear: T, products: impl IntoIterator<Item = (T, T)>) -> T {
         let products = products.into_iter();
         let sum = products.fold(T::zero(), |sum, (u, v)| sum.plus_product(u, v));
@@ -35,14 +35,14 @@ impl<T: Scalar> Bilinear<T> {
     }
 
     /// The derivative by one variable, of all that it is multiplied with.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, others: impl IntoIterator<Item = T>) -> T {
         let others = others.into_iter();
         others.fold(T::zero(), |sum, other| sum + other) * self.inverse
     }
 
     /// `C(v, w)`, with the changes of the factors of each product: in `v`, then in `w`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, products: impl IntoIterator<Item = [(T, T); 2]>) -> T {
         let products = products.into_iter();
         let sum = products.fold(T::zero(), |sum, [v, w]| {
@@ -52,7 +52,7 @@ impl<T: Scalar> Bilinear<T> {
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Bilinear<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

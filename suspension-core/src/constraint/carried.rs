@@ -32,7 +32,7 @@ pub struct CarriedGradient<T> {
 
 impl<T: Scalar> Carried<T> {
     /// `origin + a u + b v + c normal`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn combine(&self, frame: &Frame<T>, normal: Vector3<T>) -> Vector3<T> {
         let in_plane = plus_multiple(
             plus_multiple(frame.origin, frame.u, self.a),
@@ -43,26 +43,26 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// Where the frame carries the point.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self, frame: &Frame<T>) -> Vector3<T> {
         self.combine(frame, cross(frame.u, frame.v))
     }
 
     /// The point's velocity, from the frame and its rates.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, frame: &Frame<T>, rate: &Frame<T>) -> Vector3<T> {
         let normal_rate = plus_cross(cross(rate.u, frame.v), frame.u, rate.v);
         self.combine(rate, normal_rate)
     }
 
     /// The point's acceleration, from the frame, its rates and second rates.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, frame: &Frame<T>, rate: &Frame<T>, second: &Frame<T>) -> Vector3<T> {
         difference(self.velocity(frame, second), self.curvature(rate, rate))
     }
 
     /// `F(p)`, the distance vector from where the frame carries the point to `p`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, point: Vector3<T>, frame: &Frame<T>) -> Vector3<T> {
         let from_origin = difference(point, frame.origin);
         let in_plane = minus_multiple(
@@ -74,7 +74,7 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// `dF/d` of the frame's points; `dF/dp` is the identity.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, frame: &Frame<T>) -> CarriedGradient<T> {
         let (of_second, of_third) = (multiple(frame.v, self.c), multiple(frame.u, self.c));
         // The blocks of all four points add up to zero: a translation changes nothing.
@@ -87,7 +87,7 @@ impl<T: Scalar> Carried<T> {
 
     /// What a gradient by the point is by the frame's three points, the point being where the frame
     /// carries it: the transpose of [`velocity`](Self::velocity).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_frame(&self, gradient: Vector3<T>, frame: &Frame<T>) -> [Vector3<T>; 3] {
         let (u, v) = (multiple(frame.u, self.c), multiple(frame.v, self.c));
         let by_second = plus_cross(multiple(gradient, self.a), v, gradient);
@@ -97,13 +97,13 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// `C(v, w)`, with `v` and `w` frames of rates. The point itself enters linearly.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: &Frame<T>, w: &Frame<T>) -> Vector3<T> {
         multiple(plus_cross(cross(v.u, w.v), w.u, v.v), -self.c)
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Carried<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
@@ -175,7 +175,7 @@ impl<T: Real> Carried<T> {
 }
 
 /// `[w x] - k I`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn skew_minus<T: Scalar>(w: Vector3<T>, k: T) -> Matrix3<T> {
     #[rustfmt::skip]
     let matrix = Matrix3::new(

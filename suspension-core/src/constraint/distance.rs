@@ -30,26 +30,26 @@ impl<T: Scalar> Distance<T> {
     }
 
     /// `F(d)`: to first order the amount by which `d` is too long.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, d: Vector3<T>) -> T {
         // The gradient is at hand wherever the equation is solved.
         (dot(d, self.gradient(d)) - self.length) * T::constant(0.5)
     }
 
     /// `dF/dd = d / L`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, d: Vector3<T>) -> Vector3<T> {
         multiple(d, self.inverse)
     }
 
     /// `C(v, w) = v . w / L`, with `v` and `w` changes of `d`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: Vector3<T>, w: Vector3<T>) -> T {
         dot(v, w) * self.inverse
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Distance<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

@@ -20,7 +20,7 @@ pub struct Frame<T> {
 
 impl<T: Scalar> Frame<T> {
     /// The frame of three points, or of their rates.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new(origin: Vector3<T>, second: Vector3<T>, third: Vector3<T>) -> Self {
         Self {
             origin,
@@ -30,7 +30,7 @@ impl<T: Scalar> Frame<T> {
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Frame<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

@@ -16,13 +16,13 @@ impl<T: Scalar> Held<T> {
     }
 
     /// `F`, by how much the sum is too large.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, sum: T) -> T {
         sum - self.value
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Held<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

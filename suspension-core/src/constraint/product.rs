@@ -34,27 +34,27 @@ impl<T: Scalar> Product<T> {
     }
 
     /// `F(d, e)`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, d: Vector3<T>, e: Vector3<T>) -> T {
         let [of_d, of_e] = self.lengths;
         dot(d, e).minus_product(self.cosine, of_d * of_e) * self.inverse
     }
 
     /// The derivative by one line, of the other: `dF/dd = e / (|d| + |e|)`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, other: Vector3<T>) -> Vector3<T> {
         multiple(other, self.inverse)
     }
 
     /// `C(v, w)`, with the changes of both lines in each.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: [Vector3<T>; 2], w: [Vector3<T>; 2]) -> T {
         let ([v_d, v_e], [w_d, w_e]) = (v, w);
         (dot(v_d, w_e) + dot(v_e, w_d)) * self.inverse
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Product<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

@@ -38,31 +38,31 @@ impl<T: Scalar> Stretch<T> {
     }
 
     /// `F(d, s)`: to first order the amount by which `d` is too long, near the design.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, d: Vector3<T>, length: T) -> T {
         dot(d, d).minus_product(length, length) * self.inverse * T::constant(0.5)
     }
 
     /// `dF/dd = d / L`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, d: Vector3<T>) -> Vector3<T> {
         multiple(d, self.inverse)
     }
 
     /// `dF/ds = -s / L`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_length(&self, length: T) -> T {
         -(length * self.inverse)
     }
 
     /// `C(v, w)`, with the changes of `d` and of `s` in each.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: (Vector3<T>, T), w: (Vector3<T>, T)) -> T {
         dot(v.0, w.0).minus_product(v.1, w.1) * self.inverse
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Stretch<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,

@@ -55,20 +55,20 @@ impl<T: Scalar> Turn<T> {
     }
 
     /// `F(s, c)`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, sine: T, cosine: T) -> T {
         let square = (sine * sine).plus_product(cosine, cosine);
         (square * self.inverse - self.length) * T::constant(0.5)
     }
 
     /// `dF/ds = s / L`, and so `dF/dc = c / L`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, part: T) -> T {
         part * self.inverse
     }
 
     /// `C(v, w)`, with the changes of `s` and `c` in each.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, [v_s, v_c]: [T; 2], [w_s, w_c]: [T; 2]) -> T {
         (v_s * w_s).plus_product(v_c, w_c) * self.inverse
     }
@@ -95,7 +95,7 @@ impl<T: Scalar> Turn<T> {
     }
 
     /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Turn<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
@@ -148,7 +148,7 @@ fn complex_product<T: Scalar>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
 
 /// The coordinate that a driving angle about an axis prescribes: `h = L sin(theta / 4)` and its rates by the chain
 /// rule.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn turn_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {
     let quarter = angle.map(|angle| *angle * T::constant(0.25));
     let (sine, cosine) = sine_cosine(quarter.value);

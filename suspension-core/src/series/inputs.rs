@@ -89,7 +89,7 @@ pub(super) struct PrescribedSeries<F, D, const K: usize> {
 }
 
 impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<L, C, const N: usize>(linkage: &L, inputs: &InputSeries<C, D, K>) -> Self
     where
         L: Linkage<N, Fixed = F, Drives = D>,

@@ -35,7 +35,7 @@ impl<V: Copy, const K: usize> Jet<V, K> {
     }
 
     /// Value and rates at `dt` by Horner's rule; `plus(a, b, s)` is `a + b s`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn evaluate<T: Scalar>(
         &self,
         dt: T,

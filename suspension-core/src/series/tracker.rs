@@ -127,7 +127,7 @@ const TELLING_ORDER: usize = 4;
 /// below [`TELLING_ORDER`] an estimate of the radius from the change of the Jacobian over the step `dt`:
 /// with `d` the move and `w` as for [`guard`](crate::tracker::guard), a motion that turns as a square
 /// root has `|w| / |d| = |dt| / (2 R)` to first order.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn series_from<T, L, C, const N: usize, const K: usize>(
     linkage: &L,
     inputs: &InputSeries<C, L::Drives, K>,

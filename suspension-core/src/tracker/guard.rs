@@ -49,7 +49,7 @@ const LEAST_OF_SIZE: f64 = 1e-5;
 const MOST_OF_SIZE: f64 = 1e-3;
 
 /// Whether the error of a prediction is so small that the step needs no further proof.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn is_beyond_doubt<T: Real>(error: T, moved: T, size: T) -> bool {
     let [least, most] = [LEAST_OF_SIZE, MOST_OF_SIZE].map(|part| T::constant(part) * size);
     error <= (T::constant(SMALL_OF_MOVE) * moved).min(most).max(least)
@@ -94,7 +94,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
     }
 
     /// The largest coordinate of a chassis point's move that its rates do not tell.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn jump<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> T {
         let points = self.beyond_rates::<C>(linkage);
         points.values().fold(T::zero(), |most, point| {
@@ -104,7 +104,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
     }
 
     /// The part of the chassis points' move that their rates do not tell; zero where it is not known.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn beyond_rates<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
         let (Some(from), to) = (self.from, self.to) else {
             return L::Fixed::default();
@@ -120,7 +120,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
 }
 
 /// How far quantities have moved in the time `dt` that has passed, by their rates.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn by_rates<T, V, S>(signal: &Signal<S>, dt: T) -> S
 where
     T: Real,
