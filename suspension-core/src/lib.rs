@@ -42,7 +42,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 // Functions of the solving path are `inline(always)` in release builds, so that a step is straight-line code. A build with
-// debug assertions, as that of the tests, compiles each function once and takes two thirds of the time.
+// debug assertions, as that of the tests, compiles each function once, which takes less time.
 
 // Nothing on the solving path may panic.
 #![cfg_attr(

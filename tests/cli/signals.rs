@@ -96,7 +96,7 @@ fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
     ended(child, &[signal])
 }
 
-/// What is interrupted once it has printed a line that starts so prints after that, and its end.
+/// What is interrupted half a second after it has printed a line that starts so prints after that, and its end.
 #[cfg(unix)]
 fn interrupted_after<A: AsRef<OsStr>>(
     line: &str,
@@ -115,6 +115,7 @@ fn interrupted_after<A: AsRef<OsStr>>(
         last.clear();
         assert!(printed.read_line(&mut last).expect("a line") > 0);
     }
+    std::thread::sleep(Duration::from_millis(500));
     send("-INT", &child);
     let mut rest = String::new();
     printed.read_to_string(&mut rest).expect("text");
