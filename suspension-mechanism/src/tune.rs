@@ -12,7 +12,7 @@ use nalgebra::{DVector, Vector3};
 
 use crate::failure::Failure;
 use crate::kinematics::{Changes, Kinematics};
-use fit::{Bounds, Fit, fit};
+use fit::{Bounds, Fit, fit, start};
 
 pub use fit::MOST_STEPS;
 pub use target::{Deviations, Reading, Target, Wanted};
@@ -91,7 +91,7 @@ pub fn tune(
     let after = targets.iter().map(|target| target.deviations(&*tuned));
     let after = after.collect::<Option<Vec<_>>>().ok_or_else(unmoved)?;
     Ok(Tuned {
-        unaffected: unaffected(moves, targets, off),
+        unaffected: unaffected(&boxes, targets, off),
         moved: at.iter().copied().collect(),
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
@@ -107,41 +107,31 @@ fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
     Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
 }
 
-/// The targets that are off by the same with each move at a place and at one beside it.
+/// The targets that are off by the same wherever one of the moves begins and next to that.
 fn unaffected(
-    moves: &[Move],
+    boxes: &[Bounds],
     targets: &[Target],
     off: impl Fn(&DVector<f64>) -> Option<Vec<Deviations>>,
 ) -> Vec<usize> {
     /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
     const BESIDE: f64 = 1e-3;
     const SAME: f64 = 1e-6;
-    let near = |part: f64| {
-        let at = moves.iter().map(
-            |Move {
-                 by: [least, greatest],
-                 ..
-             }| {
-                let start = 0_f64.clamp(*least, *greatest);
-                let end = if start - least < greatest - start {
-                    greatest
-                } else {
-                    least
-                };
-                start + part * (end - start)
-            },
-        );
-        DVector::from_iterator(moves.len(), at)
+    let start = start(boxes);
+    let beside = |(each, bounds): (usize, &Bounds)| {
+        let mut at = start.clone();
+        at[each] += BESIDE * (bounds.farther_end(at[each]) - at[each]);
+        off(&at)
     };
-    let (Some(here), Some(beside)) = (off(&near(0.0)), off(&near(BESIDE))) else {
+    let beside: Option<Vec<_>> = boxes.iter().enumerate().map(beside).collect();
+    let (Some(here), Some(beside)) = (off(&start), beside) else {
         return Vec::new();
     };
-    let each = here.iter().zip(&beside).zip(targets).enumerate();
-    let same = each.filter(|(_, ((here, beside), target))| {
-        let mut differences = here.iter().zip(*beside).map(|(here, beside)| beside - here);
-        differences.all(|difference| difference.abs() <= SAME * target.within)
-    });
-    same.map(|(target, _)| target).collect()
+    let is_same = |target: usize, beside: &Deviations| {
+        let mut each = here[target].iter().zip(beside);
+        each.all(|(here, beside)| (beside - here).abs() <= SAME * targets[target].within)
+    };
+    let unaffected = |target: &usize| beside.iter().all(|off| is_same(*target, &off[*target]));
+    (0..targets.len()).filter(unaffected).collect()
 }
 
 /// The points that are not where they were moved to once the mechanism is assembled.

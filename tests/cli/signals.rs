@@ -17,15 +17,20 @@ fn a_closed_standard_output_is_no_failure() {
     is_no_failure_without_a_reader(folder.path(), &["motion", "long.toml", "--csv", "-"]);
 }
 
-/// Runs the program with a standard output whose reader goes at once.
-#[track_caller]
-fn is_no_failure_without_a_reader(folder: &Path, arguments: &[&str]) {
-    let mut child = command(folder)
+/// The program, whose output is read.
+fn started<A: AsRef<OsStr>>(folder: &Path, arguments: &[A]) -> Child {
+    command(folder)
         .args(arguments)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .expect("the program runs");
+        .expect("the program runs")
+}
+
+/// Runs the program with a standard output whose reader goes at once.
+#[track_caller]
+fn is_no_failure_without_a_reader(folder: &Path, arguments: &[&str]) {
+    let mut child = started(folder, arguments);
     drop(child.stdout.take());
     let output = child.wait_with_output().expect("the program ends");
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -87,28 +92,17 @@ fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
 
 #[cfg(unix)]
 fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
-    let child = command(folder)
-        .args(arguments)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
-    ended(child, &[signal])
+    ended(started(folder, arguments), &[signal])
 }
 
-/// What is interrupted half a second after it has printed a line that starts so prints after that, and its end.
+/// Interrupts the program half a second after it has printed a line that starts so: what it printed after that line, and its end.
 #[cfg(unix)]
 fn interrupted_after<A: AsRef<OsStr>>(
     line: &str,
     folder: &Path,
     arguments: &[A],
 ) -> (String, Output) {
-    let mut child = command(folder)
-        .args(arguments)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs");
+    let mut child = started(folder, arguments);
     let mut printed = BufReader::new(child.stdout.take().expect("standard output"));
     let mut last = String::new();
     while last.is_empty() || !last.starts_with(line) {
@@ -241,12 +235,7 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
             "fifo: interrupted before it was read\n",
         ),
     ] {
-        let mut child = command(folder.path())
-            .args(arguments)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program runs");
+        let mut child = started(folder.path(), arguments);
         std::thread::sleep(Duration::from_millis(500));
         send("-INT", &child);
         let ends = (0..200).any(|_| {

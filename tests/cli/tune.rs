@@ -137,6 +137,23 @@ fn a_target_that_no_move_changes_is_named() {
     assert!(text(&output.stderr).ends_with(told), "{output:?}");
 }
 
+/// Together the two moves, next to the design, change nothing; each alone does.
+#[test]
+fn moves_that_cancel_each_other_change_a_target() {
+    let folder = folder();
+    let forth =
+        "[tune.moves.forth]\npoints = [\"upper_ball\"]\nalong = [1, 0, 0]\nby = [-0.01, 0.01]\n";
+    let back = forth.replace("forth", "back").replace("[1,", "[-1,");
+    let target = target("caster", 89.0, 0.01);
+    let output = tuned(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{forth}{back}{target}")),
+    );
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let told = "a.toml: not met: caster; at the end of their boxes: forth, back\n";
+    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+}
+
 /// Two values are wanted of one quantity.
 #[test]
 fn targets_that_contradict_each_other_may_be_the_reason() {

@@ -17,6 +17,15 @@ impl Bounds {
         self.greatest - self.least
     }
 
+    /// The end that is farther from there.
+    pub(super) fn farther_end(self, at: f64) -> f64 {
+        if at - self.least < self.greatest - at {
+            self.greatest
+        } else {
+            self.least
+        }
+    }
+
     /// Whether the unknown is where it may not go further along the way that makes the sum of squares less.
     fn holds(self, at: f64, gradient: f64) -> bool {
         (at <= self.least && gradient > 0.0) || (at >= self.greatest && gradient < 0.0)
@@ -44,7 +53,7 @@ const ROUNDING: f64 = 1e-9;
 /// Sums of squares that differ by less than this part are the same.
 const SAME: f64 = 1e-9;
 
-/// Makes the sum of squares of `residuals` least, from zero or from what is next to it in the boxes. Where there are no
+/// Makes the sum of squares of `residuals` least, from [`start`]. Where there are no
 /// residuals, nothing is sought.
 pub(super) fn fit(
     boxes: &[Bounds],
@@ -52,10 +61,7 @@ pub(super) fn fit(
     interrupted: &AtomicBool,
     mut on_step: impl FnMut(),
 ) -> Fit {
-    let start = boxes
-        .iter()
-        .map(|bounds| 0_f64.clamp(bounds.least, bounds.greatest));
-    let start = DVector::from_vec(start.collect());
+    let start = start(boxes);
     let Some(first) = residuals(&start) else {
         return Fit {
             at: None,
@@ -80,6 +86,14 @@ pub(super) fn fit(
         at: Some(here.at),
         is_cut,
     }
+}
+
+/// Zero, or what is next to it in the boxes.
+pub(super) fn start(boxes: &[Bounds]) -> DVector<f64> {
+    let each = boxes
+        .iter()
+        .map(|bounds| 0_f64.clamp(bounds.least, bounds.greatest));
+    DVector::from_vec(each.collect())
 }
 
 struct Here {
