@@ -6,8 +6,7 @@
 // Continuous where segments join: position and first derivative.
 // Tolerance asked: 1e-5 m; reached: 3.3e-6 m.
 // First derivative within 0.00037 m/m, second within 0.17 m/m^2.
-// Checked against the solver at 32
-// Chebyshev points a segment; a bound for smooth motions, not a proof.
+// Checked against the solver at 32 Chebyshev points a segment; a bound for smooth motions, not a proof.
 // 3 segments of degree 5, 3024 bytes.
 
 use suspension_core::baked::Curve;

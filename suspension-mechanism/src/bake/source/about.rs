@@ -112,16 +112,10 @@ impl About {
             lines.push(format!("Held: {}.", self.held));
         }
         lines.push(format!("Lengths in {}; axes {}.", self.unit, self.axes));
+        if outputs.contains(&Output::SpinAxis) {
+            lines.push("The spin axis counts as a point 1 m from the wheel centre.".to_owned());
+        }
         lines
-    }
-}
-
-/// What makes a length of what a spin axis is off, before the next sentence; empty where none is baked.
-pub(super) fn metric(outputs: &[Output]) -> &'static str {
-    if outputs.contains(&Output::SpinAxis) {
-        "The spin axis counts as a point 1 m from the wheel centre. "
-    } else {
-        ""
     }
 }
 

@@ -7,7 +7,7 @@ mod toml;
 use crate::bake::certify::SAMPLES;
 use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
-use crate::bake::source::about::{Ranged, metric, row};
+use crate::bake::source::about::{Ranged, row};
 use crate::bake::source::{Language, Titled, bound};
 use crate::number::{counted, rounded};
 
@@ -59,8 +59,7 @@ impl Sheet<'_> {
             format!("Continuous where segments join: {joined}."),
             format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
             format!("First derivative within {first} {unit}/{per}, second within {second} {unit}/{per}^2."),
-            format!("{}Checked against the solver at {SAMPLES}", metric(&baked.outputs)),
-            "Chebyshev points a segment; a bound for smooth motions, not a proof.".to_owned(),
+            format!("Checked against the solver at {SAMPLES} Chebyshev points a segment; a bound for smooth motions, not a proof."),
             format!("{} of degree {}, {bytes} bytes.", counted(count, "segment"), TERMS - 1),
         ]);
         lines

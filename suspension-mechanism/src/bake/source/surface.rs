@@ -6,7 +6,7 @@ mod toml;
 
 use crate::bake::certify::SAMPLES;
 use crate::bake::scheme::TERMS;
-use crate::bake::source::about::{metric, row};
+use crate::bake::source::about::row;
 use crate::bake::source::{Language, Titled, bound};
 use crate::bake::surface::BakedSurface;
 use crate::number::rounded;
@@ -47,8 +47,7 @@ impl Sheet<'_> {
         lines.extend([
             format!("Continuous where patches join: {joined}."),
             format!("Tolerance asked: {asked} {unit}; reached: {reached} {unit}."),
-            format!("{}Checked against the solver at", metric(&baked.outputs)),
-            format!("{SAMPLES} x {SAMPLES} Chebyshev points a patch; a bound for smooth motions, not a proof."),
+            format!("Checked against the solver at {SAMPLES} x {SAMPLES} Chebyshev points a patch; a bound for smooth motions, not a proof."),
             format!("{along} x {across} patches of degree {degree} in each drive, {bytes} bytes."),
         ]);
         lines

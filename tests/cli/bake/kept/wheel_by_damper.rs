@@ -4,11 +4,11 @@
 // Measure: damper from 0.21 to 0.26 m, in place of drive bump.
 // Held: steer = 0.34 m.
 // Lengths in m; axes x forward, y left, z up.
+// The spin axis counts as a point 1 m from the wheel centre.
 // Continuous where segments join: position and first derivative.
 // Tolerance asked: 1e-6 m; reached: 6.4e-7 m.
 // First derivative within 0.00035 m/m, second within 0.71 m/m^2.
-// The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at 32
-// Chebyshev points a segment; a bound for smooth motions, not a proof.
+// Checked against the solver at 32 Chebyshev points a segment; a bound for smooth motions, not a proof.
 // 3 segments of degree 5, 864 bytes.
 
 use suspension_core::baked::Curve;

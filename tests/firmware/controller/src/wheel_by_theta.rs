@@ -3,11 +3,11 @@
 //
 // Drive: theta from 0.7 to 2.1503125 rad.
 // Lengths in m; axes x forward, y left, z up.
+// The spin axis counts as a point 1 m from the wheel centre.
 // Continuous where segments join: position and first derivative.
 // Tolerance asked: 1e-6 m; reached: 9.4e-7 m.
 // First derivative within 0.00033 m/rad, second within 0.43 m/rad^2.
-// The spin axis counts as a point 1 m from the wheel centre. Checked against the solver at 32
-// Chebyshev points a segment; a bound for smooth motions, not a proof.
+// Checked against the solver at 32 Chebyshev points a segment; a bound for smooth motions, not a proof.
 // 56 segments of degree 5, 16128 bytes.
 
 use suspension_core::baked::Curve;
