@@ -34,7 +34,7 @@ pub struct Options {
 pub enum Command {
     /// Solves the motion that a file describes.
     ///
-    /// Without --csv and --plots, prints a summary.
+    /// Without --csv, --json, --parquet and --plots, prints a summary.
     Motion(motion::Arguments),
     /// Lists all assemblies of a file's mechanism at values of its drive.
     ///

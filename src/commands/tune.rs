@@ -141,7 +141,7 @@ The motion file says what may be moved, and what is to be reached; lengths in it
   over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position
   change = 0.0                      # from the design position; or value = ...; or of one drive a list, which says how many
                                     # evenly spaced places there are: change = [0.1, 0.0, 0.2]
-  within = 0.00035                  # how far it may be off
+  within = 0.00035                  # how far it may be off, as the quantity: rad, 0.02 deg
 
   [tune.targets.motion_ratio]
   of = \"damper\"

@@ -41,7 +41,7 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
         // The tip is where it is, or on the other side.
         (
             "assemblies",
-            "2 at the design, ways to put the same parts together: all by what was tried",
+            "2 ways to put the same parts together at the design; the search shows no sign of more",
         ),
         ("notes", "none"),
     ] {

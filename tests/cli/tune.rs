@@ -169,8 +169,8 @@ fn targets_that_contradict_each_other_may_be_the_reason() {
         &file("double_wishbone", DRIVES, &format!("{moves}{one}{two}")),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = "a.toml: not met: caster, other; no box stops the moves: other moves, or more, are needed, or targets that do not \
-                contradict each other\n";
+    let told = "a.toml: not met: caster, other; no box stops the moves: caster, other may need other moves, or more, or contradict \
+                other targets\n";
     assert!(text(&output.stderr).ends_with(told), "{output:?}");
 }
 

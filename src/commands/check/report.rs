@@ -81,11 +81,11 @@ impl Report<'_> {
         let headings = names.chain([CONDITIONING]).map(|name| name.chars().count());
         let width = headings.max().unwrap_or_default();
         let doubts = match tally.doubts().as_slice() {
-            [] => "all by what was tried".to_owned(),
+            [] => "the search shows no sign of more".to_owned(),
             doubts => format!("there may be more ({})", doubts.join("; ")),
         };
         format!(
-            "{:width$}  {} at the design, ways to put the same parts together: {doubts}\n",
+            "{:width$}  {} ways to put the same parts together at the design; {doubts}\n",
             "assemblies", tally.real
         )
     }

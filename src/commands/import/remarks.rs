@@ -62,7 +62,7 @@ impl Imported<'_> {
         if corner.mirrored {
             let was = corner.side.other().name();
             remarks.push(format!(
-                "the corner is on the {was} by its coordinates, and is mirrored to the {side}, as --side says"
+                "the corner is on the {was} by its coordinates, and is mirrored to the {side}, as the options say"
             ));
         } else if choice.point("wheel_centre").is_some() {
             remarks.push(format!("the corner is on the {side}"));

@@ -148,7 +148,7 @@ The file:
 
 Results:
 
-One row an instant, its columns in this order, named here as for attia2003; lengths and angles are in
+One row an instant, its columns named here as for attia2003; lengths and angles are in
 the file's units (with angle = "deg" camber_deg in place of camber_rad, omega in deg/s):
 
 "#;
@@ -157,7 +157,7 @@ const AXLE: &str = "
 Results of axles:
 
 Where a listing names its wheels, all columns of a wheel are there for each, with its name before them: left_camber_rad,
-right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has behind these what follows; one with
+right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has what follows too; one with
 several axles, whose wheels are named front_left, front_right, rear_left and so on, has it of each, as front_track_m:
 
 ";

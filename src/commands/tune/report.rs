@@ -101,15 +101,17 @@ impl Report<'_> {
         let unaffected = self.tuned.unaffected.iter();
         let unaffected = unaffected.map(|target| self.targets[*target].name.as_str());
         let unaffected: Vec<&str> = unaffected.filter(|name| unmet.contains(name)).collect();
+        let mut others = unmet.clone();
+        others.retain(|name| !unaffected.contains(name));
         let reasons = [
             (!unaffected.is_empty()).then(|| {
                 let names = unaffected.join(", ");
                 format!("no move changes {names}: move points, or lengths, that do")
             }),
             (!ends.is_empty()).then(|| format!("at the end of their boxes: {}", ends.join(", "))),
-            (ends.is_empty() && unaffected.len() < unmet.len()).then(|| {
-                "no box stops the moves: other moves, or more, are needed, or targets that do not contradict each other"
-                    .to_owned()
+            (ends.is_empty() && !others.is_empty()).then(|| {
+                let names = others.join(", ");
+                format!("no box stops the moves: {names} may need other moves, or more, or contradict other targets")
             }),
         ];
         let reasons: Vec<String> = reasons.into_iter().flatten().collect();

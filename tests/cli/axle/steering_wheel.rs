@@ -174,22 +174,44 @@ fn on_a_steering_box(vehicle: &str) -> String {
     )
 }
 
+/// The same with the angle about the arm's axis that the page has for it, zero at the design.
+fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
+    let page = include_str!("../../../docs/layouts.md");
+    let angle = page
+        .lines()
+        .find_map(|line| line.strip_prefix("`angle(pitman_low -> straight"));
+    let angle = angle
+        .and_then(|line| line.strip_suffix("`."))
+        .expect("the angle");
+    on_a_steering_box(vehicle)
+        .replace(
+            "drive steer: angle(pitman_low -> rack, y);",
+            &format!("fixed: straight at [0.05, 0.34, 0.20];\ndrive steer: angle(pitman_low -> straight{angle};"),
+        )
+        .replace("steer = 90.0", "steer = 0.0")
+}
+
 #[test]
 fn a_steering_box_has_the_quantities_of_a_rack() {
-    let motion = on_a_steering_box("steering_box_ratio = 16.0");
     let names = [
         "steering_wheel_angle_deg",
         "toe_deg",
         "steering_ratio_deg_deg",
     ];
-    for arm in [-8.0, 0.0, 6.0] {
-        let places = [arm - 0.01, arm, arm + 0.01].map(|arm| {
-            let drive = format!("--drive=steer={arm:?}");
-            table(&motion, &["sweep", &drive]).remove(0)
-        });
-        check(&places, names, -1.0);
-        // The arm turns away from y, which moves its end to the right, and with it the front of the wheel.
-        assert_near(places[1][names[0]], -16.0 * arm, 1e-9, "box");
+    let ratio = "steering_box_ratio = 16.0";
+    for motion in [
+        on_a_steering_box(ratio),
+        on_an_arm_that_passes_the_axis(ratio),
+    ] {
+        for arm in [-8.0, 0.0, 6.0] {
+            let places = [arm - 0.01, arm, arm + 0.01].map(|arm| {
+                let drive = format!("--drive=steer={arm:?}");
+                table(&motion, &["sweep", &drive]).remove(0)
+            });
+            check(&places, names, -1.0);
+            // The arm turns away from y, which moves its end to the right, and with it the front of the wheel.
+            assert_near(places[1][names[0]], -16.0 * arm, 1e-9, "box");
+        }
     }
 }
 

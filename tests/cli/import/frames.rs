@@ -115,13 +115,13 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
             corner("", right),
             vec!["--side", "left"],
             1.0,
-            "the corner is on the right by its coordinates, and is mirrored to the left, as --side says",
+            "the corner is on the right by its coordinates, and is mirrored to the left, as the options say",
         ),
         (
             corner("hpl_", [1.0; 3]),
             vec!["--side", "right"],
             -1.0,
-            "the corner is on the left by its coordinates, and is mirrored to the right, as --side says",
+            "the corner is on the left by its coordinates, and is mirrored to the right, as the options say",
         ),
         (
             corner("hpl_", [1.0; 3]),
@@ -161,6 +161,6 @@ fn a_side_that_names_and_axes_do_not_share_is_settled_by_the_user() {
     let points = imported.points();
     assert_eq!(points["wheel_centre"], [0.0, 610.0, 229.0]);
     assert!(imported.notes.contains(
-        "the corner is on the right by its coordinates, and is mirrored to the left, as --side says"
+        "the corner is on the right by its coordinates, and is mirrored to the left, as the options say"
     ));
 }
