@@ -75,44 +75,90 @@ type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
 /// All quantities along a drive, or along several, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
 /// several axles, what stays as it is where another moves is left out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
-    let of_drive = Dimension::from(along.kind);
-    let values = |value: &OfPlace<'_>| -> Vec<Option<f64>> {
-        let places = along.visited.places.iter();
+    let read = Read {
+        mechanism,
+        along,
+        unit,
+    };
+    let columns = columns_of_curves(mechanism).into_iter();
+    let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(&column)).collect();
+    let count = |line: &Line| line.values.iter().flatten().count();
+    lines.retain(|line| count(line) > 1);
+    if Pair::all(&mechanism.names.wheels).len() > 1 {
+        lines.retain(varies);
+    }
+    let dimension = read.of_drive();
+    let (per_change, _) = read.converted(dimension);
+    let changes = along.changes.iter().map(|change| change * per_change);
+    Curves {
+        title: along.title.clone(),
+        way: along.way,
+        moved: along.moved.clone(),
+        dimension,
+        changes: changes.collect(),
+        lines,
+    }
+}
+
+/// What curves are read from, and the unit of their lengths.
+struct Read<'a> {
+    mechanism: &'a Description,
+    along: &'a Along,
+    unit: Unit,
+}
+
+impl Read<'_> {
+    /// What the drive is.
+    fn of_drive(&self) -> Dimension {
+        Dimension::from(self.along.kind)
+    }
+
+    /// The factor to the unit for people, and the unit's symbol.
+    fn converted(&self, dimension: Dimension) -> (f64, String) {
+        let (scale, symbol) = dimension.for_people(self.unit);
+        (
+            scale * dimension.conversion(self.mechanism.unit, self.unit),
+            symbol,
+        )
+    }
+
+    /// A number at each place; `None` where the mechanism is out of reach, or the number is not finite.
+    fn values(&self, value: &OfPlace<'_>) -> Vec<Option<f64>> {
+        let places = self.along.visited.places.iter();
         let value = |place: &Option<(State, Vec<Option<State>>)>| {
             let (state, per) = place.as_ref()?;
             value(state, per).filter(|value| value.is_finite())
         };
         places.map(value).collect()
-    };
-    let converted = |dimension: Dimension| {
-        let (scale, symbol) = dimension.for_people(unit);
-        (scale * dimension.conversion(mechanism.unit, unit), symbol)
-    };
-    let (per_change, _) = converted(of_drive);
-    let mut lines = Vec::new();
-    for column in columns_of_curves(mechanism) {
-        let (scale, symbol) = converted(column.dimension);
-        let title = Title::of(&column);
-        let per = scale / (of_drive.conversion(mechanism.unit, unit) * of_drive.in_file(unit));
-        let rates = values(&|_, states| Some(rate(&column, along, states)? * per));
+    }
+
+    /// The derivatives of a number, for people, with respect to the drive in the file's unit.
+    fn rates(&self, column: &Column, scale: f64) -> Vec<Option<f64>> {
+        let of_drive = self.of_drive();
+        let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
+        let per = scale / (of_change * of_drive.in_file(self.unit));
+        self.values(&|_, states| Some(rate(column, self.along, states)? * per))
+    }
+
+    /// The curve of a number, and before it of a measure its motion ratio.
+    fn lines(&self, column: &Column) -> Vec<Line> {
+        let (scale, symbol) = self.converted(column.dimension);
+        let title = Title::of(column);
+        let rates = self.rates(column, scale);
         let is_measure = column.is(&MEASURES);
-        if is_measure {
-            lines.push(Line {
-                title: Title {
-                    wheel: None,
-                    of_wheel: format!("motion ratio: {title} per {}", along.title),
-                },
-                symbol: symbol_per(&symbol, of_drive, unit),
-                rates: vec![None; rates.len()],
-                values: rates.clone(),
-                sort: Sort::MotionRatio,
-            });
-        }
-        let values = values(&|state, _| Some(column.value(state) * scale));
-        if has_poles(&column) && jumps(&values) {
-            continue;
-        }
-        lines.push(Line {
+        let motion_ratio = is_measure.then(|| Line {
+            title: Title {
+                wheel: None,
+                of_wheel: format!("motion ratio: {title} per {}", self.along.title),
+            },
+            symbol: symbol_per(&symbol, self.of_drive(), self.unit),
+            rates: vec![None; rates.len()],
+            values: rates.clone(),
+            sort: Sort::MotionRatio,
+        });
+        let values = self.values(&|state, _| Some(column.value(state) * scale));
+        let is_broken = has_poles(column) && jumps(&values);
+        let curve = (!is_broken).then_some(Line {
             title,
             symbol,
             values,
@@ -123,23 +169,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
                 Sort::Quantity
             },
         });
-    }
-    let count = |line: &Line| line.values.iter().flatten().count();
-    lines.retain(|line| count(line) > 1);
-    if Pair::all(&mechanism.names.wheels).len() > 1 {
-        lines.retain(varies);
-    }
-    Curves {
-        title: along.title.clone(),
-        way: along.way,
-        moved: along.moved.clone(),
-        dimension: of_drive,
-        changes: along
-            .changes
-            .iter()
-            .map(|change| change * per_change)
-            .collect(),
-        lines,
+        motion_ratio.into_iter().chain(curve).collect()
     }
 }
 

@@ -15,7 +15,9 @@ use crate::load::usual_drives::in_effect;
 use crate::load::{
     columns, led, missing_travel, one_sided, said_of_drives, said_of_wheels, start, wrong_side,
 };
-use crate::mechanism::{Description, DriveLaws, Lead, Mechanism, Suspension};
+use crate::mechanism::{
+    Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
+};
 
 /// The mechanism of a file, of a listing.
 pub(super) fn prepare<L: Suspension<N>, const N: usize>(
@@ -38,26 +40,9 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     names.vehicle.steering_wheel = steering_wheel(&task, &names, design)?;
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
-    let outlier = assembled.outlier.as_ref();
-    let doubts = match outlier {
-        None => {
-            let mut doubts = said_of_drives::doubts(&task, design, &drives, request.instants);
-            doubts.extend(wrong_side::notes(&task, &assembled.given));
-            doubts
-        }
-        Some(_) => Vec::new(),
-    };
-    let mut notes = notes(&task, &assembled.given, &design.points, design.off, outlier);
-    if let Some(listing) = request.listing {
-        notes.extend(loose_markers(&task, design, listing));
-        notes.extend(one_sided::note(&task, listing));
-    }
-    notes.extend(said_of_wheels::notes(&task, design, &couplings));
+    let doubts = doubts(&assembled, &drives, request.instants);
+    let mut notes = remarks(&assembled, &request, (&names, &couplings));
     notes.extend(of_drives);
-    notes.extend(missing_travel::note(&task, &names));
-    if request.to != Start::Design {
-        notes.extend(short_of_stop(&task, request.instants));
-    }
     notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &task.file.drives)?;
@@ -90,6 +75,42 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         lead: begin.lead,
         changing: None,
     })
+}
+
+/// What is probably meant otherwise; with a point that is probably mistaken that alone is said.
+fn doubts<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<'_, L, N>,
+    drives: &DriveLaws,
+    instants: &Instants,
+) -> Vec<String> {
+    if assembled.outlier.is_some() {
+        return Vec::new();
+    }
+    let task = assembled.task();
+    let mut doubts = said_of_drives::doubts(&task, &assembled.design, drives, instants);
+    doubts.extend(wrong_side::notes(&task, &assembled.given));
+    doubts
+}
+
+/// What is remarked of a file whose mechanism has the given names and couplings.
+fn remarks<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<'_, L, N>,
+    request: &Request<'_>,
+    (names, couplings): (&Names, &[Coupling]),
+) -> Vec<String> {
+    let (task, design) = (assembled.task(), &assembled.design);
+    let (given, outlier) = (&assembled.given, assembled.outlier.as_ref());
+    let mut notes = notes(&task, given, &design.points, design.off, outlier);
+    if let Some(listing) = request.listing {
+        notes.extend(loose_markers(&task, design, listing));
+        notes.extend(one_sided::note(&task, listing));
+    }
+    notes.extend(said_of_wheels::notes(&task, design, couplings));
+    notes.extend(missing_travel::note(&task, names));
+    if request.to != Start::Design {
+        notes.extend(short_of_stop(&task, request.instants));
+    }
+    notes
 }
 
 /// Where work on a mechanism begins.

@@ -49,32 +49,33 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     let rates: Vec<_> = (0..names.drives.len())
         .map(|drive| design.per(drive))
         .collect();
-    for wheel in names
-        .wheels
-        .iter_mut()
-        .filter(|wheel| wheel.travel.is_none())
-    {
+    let wheels = names.wheels.iter_mut();
+    for wheel in wheels.filter(|wheel| wheel.travel.is_none()) {
         wheel.lifted_by = lifting(wheel, &rates);
     }
-    let Names {
-        wheels, vehicle, ..
-    } = &mut names;
-    // A listing without a wheel has drives all the same.
-    if !wheels.is_empty() {
-        let has = |of: fn(&Wheel) -> Option<usize>, drive: &usize| {
-            wheels.iter().any(|wheel| of(wheel) == Some(*drive))
-        };
-        vehicle
-            .travel
-            .retain(|drive| has(|wheel| wheel.travel, drive));
-        vehicle
-            .steer
-            .retain(|drive| has(|wheel| wheel.steer, drive));
-    }
+    drop_idle(&mut names);
     let notes = unmoved
         .iter()
         .map(|(drive, wheels)| note(task, *drive, wheels));
     (names, notes.collect())
+}
+
+/// The drives of the vehicle without those of travel and steering that no wheel has.
+fn drop_idle(names: &mut Names) {
+    let (wheels, vehicle) = (&names.wheels, &mut names.vehicle);
+    // A listing without a wheel has drives all the same.
+    if wheels.is_empty() {
+        return;
+    }
+    let has = |of: fn(&Wheel) -> Option<usize>, drive: &usize| {
+        wheels.iter().any(|wheel| of(wheel) == Some(*drive))
+    };
+    vehicle
+        .travel
+        .retain(|drive| has(|wheel| wheel.travel, drive));
+    vehicle
+        .steer
+        .retain(|drive| has(|wheel| wheel.steer, drive));
 }
 
 /// The drives that move a wheel up or down and do not steer it, of the rates of all points per each.

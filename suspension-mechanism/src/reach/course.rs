@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_core::listing::DriveKind;
-use suspension_core::path::{Continuation, Curve, End, Place};
+use suspension_core::path::{Continuation, Curve, End, Place, Stretch};
 use suspension_core::{Signal, Values};
 
 use crate::failure::Failure;
@@ -109,54 +109,48 @@ fn run<L: Suspension<N>, const N: usize>(
     let mut path = settings
         .path(curve, &mechanism.start.position, increasing)
         .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
-    let free = mechanism.names.free;
-    let at = |curve: &Curve<'_, L, N>, place: &Place<f64, N>, speed_at_turn: Option<f64>| {
-        let drives = inputs.drives.value.with(index, place.value);
-        let state = State {
-            residual: place.residual,
-            ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
-        };
-        Station {
-            freed: index,
-            turns: speed_at_turn.is_some(),
-            speed: speed_at_turn.unwrap_or_else(|| speed(curve, place, free)),
-            state: mechanism.with_velocities(state, drives, &place.configuration.unknowns),
-        }
-    };
     let mut run = Run {
-        stations: vec![at(path.curve(), path.here(), None)],
+        stations: vec![station(mechanism, index, path.curve(), path.here())],
         turns: Vec::new(),
         limit: Limit::Cut,
         gap: None,
     };
     while !interrupted.load(Ordering::Relaxed) {
-        let stretch = match path.next() {
-            Some(Ok(stretch)) => stretch,
+        match path.next() {
+            Some(Ok(stretch)) => {
+                let at = |place: &_| station(mechanism, index, path.curve(), place);
+                run.extend(&stretch, at);
+            }
             Some(Err(error)) => {
                 run.limit = Limit::Lost(lost(error));
                 break;
             }
             None => break,
-        };
-        if let Some(turning) = stretch.turning {
-            run.turns
-                .push((run.stations.len(), turning.is_end_of_angle));
-            // At the end of an angle its cosine turns, while points move on with the angle.
-            let speed = match run.stations.last() {
-                Some(before) if turning.is_end_of_angle => before.speed,
-                _ => f64::INFINITY,
-            };
-            run.stations
-                .push(at(path.curve(), &turning.place, Some(speed)));
-        }
-        run.stations.push(at(path.curve(), &stretch.place, None));
-        match stretch.end {
-            Some(End::Closed { gap }) => run.gap = Some(gap),
-            Some(End::Bifurcation { accuracy }) => run.limit = Limit::Bifurcation(accuracy),
-            Some(End::Range | End::OutOfRange | End::Steps) | None => {}
         }
     }
     Ok(run)
+}
+
+/// The mechanism at a place of the curve.
+fn station<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    index: usize,
+    curve: &Curve<'_, L, N>,
+    place: &Place<f64, N>,
+) -> Station {
+    let [first, _] = mechanism.instants.ends();
+    let drives = mechanism.drives.inputs::<L::Drives>(first).drives.value;
+    let drives = drives.with(index, place.value);
+    let state = State {
+        residual: place.residual,
+        ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
+    };
+    Station {
+        freed: index,
+        turns: false,
+        speed: speed(curve, place, mechanism.names.free),
+        state: mechanism.with_velocities(state, drives, &place.configuration.unknowns),
+    }
 }
 
 /// How far the free points move for a unit of the drive.
@@ -176,6 +170,34 @@ fn speed<L: Suspension<N>, const N: usize>(
 }
 
 impl Run {
+    /// Follows the curve along a stretch, whose turning point comes before its end.
+    fn extend<const N: usize>(
+        &mut self,
+        stretch: &Stretch<f64, N>,
+        at: impl Fn(&Place<f64, N>) -> Station,
+    ) {
+        if let Some(turning) = &stretch.turning {
+            let is_end = turning.is_end_of_angle;
+            self.turns.push((self.stations.len(), is_end));
+            // At the end of an angle its cosine turns, while points move on with the angle.
+            let speed = match self.stations.last() {
+                Some(before) if is_end => before.speed,
+                _ => f64::INFINITY,
+            };
+            self.stations.push(Station {
+                turns: true,
+                speed,
+                ..at(&turning.place)
+            });
+        }
+        self.stations.push(at(&stretch.place));
+        match stretch.end {
+            Some(End::Closed { gap }) => self.gap = Some(gap),
+            Some(End::Bifurcation { accuracy }) => self.limit = Limit::Bifurcation(accuracy),
+            Some(End::Range | End::OutOfRange | End::Steps) | None => {}
+        }
+    }
+
     /// Where the drive's range ends.
     fn end<L: Suspension<N>, const N: usize>(
         &self,
