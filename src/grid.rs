@@ -2,12 +2,10 @@
 
 use std::str::FromStr;
 
-use suspension_core::listing::DriveKind;
-
 use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, Coordinate, Description, From, Grid, MOST_PLACES, evenly_spaced};
+use crate::mechanism::{Axis, Description, DriveAtDesign, From, Grid, MOST_PLACES, evenly_spaced};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -153,14 +151,14 @@ pub fn doubt(
     way: &str,
 ) -> Option<String> {
     let named = &mechanism.names.drives[drive];
-    let coordinate = Coordinate {
-        name: &named.name,
+    let at_design = DriveAtDesign {
+        drive: named,
         design: mechanism.design[drive],
-        size: Coordinate::extent(mechanism.points()),
-        unit: mechanism.unit.length,
+        size: DriveAtDesign::extent(mechanism.points()),
+        unit: mechanism.unit,
     };
-    let is_one = named.kind == DriveKind::Coordinate;
-    is_one.then(|| coordinate.doubt(ends, from, way)).flatten()
+    let scale = Dimension::from(named.kind).in_file(mechanism.unit);
+    at_design.doubt(ends.map(|end| end / scale), from, way)
 }
 
 #[cfg(test)]

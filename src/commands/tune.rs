@@ -9,12 +9,16 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, tell};
+use crate::file::{Dimension, MotionFile, Source, tell};
+use crate::grid::doubt;
+use crate::kinematics::Kinematics;
 use crate::load::load;
+use crate::mechanism::{Axis, Drive, From};
+use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use crate::output::progress::Progress;
-use crate::tune::{MOST_STEPS, Tuned, tune};
+use crate::tune::{MOST_STEPS, Target, Tuned, tune};
 use report::Report;
 use rewritten::rewritten;
 
@@ -58,6 +62,9 @@ impl Arguments {
         for note in loaded.doubtful_boxes(&moves) {
             tell(format_args!("note: {note}"));
         }
+        for note in doubtful_ranges(mechanism, &targets) {
+            tell(format_args!("note: {}: {note}", source.name()));
+        }
         let mut progress = Progress::new(MOST_STEPS, "steps");
         let whole = (source.name(), mechanism);
         let tuned = tune(whole, &moves, &targets, interrupted, || progress.step())?;
@@ -88,6 +95,27 @@ impl Arguments {
             Err(Failure::Solver(format!("{}: {unmet}", source.name())))
         })
     }
+}
+
+/// Doubts about the values of drives over which targets are stated, in words.
+fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String> {
+    let of_axis = |target: &Target, axis: &Axis| {
+        let [(drive, _)] = *axis.drives else {
+            return None;
+        };
+        let Drive { name, kind } = &mechanism.names.drives[drive];
+        let scale = Dimension::from(*kind).in_file(mechanism.unit);
+        let ends = [*axis.values.first()?, *axis.values.last()?];
+        let [from, to] = ends.map(|end| number((end - mechanism.design[drive]) * scale));
+        let way = format!("; write {name} = [{from}, {to}]");
+        let ends = ends.map(|end| end * scale);
+        let doubt = doubt(mechanism, drive, ends, From::Start, &way)?;
+        Some(format!("[tune.targets.{}]: {doubt}", target.name))
+    };
+    let each = targets.iter();
+    let each = each.flat_map(|target| target.over.iter().map(move |axis| (target, axis)));
+    each.filter_map(|(target, axis)| of_axis(target, axis))
+        .collect()
 }
 
 fn beside(file: &Path) -> PathBuf {

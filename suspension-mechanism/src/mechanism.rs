@@ -36,7 +36,7 @@ mod words;
 
 pub use changing::{Changing, Expansion};
 pub use description::Description;
-pub use doubtful::Coordinate;
+pub use doubtful::DriveAtDesign;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
 pub use gradient::{DRIVES_AT_ONCE, Gradient};

@@ -198,19 +198,21 @@ impl Ordered<'_> {
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
+        if let [Some(from), Some(to)] = wished.range {
+            self.note_doubt(drive, [from, to]);
+        }
         let mut bounds = range.into_iter();
         if let Some(bounds) = bounds.find_map(|end| angle.bounds_exceeded(kind, end)) {
             return Err(self.refuse(&format!("{in_words}: {bounds}")));
-        }
-        if let [Some(from), Some(to)] = wished.range {
-            self.note_doubt(drive, [from, to]);
         }
         Ok(range)
     }
 
     /// Says where a range seems to count from the design position, as those of other commands do.
     fn note_doubt(&self, drive: usize, range: [f64; 2]) {
-        let design = self.mechanism.design[drive];
+        let Description { names, unit, .. } = &**self.mechanism;
+        let scale = Dimension::from(names.drives[drive].kind).in_file(*unit);
+        let design = self.mechanism.design[drive] * scale;
         let [from, to] = range.map(|end| rounded(design + end, DIGITS));
         let way = format!("; changes from there are --from {from} --to {to}");
         if let Some(doubt) = doubt(self.mechanism, drive, range, From::Zero, &way) {

@@ -4,7 +4,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Coordinate, from_design};
+use crate::mechanism::{DriveAtDesign, from_design};
 use crate::reach::{DriveRange, Limit, RangeEnd};
 
 /// How near is noted: as a part of the suspension's size, or as an angle in radians.
@@ -15,7 +15,7 @@ pub(super) fn notes(
     mechanism: &dyn Kinematics,
     ranges: &[DriveRange],
 ) -> impl Iterator<Item = String> {
-    let (unit, size) = (mechanism.unit, Coordinate::extent(mechanism.points()));
+    let (unit, size) = (mechanism.unit, DriveAtDesign::extent(mechanism.points()));
     let ends = ranges
         .iter()
         .flat_map(|range| range.ends.iter().map(move |end| (range, end)));

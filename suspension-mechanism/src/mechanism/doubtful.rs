@@ -1,22 +1,27 @@
 //! Values of a drive that seem to be in another unit, or counted from elsewhere, than the file's.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Vector3;
+use suspension_core::listing::DriveKind;
 
+use crate::file::Dimension;
 use crate::mechanism::grid::From;
+use crate::mechanism::names::Drive;
 use crate::number::rounded;
-use suspension_motion_file::Length;
+use suspension_motion_file::{Length, Unit};
 
-/// A drive that is a coordinate, and the mechanism that it moves; lengths in the unit of the file.
+/// A drive at the design position, and the mechanism that it moves; lengths in the unit of the file, angles in radians.
 #[derive(Clone, Copy, Debug)]
-pub struct Coordinate<'a> {
-    /// Its name.
-    pub name: &'a str,
+pub struct DriveAtDesign<'a> {
+    /// The drive.
+    pub drive: &'a Drive,
     /// Its value at the design position.
     pub design: f64,
     /// How far the points of the mechanism are apart: no drive moves them as far.
     pub size: f64,
-    /// The unit.
-    pub unit: Length,
+    /// The units.
+    pub unit: Unit,
 }
 
 /// How near the design position a value is at it, as a part of the value.
@@ -31,7 +36,7 @@ const NO_MOTION: f64 = 2e-4;
 /// Digits of a value in words.
 const DIGITS: usize = 4;
 
-impl Coordinate<'_> {
+impl DriveAtDesign<'_> {
     /// How far points are apart: the diagonal of the box about them.
     pub fn extent(points: impl IntoIterator<Item = Vector3<f64>>) -> f64 {
         let corners = points.into_iter().map(|at| (at, at));
@@ -40,37 +45,51 @@ impl Coordinate<'_> {
     }
 
     /// What is doubtful in the values between two that it is to take, counted `from`, with what to write instead; `way` says
-    /// how to write the other way of counting.
+    /// how to write the other way of counting. An angle about a line may well begin at zero.
     pub fn doubt(&self, ends: [f64; 2], from: From, way: &str) -> Option<String> {
-        let [least, greatest] = ends;
+        match self.drive.kind {
+            DriveKind::Coordinate => {
+                let other_unit = self.other_unit(ends, from).map(|unit| {
+                    let (name, file) = (&self.drive.name, self.unit.length.in_words());
+                    format!("is `{name}` in {unit}? The file is in {file}")
+                });
+                other_unit.or_else(|| self.counted_otherwise(ends, from, self.size, way))
+            }
+            DriveKind::Angle => self.counted_otherwise(ends, from, TAU, way),
+            DriveKind::Turn => None,
+        }
+    }
+
+    /// Where values seem to be counted otherwise than `from`, beside a size that no drive moves by.
+    fn counted_otherwise(
+        &self,
+        [least, greatest]: [f64; 2],
+        from: From,
+        size: f64,
+        way: &str,
+    ) -> Option<String> {
         let spans = |value: f64| {
             let margin = AT_DESIGN * value.abs();
             (least - margin..=greatest + margin).contains(&value)
         };
         let starts_small =
             least.abs().min(greatest.abs()) <= SMALL * self.design.abs() || spans(0.0);
-        let is_elsewhere = self.design.abs() > SMALL * self.size;
-        if let Some(unit) = self.other_unit(ends, from) {
-            let (name, file) = (self.name, self.unit.in_words());
-            return Some(format!("is `{name}` in {unit}? The file is in {file}"));
-        }
-        let at = format!(
-            "`{}` is {} {} at the design position",
-            self.name,
-            rounded(self.design, DIGITS),
-            self.unit.symbol()
-        );
-        match from {
-            From::Zero if is_elsewhere && starts_small && !spans(self.design) => Some(format!(
-                "`{}` takes the drive's own value, not a change from the design position: {at}{way}",
-                self.name
-            )),
-            From::Start if is_elsewhere && spans(self.design) && !spans(0.0) => Some(format!(
-                "`{}` takes a change from the design position, not the drive's own value: {at}{way}",
-                self.name
-            )),
-            _ => None,
-        }
+        let is_elsewhere = self.design.abs() > SMALL * size;
+        let [takes, not] = match from {
+            From::Zero if is_elsewhere && starts_small && !spans(self.design) => {
+                ["the drive's own value", "a change from the design position"]
+            }
+            From::Start if is_elsewhere && spans(self.design) && !spans(0.0) => {
+                ["a change from the design position", "the drive's own value"]
+            }
+            _ => return None,
+        };
+        let dimension = Dimension::from(self.drive.kind);
+        let (name, symbol) = (&self.drive.name, dimension.symbol(self.unit));
+        let design = rounded(self.design * dimension.in_file(self.unit), DIGITS);
+        Some(format!(
+            "`{name}` takes {takes}, not {not}: `{name}` is {design} {symbol} at the design position{way}"
+        ))
     }
 
     /// The units in which the values would be those of a motion, where in that of the file they are not.
@@ -91,14 +110,16 @@ impl Coordinate<'_> {
             from == From::Zero && off < AT_DESIGN * self.design.abs()
         };
         let fits = |unit: &Length| {
-            let factor = self.unit.metre() / unit.metre();
+            let factor = self.unit.length.metre() / unit.metre();
             let moved = motion * factor;
             let within = farthest(factor) < self.size / 2.0;
             (far > self.size && within)
                 || (is_at(factor) && !is_at(1.0))
                 || (moves_nothing && (SMALL * SMALL..1.0).contains(&(moved / self.size)))
         };
-        let others = Length::ALL.into_iter().filter(|unit| *unit != self.unit);
+        let others = Length::ALL
+            .into_iter()
+            .filter(|unit| *unit != self.unit.length);
         let units: Vec<&str> = others.filter(fits).map(Length::in_words).collect();
         (!units.is_empty()).then(|| units.join(" or "))
     }
@@ -106,21 +127,47 @@ impl Coordinate<'_> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
+    use suspension_motion_file::Angle;
+
     use super::*;
 
     #[test]
     fn values_in_another_unit_or_from_elsewhere_are_doubted() {
-        let metres = Coordinate {
-            name: "bump",
+        let named = |name: &str, kind| Drive {
+            name: name.to_owned(),
+            kind,
+        };
+        let unit = |length| Unit {
+            length,
+            angle: Angle::Degree,
+        };
+        let [bump, arm, crank] = [
+            named("bump", DriveKind::Coordinate),
+            named("arm", DriveKind::Angle),
+            named("crank", DriveKind::Turn),
+        ];
+        let metres = DriveAtDesign {
+            drive: &bump,
             design: 0.3,
             size: 0.8,
-            unit: Length::Metre,
+            unit: unit(Length::Metre),
         };
-        let millimetres = Coordinate {
+        let millimetres = DriveAtDesign {
             design: 300.0,
             size: 800.0,
-            unit: Length::Millimetre,
+            unit: unit(Length::Millimetre),
             ..metres
+        };
+        let arm = DriveAtDesign {
+            drive: &arm,
+            design: FRAC_PI_2,
+            ..metres
+        };
+        let crank = DriveAtDesign {
+            drive: &crank,
+            ..arm
         };
         for (drive, ends, from, expected) in [
             (
@@ -169,6 +216,23 @@ mod tests {
             ),
             (millimetres, [300.0, 300.05], From::Zero, "is `bump` in m?"),
             (millimetres, [-0.05, 0.05], From::Start, "is `bump` in m?"),
+            (
+                arm,
+                [0.006, 0.006],
+                From::Zero,
+                "`arm` takes the drive's own value, not a change from the design position: `arm` is 90 deg at the design position",
+            ),
+            (arm, [-0.2, 0.2], From::Zero, "takes the drive's own value"),
+            (
+                arm,
+                [FRAC_PI_2, FRAC_PI_2],
+                From::Start,
+                "takes a change from the design position",
+            ),
+            (arm, [-0.2, 0.2], From::Start, ""),
+            (arm, [0.7, 1.2], From::Zero, ""),
+            (arm, [0.0, 3.0], From::Zero, ""),
+            (crank, [0.0, 0.5], From::Zero, ""),
             (metres, [0.25, 0.35], From::Zero, ""),
             (metres, [0.3, 0.3], From::Zero, ""),
             (metres, [-0.08, 0.08], From::Start, ""),

@@ -191,6 +191,50 @@ fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
         .replace("steer = 90.0", "steer = 0.0")
 }
 
+/// Values that are no angles of the arm: metres of a rack, or a change from the design position.
+#[test]
+fn values_of_a_steering_box_that_seem_to_count_from_its_design_are_noted() {
+    let vehicle = "steering_box_ratio = 16.0";
+    let steered = |value: &str| {
+        on_a_steering_box(vehicle).replace("steer = 90.0", &format!("steer = {value}"))
+    };
+    let own = "a.toml: [drives]: `steer` takes the drive's own value, not a change from the design position: `steer` is 90 deg at the \
+               design position; write steer = [90, ...]";
+    let change = "note: a.toml: --drive: `steer` takes a change from the design position, not the drive's own value: `steer` is 90 deg \
+                  at the design position; use --absolute to state its own values";
+    let sweep = |value| ["sweep", "a.toml", "--csv", "-", "--drive", value];
+    for (file, arguments, expected) in [
+        (steered("0.34"), &["motion", "a.toml"][..], Some(own)),
+        (steered("0.0"), &["motion", "a.toml"], Some(own)),
+        (steered("0.0"), &["check", "a.toml"], Some(own)),
+        (steered("[80.0, 10.0]"), &["motion", "a.toml"], None),
+        (steered("90.0"), &sweep("steer=90"), Some(change)),
+        (steered("90.0"), &sweep("steer=-10:10:3"), None),
+        (
+            steered("90.0"),
+            &["bake", "a.toml", "--drive", "steer=-5:5"],
+            Some(
+                "`steer` is 90 deg at the design position; changes from there are --from 85 --to 95",
+            ),
+        ),
+        (
+            on_an_arm_that_passes_the_axis(vehicle),
+            &["motion", "a.toml"],
+            None,
+        ),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), &file).expect("written");
+        let output = run(folder.path(), arguments);
+        let told = [&output.stdout, &output.stderr].map(|bytes| text(bytes));
+        let told = told.concat();
+        match expected {
+            Some(expected) => assert!(told.contains(expected), "{arguments:?}: {told}"),
+            None => assert!(!told.contains("`steer` takes"), "{arguments:?}: {told}"),
+        }
+    }
+}
+
 #[test]
 fn a_steering_box_has_the_quantities_of_a_rack() {
     let names = [

@@ -2,7 +2,7 @@
 
 use super::super::corner;
 use super::super::program::{folder, text};
-use super::{FLAT, file, tuned};
+use super::{DRIVES, FLAT, file, met, tuned};
 
 /// The same target in millimetres, radians and the axes of Adams.
 #[test]
@@ -213,4 +213,20 @@ fn too_many_places_are_refused() {
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let told = "a grid may have 1000000 places at most";
     assert!(text(&output.stderr).contains(told), "{output:?}");
+}
+
+/// Other tables of a file have drives' own values.
+#[test]
+fn a_range_of_a_target_that_seems_to_be_of_own_values_is_noted_with_the_changes() {
+    let folder = folder();
+    let own = FLAT.replace("bump = [-0.06, 0.06]", "bump = [0.24, 0.36]");
+    let output = tuned(folder.path(), &file("double_wishbone", DRIVES, &own));
+    let told = "note: a.toml: [tune.targets.bump_steer]: `bump` takes a change from the design position, not the drive's own value: \
+                `bump` is 0.3 m at the design position; write bump = [-0.06, 0.06]\n";
+    assert!(text(&output.stderr).starts_with(told), "{output:?}");
+    let output = met(folder.path(), &file("double_wishbone", DRIVES, FLAT));
+    assert!(
+        !text(&output.stderr).contains("takes a change"),
+        "{output:?}"
+    );
 }
