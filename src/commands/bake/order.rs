@@ -2,6 +2,7 @@
 
 mod curve;
 mod measure;
+mod possible;
 mod surface;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -247,23 +248,4 @@ impl Ordered<'_> {
 /// Of a file that is not baked to the end.
 fn interrupted(file: &str) -> Failure {
     Failure::Interrupted(format!("{file}: interrupted; nothing was written"))
-}
-
-/// The part of a range that can be baked, found by `widest`, in a few digits and the file's coordinates and units, as
-/// `shown` makes them of local ones.
-fn possible_in_few_digits(
-    [from, to]: [f64; 2],
-    shown: impl Fn(f64) -> f64,
-    widest: impl FnOnce([f64; 2]) -> Option<[f64; 2]>,
-) -> Option<[f64; 2]> {
-    /// Of a range: how close to a turning point the mechanism is solved.
-    const CLOSE: f64 = 1e-6;
-    if from >= to {
-        return None;
-    }
-    let inset = CLOSE * (to - from);
-    let [from, to] = widest([from + inset, to - inset])?.map(shown);
-    let steps_a_unit = 10_f64.powf(3.0 - (to - from).log10().floor());
-    let (from, to) = (from * steps_a_unit, to * steps_a_unit);
-    Some([from.ceil(), to.floor()].map(|end| end / steps_a_unit))
 }

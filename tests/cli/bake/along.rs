@@ -173,6 +173,10 @@ fn a_range_in_which_the_measure_turns_back_is_refused_with_one_that_is_possible(
     let begin = "a.toml: damper cannot be baked from 0.3 to 0.4: the measure turns back at damper = 0.375799 m, there is none \
                  beyond on this branch; possible is ";
     let possible = message.strip_prefix(begin).expect(message);
+    assert!(
+        possible.starts_with("--along damper=0.3:0.37"),
+        "{possible}"
+    );
     assert_eq!(output.status.code(), Some(3));
     let possible: Vec<&str> = possible.split_whitespace().collect();
     let output = run(folder.path(), &[&bake[..], &possible].concat());

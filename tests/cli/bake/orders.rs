@@ -37,13 +37,19 @@ fn one_segment_is_told_in_the_singular() {
 fn a_range_that_is_refused_comes_with_one_that_is_possible() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
-    for (ends, reason) in [
-        (["0.5", "2.5"], "the drive `theta` locks at"),
+    for (ends, reason, kept) in [
+        (["0.5", "2.5"], "the drive `theta` locks at", ""),
+        (
+            ["0.5", "1.37"],
+            "the drive `theta` locks at",
+            " --to 1.37\n",
+        ),
         (
             ["0.663", "2"],
             "256 segments do not meet 1e-6 m about theta = 0.66",
+            " --to 2\n",
         ),
-        (["2.2", "3"], "the drive `theta` locks at"),
+        (["2.2", "3"], "the drive `theta` locks at", ""),
     ] {
         let [from, to] = ends;
         let output = run(
@@ -56,6 +62,7 @@ fn a_range_that_is_refused_comes_with_one_that_is_possible() {
         let begin = format!("a.toml: theta cannot be baked from {from} to {to}: {reason}");
         assert!(message.starts_with(&begin), "{message}");
         let (_, advice) = message.split_once("possible is ").expect("advice");
+        assert!(advice.ends_with(kept), "{advice}");
         let possible: Vec<&str> = advice.split_whitespace().collect();
         let output = run(
             folder.path(),

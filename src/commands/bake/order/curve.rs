@@ -3,7 +3,8 @@
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
 use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
-use crate::commands::bake::order::{Along, DIGITS, Ordered, possible_in_few_digits};
+use crate::commands::bake::order::possible::possible_in_few_digits;
+use crate::commands::bake::order::{Along, DIGITS, Ordered};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::advice;
@@ -29,14 +30,21 @@ impl Ordered<'_> {
             Err(unmet) => unmet,
         };
         let (inside, locks) = self.reach(drive, wanted.range);
+        let mut kept = locks.each_ref().map(Option::is_none);
         let reason = match unmet {
             Unmet::TooManySegments { at } => format!(
                 "{MOST_SEGMENTS} segments do not meet {} m about {}",
                 rounded(self.order.tolerance, 3),
                 self.in_words(drive, self.given(drive, at))
             ),
-            Unmet::OutOfReach(error) if locks.is_empty() => self.between(drive, &error),
-            Unmet::OutOfReach(_) => format!("{}; {}", locks.join("; "), advice(self.file)),
+            Unmet::OutOfReach(error) if locks == [None, None] => {
+                kept = [false; 2];
+                self.between(drive, &error)
+            }
+            Unmet::OutOfReach(_) => {
+                let locks: Vec<String> = locks.into_iter().flatten().collect();
+                format!("{}; {}", locks.join("; "), advice(self.file))
+            }
         };
         let possible = self.possible(
             drive,
@@ -44,6 +52,7 @@ impl Ordered<'_> {
                 range: inside,
                 ..*wanted
             },
+            kept,
         );
         let [from, to] = wanted.range.map(|end| number(self.in_file(drive, end)));
         let advice = possible.map_or_else(
@@ -60,19 +69,19 @@ impl Ordered<'_> {
         )))
     }
 
-    /// The part of a range through which the drive leads the mechanism, and in words where it locks.
-    fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], Vec<String>) {
-        let mut locks = Vec::new();
+    /// The part of a range through which the drive leads the mechanism, and in words what is in the way of either end.
+    fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], [Option<String>; 2]) {
+        let mut locks = [None, None];
         let now = self.first(drive);
         let [from, to] = range;
         let mut reached = [from.min(now), to.max(now)];
-        for (end, wanted) in reached.iter_mut().zip(range) {
+        for ((end, wanted), in_the_way) in reached.iter_mut().zip(range).zip(&mut locks) {
             // Beyond what the first instant has, the way to the other end leads past this one.
             if *end != wanted {
                 continue;
             }
             if let Some(lock) = self.mechanism.lock_before(drive, *end) {
-                locks.push(self.mechanism.lock_in_words(&lock));
+                *in_the_way = Some(self.mechanism.lock_in_words(&lock));
                 *end = lock.drives[drive] - self.mechanism.drive_offsets[drive];
             }
         }
@@ -88,9 +97,10 @@ impl Ordered<'_> {
     }
 
     /// The part of a range that can be baked, in a few digits and the file's coordinates and units.
-    fn possible(&self, drive: usize, wanted: &Wanted) -> Option<[f64; 2]> {
+    fn possible(&self, drive: usize, wanted: &Wanted, kept: [bool; 2]) -> Option<[f64; 2]> {
         possible_in_few_digits(
             wanted.range,
+            kept,
             |end| self.in_file(drive, end),
             |range| {
                 let path = self.path(drive, range).ok()?;

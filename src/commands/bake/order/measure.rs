@@ -6,7 +6,8 @@ use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::source::Ranged;
 use crate::bake::widest::widest;
 use crate::bake::{Baked, OutOfReach, Wanted, bake};
-use crate::commands::bake::order::{DIGITS, Ordered, possible_in_few_digits};
+use crate::commands::bake::order::possible::possible_in_few_digits;
+use crate::commands::bake::order::{DIGITS, Ordered};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
@@ -152,8 +153,9 @@ impl Ordered<'_> {
         let offset = self.mechanism.measure_offsets[measure];
         let asked = along.range.map(|end| end - offset);
         let range = [wanted.range[0].max(asked[0]), wanted.range[1].min(asked[1])];
+        let kept = [0, 1].map(|end| range[end] == asked[end]);
         let in_file = |end| self.measured_in_file(along, end + offset);
-        let widest = possible_in_few_digits(range, in_file, |range| {
+        let widest = possible_in_few_digits(range, kept, in_file, |range| {
             let path = self
                 .mechanism
                 .led_path([measure, drive], range, self.order.wish);
