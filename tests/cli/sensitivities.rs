@@ -184,6 +184,21 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
     let folder = folder();
     let axle = include_str!("../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    for (of, expected) in [
+        (
+            "bump_steer",
+            "`bump_steer` is the derivative of `left_toe` or `right_toe` with respect to a drive of travel; name `left_toe` or `right_toe` in its place\n",
+        ),
+        (
+            "steering_ratio",
+            "there is no `steering_ratio` of this mechanism: it needs rack_per_turn or steering_box_ratio under [vehicle], see suspension \
+             motion --help\n",
+        ),
+    ] {
+        let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert_eq!(text(&output.stderr), expected);
+    }
     for (of, meant) in [
         ("toe", "`left_toe`, `right_toe` or `total_toe`"),
         (

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::characteristics::{of_wheels, zero_at_design};
+use crate::characteristics::{not_of_this, of_wheels, zero_at_design};
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::sensitivities::Sensitivities;
@@ -132,9 +132,13 @@ impl Report<'_> {
         if let Some(zero) = zero_at_design(wanted, self.mechanism) {
             return Err(zero);
         }
+        let of_wheels = of_wheels(wanted, titles.iter().map(String::as_str));
+        if let Some(message) = not_of_this(wanted, self.mechanism).filter(|_| of_wheels.is_none()) {
+            return Err(message);
+        }
         let known = titles.iter().filter(|title| !title.contains(' '));
         let known: Vec<&str> = known.map(String::as_str).collect();
-        let meant = match of_wheels(wanted, known.iter().copied()) {
+        let meant = match of_wheels {
             Some(of_wheels) => format!("; did you mean {of_wheels}?"),
             None => did_you_mean(wanted, known.iter().copied()),
         };

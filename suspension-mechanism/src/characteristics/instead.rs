@@ -4,7 +4,8 @@ use crate::characteristics::parameters::columns;
 use crate::mechanism::Description;
 use crate::quantities::{
     Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
-    STEERING_WHEEL_ANGLE, TRACK, TRACK_CHANGE, WHEEL_TRAVEL, WHEELBASE_CHANGE, from_design,
+    STEERING_WHEEL_ANGLE, TRACK, TRACK_CHANGE, WHEEL_TRAVEL, WHEELBASE_CHANGE, catalogue,
+    from_design, of_axles,
 };
 
 /// The sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that can be named in
@@ -31,6 +32,42 @@ pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
         "`{wanted}` {why}; name in its place {names}, which they change"
     ))
 }
+
+/// The sentence about a quantity that mechanisms may have and this one has not: what it needs, by the line of `[vehicle]` where that is
+/// it; or about a derivative by a name of its own. `None` of any other name.
+pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
+    if let Some((_, of)) = DERIVATIVES.iter().find(|(name, _)| *name == wanted) {
+        let columns = columns(mechanism).into_iter();
+        let columns = columns.filter(|column| column.quantity.name == *of);
+        let names = listed(columns.map(|column: Column| column.title()))?;
+        return Some(format!(
+            "`{wanted}` is the derivative of {names} with respect to a drive of travel; name {names} in its place"
+        ));
+    }
+    let quantity = catalogue().find(|quantity| quantity.name == wanted)?;
+    let is_known = |column: &Column| column.title() == wanted;
+    if columns(mechanism).iter().any(is_known) {
+        return None;
+    }
+    let mut axle = of_axles();
+    let is_of_axle = axle.any(|other| std::ptr::eq(other, quantity));
+    let needs = match quantity.line_needed() {
+        _ if is_of_axle && mechanism.names.wheels.len() < 2 => {
+            "it is a quantity of an axle, with two wheels".to_owned()
+        }
+        Some(line) => format!("it needs {line} under [vehicle], see suspension motion --help"),
+        None => "suspension motion --help says what it needs, the wheel's name before it, an axis behind it, or a line under [vehicle]"
+            .to_owned(),
+    };
+    Some(format!("there is no `{wanted}` of this mechanism: {needs}"))
+}
+
+/// What engineers call the derivative of a quantity with respect to the travel of the wheel.
+const DERIVATIVES: [(&str, &str); 3] = [
+    ("bump_steer", "toe"),
+    ("bump_camber", "camber"),
+    ("camber_gain", "camber"),
+];
 
 /// Names of known quantities of wheels or of the axle that end with the wanted one, in words.
 pub fn of_wheels<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {

@@ -26,6 +26,14 @@ pub struct Quantity {
     pub(super) read: Formulas,
 }
 
+impl Quantity {
+    /// The line of `[vehicle]` without which a mechanism does not have it, where its source names one.
+    pub fn line_needed(&self) -> Option<&'static str> {
+        let (_, needed) = self.source.rsplit_once("; ")?;
+        needed.strip_suffix(" of [vehicle]")
+    }
+}
+
 /// Where a quantity is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {

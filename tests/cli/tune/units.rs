@@ -111,6 +111,16 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
             "unknown quantity `tow`; known are ",
         ),
         (
+            &FLAT.replace("of = \"toe\"", "of = \"spread\""),
+            2,
+            "; suspension sensitivities a.toml prints all\n",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"bump_steer\""),
+            2,
+            "`bump_steer` is the derivative of `toe` with respect to a drive of travel; name `toe` in its place",
+        ),
+        (
             &FLAT.replace("{ bump", "{ bumb"),
             2,
             "unknown drive `bumb`; known are bump, steer",

@@ -1,13 +1,14 @@
 //! What a motion file wants `suspension tune` to reach.
 
+use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
-use crate::characteristics::{columns, of_wheels, zero_at_design};
+use crate::characteristics::{columns, not_of_this, of_wheels, zero_at_design};
 use crate::failure::Failure;
 use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
 use crate::mechanism::{Axis, From, Grid, evenly_spaced};
-use crate::quantities::{Column, catalogue};
+use crate::quantities::Column;
 use crate::tune::{self, Reading, Target};
 
 /// Places along a drive where the file states one number for all.
@@ -67,11 +68,8 @@ impl Targets<'_> {
                 "unknown quantity `{wanted}`; did you mean {meant}?"
             ));
         }
-        if catalogue().any(|quantity| quantity.name == wanted) && !names.contains(&&**wanted) {
-            return refuse(format!(
-                "there is no `{wanted}` of this mechanism: suspension motion --help says what it needs, the wheel's name before it, \
-                 an axis behind it, or a line under [vehicle]"
-            ));
+        if let Some(message) = not_of_this(wanted, self.0.mechanism) {
+            return refuse(message);
         }
         if let Some(name) = names
             .iter()
@@ -81,7 +79,16 @@ impl Targets<'_> {
                 "unknown quantity `{wanted}`; did you mean `{name}`? Quantities are named without a unit"
             ));
         }
-        let found = self.0.named("quantity", of, &names)?;
+        let Some(found) = names.iter().position(|name| name == wanted) else {
+            let message = unknown("quantity", wanted, &names);
+            // A long list is cut where it is printed.
+            let all = format!(
+                "; suspension sensitivities {} prints all",
+                self.0.source.name()
+            );
+            let is_answered = message.ends_with('?');
+            return refuse(message + if is_answered { "" } else { &all });
+        };
         Ok(columns.swap_remove(found))
     }
 
