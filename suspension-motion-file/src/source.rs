@@ -22,6 +22,9 @@ const MOST_MISTAKES: usize = 100;
 /// The characters at the end of a longer one that stay.
 const ENDING: usize = 100;
 
+/// The longest word that is not cut, in characters.
+const WORD: usize = 50;
+
 /// An input file: its name as the user gave it, and its text.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -155,27 +158,31 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
 /// Text that may quote a file, fit for a terminal: control characters escaped, and where it is long without its middle, as what
 /// is to be done stands at the end.
 fn in_one_line(text: &str) -> String {
-    let count = text.chars().count();
-    let escaped = |(_, character)| escaped(character);
-    let mut characters = text.chars().enumerate();
-    if count <= LONGEST {
-        return characters.map(escaped).collect();
+    let characters: Vec<char> = text.chars().collect();
+    if characters.len() <= LONGEST {
+        return escaped(&characters);
     }
-    let first: String = characters
-        .by_ref()
-        .take(LONGEST - ENDING)
-        .map(escaped)
-        .collect();
-    let last = characters.skip_while(|(place, _)| place + ENDING < count);
-    format!("{first} ... {}", last.map(escaped).collect::<String>())
+    let first = &characters[..LONGEST - ENDING];
+    let last = &characters[characters.len() - ENDING..];
+    // Words, names of a list among them, stay whole.
+    let is_space = |character: &char| *character == ' ';
+    let end = first.iter().rposition(is_space);
+    let end = end.filter(|end| first.len() - end <= WORD);
+    let start = last.iter().take(WORD).position(is_space);
+    let first = &first[..end.unwrap_or(first.len())];
+    let last = &last[start.map_or(0, |space| space + 1)..];
+    format!("{} ... {}", escaped(first), escaped(last))
 }
 
-fn escaped(character: char) -> String {
-    if character.is_control() {
-        character.escape_default().to_string()
-    } else {
-        character.to_string()
-    }
+fn escaped(characters: &[char]) -> String {
+    let escaped = |character: &char| {
+        if character.is_control() {
+            character.escape_default().to_string()
+        } else {
+            character.to_string()
+        }
+    };
+    characters.iter().map(escaped).collect()
 }
 
 #[cfg(test)]
@@ -190,6 +197,24 @@ mod tests {
         assert!(message.starts_with("a.toml:1:1: \\u{1b}[31m\\né"));
         assert!(message.contains("é ... é") && message.chars().count() < 450);
         assert!(message.ends_with("é; did you mean `e`?"));
+    }
+
+    #[test]
+    fn a_long_list_is_cut_between_names() {
+        let names: Vec<String> = (0..100).map(|n| format!("lower_ball_{n}")).collect();
+        let list = format!(
+            "unknown point; known are {}, the last one",
+            names.join(", ")
+        );
+        let told = Source::new("a.toml", "").refuse(&(0..0), &list).to_string();
+        let (first, last) = told.split_once(" ... ").expect("cut");
+        let whole = |name: &str| names.iter().any(|known| known == name);
+        let before = first
+            .rsplit(", ")
+            .next()
+            .map(|name| name.trim_end_matches(','));
+        assert!(before.is_some_and(whole), "{told}");
+        assert!(last.split(", ").next().is_some_and(whole), "{told}");
     }
 
     #[test]
