@@ -77,8 +77,8 @@ impl Arguments {
             tuned: &tuned,
         };
         print(&report.text())?;
-        if let Some(held) = report.held() {
-            tell(format_args!("{}: {held}", source.name()));
+        for note in [report.held(), report.idle()].into_iter().flatten() {
+            tell(format_args!("note: {}: {note}", source.name()));
         }
         let text = rewritten(&source, &stated, mechanism, &tuned, &mechanism.points());
         check(&out, &text, &tuned)?;

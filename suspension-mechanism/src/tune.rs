@@ -43,6 +43,8 @@ pub struct Tuned {
     pub held: Vec<usize>,
     /// Targets, by number, that no move changes, next to the design.
     pub unaffected: Vec<usize>,
+    /// Moves, by number, that change no target there.
+    pub idle: Vec<usize>,
     /// Whether the user interrupted before the best was found.
     pub interrupted: bool,
 }
@@ -90,8 +92,18 @@ pub fn tune(
         .ok_or_else(unmoved)?;
     let after = targets.iter().map(|target| target.deviations(&*tuned));
     let after = after.collect::<Option<Vec<_>>>().ok_or_else(unmoved)?;
+    let changed = changed(&boxes, targets, off);
+    let [unaffected, idle] = changed.map_or_else(Default::default, |changed| {
+        let is_idle = |each: &usize| !changed[*each].contains(&true);
+        let is_unaffected = |target: &usize| changed.iter().all(|by_move| !by_move[*target]);
+        [
+            (0..targets.len()).filter(is_unaffected).collect(),
+            (0..moves.len()).filter(is_idle).collect(),
+        ]
+    });
     Ok(Tuned {
-        unaffected: unaffected(&boxes, targets, off),
+        unaffected,
+        idle,
         moved: at.iter().copied().collect(),
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
@@ -107,31 +119,29 @@ fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
     Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
 }
 
-/// The targets that are off by the same wherever one of the moves begins and next to that.
-fn unaffected(
+/// Of each move whether it changes each target, from where the moves begin to next to that; `None` where a trial has no answer.
+fn changed(
     boxes: &[Bounds],
     targets: &[Target],
     off: impl Fn(&DVector<f64>) -> Option<Vec<Deviations>>,
-) -> Vec<usize> {
+) -> Option<Vec<Vec<bool>>> {
     /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
     const BESIDE: f64 = 1e-3;
     const SAME: f64 = 1e-6;
     let start = start(boxes);
-    let beside = |(each, bounds): (usize, &Bounds)| {
+    let here = off(&start)?;
+    let by_move = |(each, bounds): (usize, &Bounds)| {
         let mut at = start.clone();
         at[each] += BESIDE * (bounds.farther_end(at[each]) - at[each]);
-        off(&at)
+        let beside = off(&at)?;
+        let pairs = here.iter().zip(&beside).zip(targets);
+        let changes = pairs.map(|((here, beside), target)| {
+            let mut each = here.iter().zip(beside);
+            each.any(|(here, beside)| (beside - here).abs() > SAME * target.within)
+        });
+        Some(changes.collect())
     };
-    let beside: Option<Vec<_>> = boxes.iter().enumerate().map(beside).collect();
-    let (Some(here), Some(beside)) = (off(&start), beside) else {
-        return Vec::new();
-    };
-    let is_same = |target: usize, beside: &Deviations| {
-        let mut each = here[target].iter().zip(beside);
-        each.all(|(here, beside)| (beside - here).abs() <= SAME * targets[target].within)
-    };
-    let unaffected = |target: &usize| beside.iter().all(|off| is_same(*target, &off[*target]));
-    (0..targets.len()).filter(unaffected).collect()
+    boxes.iter().enumerate().map(by_move).collect()
 }
 
 /// The points that are not where they were moved to once the mechanism is assembled.

@@ -121,6 +121,21 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
     assert!(off.fold(0.0, f64::max) > 0.02);
 }
 
+/// A chassis end of a wishbone, along the line that the wishbone turns about.
+#[test]
+fn a_move_that_changes_no_target_is_noted() {
+    let folder = folder();
+    let idle = "[tune.moves.bush]\npoints = [\"lower_front\"]\nalong = \"x\"\nby = [-0.01, 0.01]\n";
+    let note = "note: a.toml: `bush` changes no target: a move that does nothing may be left out\n";
+    let output = met(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{idle}{FLAT}")),
+    );
+    assert!(text(&output.stderr).contains(note), "{output:?}");
+    let output = met(folder.path(), &file("double_wishbone", DRIVES, FLAT));
+    assert!(!text(&output.stderr).contains("note:"), "{output:?}");
+}
+
 /// The rack's height turns the tie rod about its other end at the design position: toe is that of the tie rod's length, which
 /// is built anew.
 #[test]

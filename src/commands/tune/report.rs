@@ -80,11 +80,28 @@ impl Report<'_> {
         let held: Vec<String> = held.map(|point| format!("`{}`", names[*point])).collect();
         (!held.is_empty()).then(|| {
             format!(
-                "note: {} did not go where the moves say: the design is assembled again, and what holds a point, the line of a \
+                "{} did not go where the moves say: the design is assembled again, and what holds a point, the line of a \
                  slide say, stays; move that with it",
                 held.join(", ")
             )
         })
+    }
+
+    /// The moves that change no target.
+    pub(super) fn idle(&self) -> Option<String> {
+        let idle = self.tuned.idle.iter();
+        let idle: Vec<String> = idle
+            .map(|each| format!("`{}`", self.moves[*each].name))
+            .collect();
+        let change = match idle.as_slice() {
+            [] => return None,
+            [_] => "changes",
+            _ => "change",
+        };
+        Some(format!(
+            "{} {change} no target: a move that does nothing may be left out",
+            idle.join(", ")
+        ))
     }
 
     /// The targets that are not met, and why: no move changes them, or boxes may have stopped the moves.
