@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use suspension_core::baked::{Curve, Split};
 
-use super::super::program::{example, folder, run, text};
+use super::super::program::{example, folder, rows, run, text};
 use super::kept::wheel_by_theta::{WHEEL_BY_THETA, WHEEL_BY_THETA_OUTPUTS};
 use super::{RANGE, baked, baked_of};
 
@@ -149,6 +149,7 @@ pub(super) fn exit_of_c(folder: &Path, program: &str) -> Option<i32> {
         "main.c",
         "-o",
         "main",
+        "-lm",
     ];
     let compiled = Command::new("cc")
         .current_dir(folder)
@@ -158,6 +159,41 @@ pub(super) fn exit_of_c(folder: &Path, program: &str) -> Option<i32> {
     assert!(compiled.status.success(), "{}", text(&compiled.stderr));
     let ran = Command::new(folder.join("main")).status();
     ran.expect("a program").code()
+}
+
+/// The lines of the page about controllers, beside the angles that the program has there.
+#[test]
+fn camber_and_toe_are_read_off_the_spin_axis_as_the_page_says() {
+    let page = include_str!("../../../suspension-core/docs/controller.md");
+    let lines = page.split("```c\n").nth(1);
+    let lines = lines.and_then(|block| block.split("```").next());
+    let lines = lines.expect("a block");
+    let folder = folder();
+    let file = example("double_wishbone.toml");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let drive = "bump=0.25:0.35";
+    let output = "my_wheel_by_bump.h";
+    let bake = [
+        "bake", "a.toml", "--drive", drive, "--as", "c", "--output", output,
+    ];
+    let output = run(folder.path(), &bake);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let sweep = ["sweep", "a.toml", "--drive", "bump=0.03", "--csv", "-"];
+    let rows = rows(&run(folder.path(), &sweep).stdout);
+    let [camber, toe] = ["camber_rad", "toe_rad"].map(|name| rows[0][name]);
+    assert!(camber.abs() > 1e-3 && toe.abs() > 1e-4, "{camber} {toe}");
+    let program = format!(
+        r#"#include "my_wheel_by_bump.h"
+#include <math.h>
+int main(void)
+{{
+    double bump = 0.33;
+{lines}
+    return fabs(camber - {camber:e}) < 2e-6 && fabs(toe - {toe:e}) < 2e-6 ? 0 : 2;
+}}
+"#
+    );
+    assert_eq!(exit_of_c(folder.path(), &program), Some(0));
 }
 
 /// Bakes the wheel of two suspensions to C, whose motion files are of these names, and compiles a
