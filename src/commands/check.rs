@@ -84,7 +84,7 @@ impl Arguments {
             )));
         }
         if is_singular {
-            let why = mechanism.design_at_end_of_angle();
+            let why = mechanism.end_of_angle(&mechanism.design);
             let why = why.map(|why| format!("; {why}")).unwrap_or_default();
             return Err(Failure::Solver(format!(
                 "{name}: the design position is singular: drives do not determine the motion there{why}"

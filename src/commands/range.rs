@@ -57,7 +57,16 @@ impl Arguments {
         let chosen = self.chosen(&mechanism.names);
         let chosen =
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
-        self.ranges((mechanism, &chosen), csv.as_ref(), interrupted)?;
+        let ranges = self.ranges((mechanism, &chosen), csv.as_ref(), interrupted);
+        // There the curves of other drives have no start.
+        let at_end = mechanism.end_of_angle(&mechanism.given(&mechanism.first_drives()));
+        ranges.map_err(|failure| match (failure, at_end) {
+            (Failure::Solver(_), Some(why)) => Failure::Solver(format!(
+                "{}: the curves cannot start at the end of an angle: {why}",
+                source.name()
+            )),
+            (failure, _) => failure,
+        })?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{}: interrupted; the curves are cut short",
@@ -158,8 +167,8 @@ The table, one row a place, in the order along the curve:
 Where the first instant is out of reach the ranges are those from the design position, and a note says so.
 
 Exit codes: 0 done, also where the file's own motion is out of reach, of which check and motion make 3: the ranges
-are known; 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or starts at a bifurcation,
-130 interrupted, what was found is kept.
+are known; 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or starts at a bifurcation
+or where another drive is at the end of its angle, 130 interrupted, what was found is kept.
 
 Example:
   suspension range examples/five_link.toml --csv curve.csv --plots plots

@@ -231,7 +231,7 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
             "{start}: {output:?}"
         );
         let said = text(&output.stderr).contains(
-            "the angle `turn` ends at 6.28319 rad, beyond it the drive would act as before it",
+            "the angle `turn` ends at 6.28319 rad, beyond it the same positions come again",
         );
         assert_eq!(said, passes, "{start}: {output:?}");
     }
@@ -261,23 +261,32 @@ fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
             });
         format!("{listing}[drives]\nturn = {turn}\n")
     };
-    let said = "the angle `turn` ends at 0 rad, beyond it the drive would act as before it; to drive it there and past it, write it in the \
+    let beside_another = |file: String| {
+        let other = "fixed: b at [1.0, 0.0, 0.3], beside at [1.5, 0.0, 0.3];\nfree: s at [1.0, 0.1, 0.5];\n\
+                     hinge second: b, beside -> s;\ndrive lift: s.z;\n";
+        file.replacen("fixed:", &format!("{other}fixed:"), 1) + "lift = 0.5\n"
+    };
+    let said = "the angle `turn` ends at 0 rad, beyond it the same positions come again; to drive it there and past it, write it in the \
                 listing as one about a line: `angle(p -> q, r -> s about t -> u)`";
-    for (file, command) in [
-        (at_end("[0.0, 0.0, 0.5]", "[0.0, 0.5]"), "motion"),
-        (at_end("[0.0, 0.0, 0.5]", "0.0"), "check"),
-        (at_end("[0.0, 0.1, 0.5]", "0.0"), "motion"),
-        (at_end("[0.0, 0.1, 0.5]", "[0.3, -0.5]"), "motion"),
+    let stands = || at_end("[0.0, 0.0, 0.5]", "0.0");
+    for (file, command, code) in [
+        (at_end("[0.0, 0.0, 0.5]", "[0.0, 0.5]"), "motion", 3),
+        (stands(), "check", 3),
+        (stands(), "range", 0),
+        (beside_another(stands()), "range", 3),
+        (at_end("[0.0, 0.1, 0.5]", "0.0"), "motion", 3),
+        (at_end("[0.0, 0.1, 0.5]", "[0.3, -0.5]"), "motion", 3),
     ] {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), &file).expect("written");
         let output = run(folder.path(), &[command, "a.toml"]);
-        assert_eq!(output.status.code(), Some(3), "{file}: {output:?}");
+        assert_eq!(output.status.code(), Some(code), "{file}: {output:?}");
         let told = text(&output.stderr);
         assert!(
             told.contains(said) && !told.contains("pivot"),
             "{file}: {told}"
         );
+        assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
     }
 }
 

@@ -77,9 +77,9 @@ impl Description {
         lock.in_words(&self.names, self.unit, &self.design)
     }
 
-    /// That a driven angle is at the end of its range at the design position, and what to do, in words.
-    pub fn design_at_end_of_angle(&self) -> Option<String> {
-        let end = EndOfAngle::of(&self.names, None, &self.design);
+    /// That a driven angle is at the end of its range where the drives have values, in the file's coordinates, and what to do, in words.
+    pub fn end_of_angle(&self, drives: &[f64]) -> Option<String> {
+        let end = EndOfAngle::of(&self.names, None, drives);
         end.map(|end| end.in_words(&self.names, self.unit))
     }
 }

@@ -56,7 +56,7 @@ impl EndOfAngle {
             _ => "",
         };
         format!(
-            "the angle `{name}` ends at {end} {symbol}, beyond it the drive would act as before it{remedy}"
+            "the angle `{name}` ends at {end} {symbol}, beyond it the same positions come again{remedy}"
         )
     }
 }

@@ -235,8 +235,8 @@ impl DriveRange {
             .iter()
             .map(|s| s.speed)
             .fold(f64::INFINITY, f64::min);
-        // A drive of a point that only measures read moves no point of the mechanism.
-        if least == 0.0 {
+        // A drive of a point that only measures read moves no point of the mechanism; one at the end of its angle has no range.
+        if least == 0.0 || least.is_infinite() {
             return Vec::new();
         }
         // The inverse goes through zero where the drive turns.

@@ -40,7 +40,7 @@ impl Limit {
                 format!("{lock}{}", fault.unwrap_or_default())
             }
             Self::EndOfAngle => {
-                "the end of the angle, beyond it the drive acts as before it".to_owned()
+                "the end of the angle, beyond it the same positions come again".to_owned()
             }
             Self::Bifurcation(accuracy) => format!(
                 "bifurcation within {} {} along the curve, the mechanism can go either way",
