@@ -37,7 +37,7 @@ impl Imported<'_> {
             format!(
                 "the layout is {}: {}",
                 choice.linkage,
-                first_sentence(choice.text)
+                of_either_side(&first_sentence(choice.text))
             ),
             format!("the unit of lengths is {}, {why_unit}", unit.symbol()),
             format!(
@@ -62,10 +62,10 @@ impl Imported<'_> {
         if corner.mirrored {
             let was = corner.side.other().name();
             remarks.push(format!(
-                "the corner is on the {was} by its coordinates, and is mirrored to the {side}, as the options say"
+                "by its coordinates the file has the {was} corner; the {side} one is its mirror image, as the options ask for"
             ));
         } else if choice.point("wheel_centre").is_some() {
-            remarks.push(format!("the corner is on the {side}"));
+            remarks.push(format!("the corner is the {side} one"));
         }
         remarks.extend(self.point_across());
         let is_used = |point: &&&Hardpoint| {
@@ -125,6 +125,13 @@ impl Imported<'_> {
             "`{name}` ({line}) is on the other side of the vehicle than the wheel centre: is the sign of its y right?"
         ))
     }
+}
+
+/// What a layout of the catalogue is, without its side: all corners there are left ones, which the one that is read need not be.
+fn of_either_side(sentence: &str) -> String {
+    let sides = [", front left", ", rear left", ", left"];
+    let without = |sentence: String, side| sentence.replace(side, "");
+    sides.into_iter().fold(sentence.to_owned(), without)
 }
 
 /// What was done to the coordinates, in words.

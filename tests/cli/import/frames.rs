@@ -97,50 +97,50 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
             corner("hpl_", [1.0; 3]),
             vec![],
             1.0,
-            "the corner is on the left",
+            "the corner is the left one",
         ),
         (
             corner("hpr_", right),
             vec![],
             -1.0,
-            "the corner is on the right",
+            "the corner is the right one",
         ),
         (
             corner("", right),
             vec![],
             -1.0,
-            "the corner is on the right",
+            "the corner is the right one",
         ),
         (
             corner("", right),
             vec!["--side", "left"],
             1.0,
-            "the corner is on the right by its coordinates, and is mirrored to the left, as the options say",
+            "by its coordinates the file has the right corner; the left one is its mirror image, as the options ask for",
         ),
         (
             corner("hpl_", [1.0; 3]),
             vec!["--side", "right"],
             -1.0,
-            "the corner is on the left by its coordinates, and is mirrored to the right, as the options say",
+            "by its coordinates the file has the left corner; the right one is its mirror image, as the options ask for",
         ),
         (
             corner("hpl_", [1.0; 3]),
             vec!["--side", "left"],
             1.0,
-            "the corner is on the left",
+            "the corner is the left one",
         ),
         // Both corners are there.
         (
             corner("hpl_", [1.0; 3]) + &corner("hpr_", right),
             vec![],
             1.0,
-            "the corner is on the left",
+            "the corner is the left one",
         ),
         (
             corner("hpl_", [1.0; 3]) + &corner("hpr_", right),
             vec!["--side", "right"],
             -1.0,
-            "the corner is on the right",
+            "the corner is the right one",
         ),
     ] {
         let imported = import(folder.path(), "a.csv", &file, &options);
@@ -161,6 +161,6 @@ fn a_side_that_names_and_axes_do_not_share_is_settled_by_the_user() {
     let points = imported.points();
     assert_eq!(points["wheel_centre"], [0.0, 610.0, 229.0]);
     assert!(imported.notes.contains(
-        "the corner is on the right by its coordinates, and is mirrored to the left, as the options say"
+        "by its coordinates the file has the right corner; the left one is its mirror image, as the options ask for"
     ));
 }

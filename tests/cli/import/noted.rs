@@ -40,6 +40,20 @@ fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
     }
 }
 
+/// Corners of the catalogue are left ones; this one may be either.
+#[test]
+fn the_layout_is_described_without_a_side() {
+    let folder = folder();
+    let imported = import(
+        folder.path(),
+        "a.csv",
+        &table(&CORNER),
+        &["--side", "right"],
+    );
+    let said = "A double wishbone with a steering rack, a pushrod from the lower wishbone to a rocker, and a damper.\n";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+}
+
 /// The rates of the drives are in no file of hardpoints.
 #[test]
 fn the_motion_is_said_to_be_an_example() {
