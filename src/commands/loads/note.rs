@@ -1,9 +1,12 @@
-//! What is said where drives bear loads and the springs of the file bear nothing, or those of one side alone do.
+//! What is said where drives bear loads and the springs of the file bear nothing, or those of one side alone do; and of bushes
+//! that share a load.
 
 use std::collections::BTreeMap;
 
+use nalgebra::Vector3;
+
 use crate::commands::loads::found::Found;
-use crate::loads::{OneSided, Unborne};
+use crate::loads::{OneSided, Structure, Unborne};
 use crate::mechanism::Names;
 
 /// What to write for springs to bear the loads of drives: one note for all cases in which the same drives bear them.
@@ -22,6 +25,34 @@ pub(super) fn springs_bear_nothing(
         .map(|(drives, cases)| other_side(names, drives, cases));
     let notes = by_springs.chain(one_sided);
     notes.map(|note| format!("note: {file}: {note}")).collect()
+}
+
+/// The hinges on two bushes that bear a load, and that its parts along their axes are assumed.
+pub(super) fn shared_along_hinges(
+    file: &str,
+    (names, structure): (&Names, &Structure<'_>),
+    found: &[Option<Found<'_>>],
+) -> Option<String> {
+    let joints = found.iter().flatten().flat_map(|found| &found.first.joints);
+    let shared = joints
+        .filter(|(by, _, force)| structure.is_on_two_bushes(*by) && *force != Vector3::zeros());
+    let mut hinges: Vec<String> = Vec::new();
+    for (by, ..) in shared {
+        let name = format!("`{}`", structure.name_of(*by, names));
+        if !hinges.contains(&name) {
+            hinges.push(name);
+        }
+    }
+    let of = match hinges.as_slice() {
+        [] => return None,
+        [_] => "the hinge",
+        _ => "the hinges",
+    };
+    Some(format!(
+        "note: {file}: each of the two bushes of {of} {} is given half of the load along the axis: rigid parts do not determine the \
+         shares",
+        all(hinges.into_iter())
+    ))
 }
 
 /// The cases in which drives are borne alike, by their names.

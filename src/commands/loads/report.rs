@@ -1,13 +1,12 @@
 //! What a load case does, for people.
 
-use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
 use crate::commands::loads::line::{Line, shown, table};
 use crate::commands::loads::unloaded::Unloaded;
-use crate::loads::{By, Case, Structure};
+use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 
 /// What the text is about.
@@ -78,7 +77,6 @@ impl Report<'_> {
         table(["moment", of_moments], moments);
         table(["chassis point", borne], on_chassis);
         out.push_str(&unloaded.in_words());
-        out.push_str(self.shared_along_hinges(found));
         out.push_str(&self.near_a_lock(found));
         out
     }
@@ -137,19 +135,6 @@ impl Report<'_> {
             format!("{name} (driven)")
         } else {
             name.clone()
-        }
-    }
-
-    /// A note where a hinge has two bushes and bears a load.
-    fn shared_along_hinges(&self, found: &Found<'_>) -> &'static str {
-        let mut joints = found.first.joints.iter();
-        let is_shared = |(by, _, force): &(By, usize, Vector3<f64>)| {
-            self.structure.is_on_two_bushes(*by) && *force != Vector3::zeros()
-        };
-        if joints.any(is_shared) {
-            "Along the axis of a hinge each of its two bushes is given half of the load: rigid parts do not determine the shares.\n\n"
-        } else {
-            ""
         }
     }
 

@@ -10,7 +10,7 @@ use suspension_runtime::Listing;
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
-use crate::commands::loads::note::springs_bear_nothing;
+use crate::commands::loads::note::{shared_along_hinges, springs_bear_nothing};
 use crate::commands::loads::report::Report;
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
@@ -185,8 +185,14 @@ impl<'a> Run<'a> {
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
-        springs_bear_nothing(self.source, &self.mechanism.names, found)
+        let names = &self.mechanism.names;
+        springs_bear_nothing(self.source, names, found)
             .into_iter()
+            .chain(shared_along_hinges(
+                self.source,
+                (names, self.structure),
+                found,
+            ))
             .for_each(tell);
         if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
             return Ok(());

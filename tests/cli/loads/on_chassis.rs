@@ -93,23 +93,41 @@ fn the_report_has_a_table_of_the_brackets() {
 fn the_report_explains_what_it_assumes() {
     let rocker = include_str!("../../../examples/double_wishbone_rocker.toml");
     let without_spring = rocker.replace("bump = \"damper\"\n", "");
-    let note = "\nAlong the axis of a hinge each of its two bushes is given half of the load: rigid parts do not determine the shares.\n";
-    for (file, drive) in [
-        (rocker, "bump (its load is in damper)     0.0 N"),
-        (&without_spring, "\nbump   4004.5 N"),
+    let note = |hinges: &str| {
+        format!(
+            "note: a.toml: each of the two bushes of the hinges {hinges} is given half of the load along the axis: rigid parts do not determine \
+             the shares\n"
+        )
+    };
+    for (file, drive, note) in [
+        (
+            rocker,
+            "bump (its load is in damper)     0.0 N",
+            note("`lower_wishbone`, `upper_wishbone` and `rocker`"),
+        ),
+        (
+            &without_spring,
+            "\nbump   4004.5 N",
+            note("`lower_wishbone` and `upper_wishbone`"),
+        ),
     ] {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["loads", "a.toml"]);
-        let report = text(&output.stdout);
-        for said in [drive, "\nrack (driven) ", "\nlower_front ", note] {
+        let report = text(&output.stdout).to_owned();
+        for said in [drive, "\nrack (driven) ", "\nlower_front "] {
             assert!(report.contains(said), "{said}: {report}");
+        }
+        let to_a_table = run(folder.path(), &["loads", "a.toml", "--csv", "-"]);
+        for output in [output, to_a_table] {
+            assert_eq!(text(&output.stderr).matches(&note).count(), 1, "{output:?}");
         }
     }
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), loaded()).expect("written");
     let output = run(folder.path(), &["loads", "a.toml"]);
     let report = text(&output.stdout);
+    assert!(!text(&output.stderr).contains("hinge"), "{output:?}");
     assert!(
         !report.contains("hinge") && !report.contains("(driven)"),
         "{report}"
