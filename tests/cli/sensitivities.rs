@@ -134,7 +134,7 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
     );
     assert!(
         report.contains(
-            "\nA point is moved with its links built anew to it: an end of a tie rod changes slopes"
+            "\nA point is moved with its links built anew to it: an end of `tie_rod` changes slopes"
         ),
         "{report}"
     );

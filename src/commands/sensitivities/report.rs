@@ -155,10 +155,9 @@ impl Report<'_> {
         let (per, _) = self.per();
         let axes = self.mechanism.axes.in_words();
         let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n\
-             A point is moved with its links built anew to it: an end of a tie rod changes slopes, as bump steer, and not the toe at the \
-             design position, which `length` of the rod does.\n",
-            self.file
+            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n{}",
+            self.file,
+            self.of_tie_rod()
         );
         let is_wanted = |number: &Number| {
             of.is_empty()
@@ -178,6 +177,20 @@ impl Report<'_> {
             }
         }
         out
+    }
+
+    /// Why an end of a tie rod does not change the toe at the design position; empty without such a rod.
+    fn of_tie_rod(&self) -> String {
+        const NAMES: [&str; 3] = ["tie_rod", "track_rod", "toe_link"];
+        let changes = self.found.each.iter();
+        let mut links = changes.filter_map(|each| each.change.name.strip_prefix("length "));
+        let rod = links.find(|link| NAMES.iter().any(|name| link.contains(name)));
+        rod.map_or_else(String::new, |rod| {
+            format!(
+                "A point is moved with its links built anew to it: an end of `{rod}` changes slopes, as bump steer, and not the toe at the \
+                 design position, which `length {rod}` does.\n"
+            )
+        })
     }
 
     /// What people move a hardpoint by, and its length in the file's unit.
