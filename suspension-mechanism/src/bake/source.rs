@@ -104,6 +104,19 @@ struct Titled<'a> {
     outputs: Vec<String>,
 }
 
+/// The line of a header about a tolerance, and what was reached: shown as no more than what was asked for where it is no more.
+fn tolerance(asked: f64, reached: f64, unit: &str) -> String {
+    let within = rounded(asked, 3);
+    let digits = bound(reached);
+    let seems_more = digits.parse::<f64>().is_ok_and(|shown| shown > asked);
+    let shown = if reached <= asked && seems_more {
+        &within
+    } else {
+        &digits
+    };
+    format!("Tolerance asked: {within} {unit}; reached: {shown} {unit}.")
+}
+
 /// A bound, rounded up to two digits: still a bound.
 fn bound(bound: f64) -> String {
     let digits = rounded(bound, 2);
@@ -130,6 +143,20 @@ mod tests {
             (0.0, "0"),
         ] {
             assert_eq!(bound(value), expected, "{value}");
+        }
+    }
+
+    /// A reached 2.44e-7 was shown as 2.5e-7 beside a tolerance of 2.45e-7.
+    #[test]
+    fn what_is_reached_does_not_seem_to_exceed_what_was_asked() {
+        for (asked, reached, expected) in [
+            (2.45e-7, 2.44e-7, "asked: 2.45e-7 m; reached: 2.45e-7 m."),
+            (2.45e-7, 2.32e-7, "asked: 2.45e-7 m; reached: 2.4e-7 m."),
+            (2.45e-7, 2.46e-7, "asked: 2.45e-7 m; reached: 2.5e-7 m."),
+            (1e-6, 9.94e-7, "asked: 1e-6 m; reached: 1e-6 m."),
+        ] {
+            let line = tolerance(asked, reached, "m");
+            assert_eq!(line, format!("Tolerance {expected}"));
         }
     }
 }

@@ -8,8 +8,8 @@ use crate::bake::certify::SAMPLES;
 use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
 use crate::bake::source::about::{Ranged, row};
-use crate::bake::source::{Language, Titled, bound};
-use crate::number::{counted, rounded};
+use crate::bake::source::{Language, Titled, bound, tolerance};
+use crate::number::counted;
 
 /// What is written of a curve.
 struct Sheet<'a> {
@@ -50,14 +50,13 @@ impl Sheet<'_> {
             Continuity::Acceleration => "position, first and second derivative",
         };
         let reached = baked.reached;
-        let [position, first, second] =
-            [reached.position, reached.first, reached.second].map(bound);
+        let [first, second] = [reached.first, reached.second].map(bound);
         let count = baked.segments.len();
         let bytes = count * TERMS * outputs.len() * size_of::<f64>();
         let mut lines = about.header(&baked.outputs);
         lines.extend([
             format!("Continuous where segments join: {joined}."),
-            format!("Tolerance asked: {} {unit}; reached: {position} {unit}.", rounded(baked.wanted.tolerance, 3)),
+            tolerance(baked.wanted.tolerance, reached.position, unit),
             format!("First derivative within {first} {unit}/{per}, second within {second} {unit}/{per}^2."),
             format!("Checked against the solver at {SAMPLES} Chebyshev points a segment; a bound for smooth motions, not a proof."),
             format!("{} of degree {}, {bytes} bytes.", counted(count, "segment"), TERMS - 1),

@@ -7,9 +7,8 @@ mod toml;
 use crate::bake::certify::SAMPLES;
 use crate::bake::scheme::TERMS;
 use crate::bake::source::about::row;
-use crate::bake::source::{Language, Titled, bound};
+use crate::bake::source::{Language, Titled, tolerance};
 use crate::bake::surface::BakedSurface;
-use crate::number::rounded;
 
 /// What is written of a surface.
 struct Sheet<'a> {
@@ -38,15 +37,13 @@ impl Sheet<'_> {
         } else {
             "position"
         };
-        let asked = rounded(baked.wanted.tolerance, 3);
-        let reached = bound(baked.reached);
         let [along, across] = baked.counts;
         let bytes = along * across * TERMS * TERMS * outputs.len() * size_of::<f64>();
         let degree = TERMS - 1;
         let mut lines = about.header(&baked.outputs);
         lines.extend([
             format!("Continuous where patches join: {joined}."),
-            format!("Tolerance asked: {asked} {unit}; reached: {reached} {unit}."),
+            tolerance(baked.wanted.tolerance, baked.reached, unit),
             format!("Checked against the solver at {SAMPLES} x {SAMPLES} Chebyshev points a patch; a bound for smooth motions, not a proof."),
             format!("{along} x {across} patches of degree {degree} in each drive, {bytes} bytes."),
         ]);
