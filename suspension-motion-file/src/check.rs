@@ -158,13 +158,18 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Checks the points: finite, no two chassis or free points in one place, only `markers` placed
+/// Checks the points: finite, no two chassis or free points in one place but `unjoined` ones, only `markers` placed
 /// relative to another point, and that one placed by coordinates.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at the first point that is not so.
-pub fn points(source: &Source, file: &MotionFile, markers: &[String]) -> Result<(), Failure> {
+pub fn points(
+    source: &Source,
+    file: &MotionFile,
+    markers: &[String],
+    unjoined: &[&str],
+) -> Result<(), Failure> {
     let is_marker = |name: &str| markers.iter().any(|marker| marker == name);
     let mut placed: Vec<(&str, [f64; 3])> = Vec::new();
     for (name, position) in in_order(&file.points) {
@@ -188,7 +193,7 @@ pub fn points(source: &Source, file: &MotionFile, markers: &[String]) -> Result<
                 }
                 base_of_marker(source, file, &off.from)?;
             }
-            Position::At(at) if !is_marker(name) => {
+            Position::At(at) if !is_marker(name) && !unjoined.contains(&name.as_str()) => {
                 if let Some((other, _)) = placed.iter().find(|(_, place)| place == at) {
                     return refuse(format!(
                         "point `{name}` is in the same place as point `{other}`"

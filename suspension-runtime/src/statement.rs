@@ -74,6 +74,16 @@ impl Listing {
         moved.map(|site| self.place_of(site)).collect()
     }
 
+    /// The chassis points to which nothing is joined, by name: drives and measures alone read them.
+    pub fn unjoined_points(&self) -> Vec<&str> {
+        let joined: BTreeSet<usize> = self.parts().flat_map(|part| part.points).collect();
+        let chassis = self.system().fixed.iter().enumerate();
+        let unjoined = chassis.filter(|(place, _)| !joined.contains(place));
+        unjoined
+            .map(|(_, point)| point.named.name.as_str())
+            .collect()
+    }
+
     /// Markers, each with two of the points that carry it which no equation, no body and not the chassis keeps apart, by name.
     pub fn loose_markers(&self) -> Vec<[&str; 3]> {
         let system = self.system();

@@ -238,3 +238,31 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
     let message = "drive `turn` begins at 6.5 rad; an angle about an axis is driven less than a whole turn to either side";
     assert!(said.contains(message), "{said}");
 }
+
+/// The point from which an angle counts, where its zero is the design; a point that holds something is in nobody's place.
+#[test]
+fn a_direction_may_end_where_its_point_is() {
+    let listing = "fixed: low at [0.0, 0.0, 0.0], high at [0.0, 0.0, 1.0], zero at [1.0, 0.0, 0.0];\n\
+                   free: tip at [1.0, 0.0, 0.0];\n\
+                   hinge arm: low, high -> tip;\n\
+                   drive turn: angle(low -> zero, low -> tip about low -> high);\n";
+    let motion = "unit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nturn = 0.5\n";
+    let folder = folder();
+    write(folder.path(), "arm.linkage", listing);
+    let inline = format!("statements = '''\n{listing}'''\n{motion}");
+    for file in [&format!("listing = \"arm.linkage\"\n{motion}"), &inline] {
+        write(folder.path(), "a.toml", file);
+        let row = table(folder.path(), &["motion", "a.toml"]).remove(0);
+        assert!((row["tip_y"] - 0.5_f64.sin()).abs() < 1e-15, "{row:?}");
+    }
+    write(
+        folder.path(),
+        "a.toml",
+        &inline.replace("high at [0.0, 0.0, 1.0]", "high at [1.0, 0.0, 0.0]"),
+    );
+    let refused = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(
+        text(&refused.stderr),
+        "a.toml:3:7: point `tip` is in the same place as point `high`\n"
+    );
+}

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::local::LocalOrigin;
 use suspension_core::{GeometryError, Values, parts};
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
@@ -54,7 +55,8 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
             names: &names,
             middle: 0.0,
         };
-        let stand_in = check_names(&task)?;
+        let unjoined = request.listing.map(Listing::unjoined_points);
+        let stand_in = check_names(&task, &unjoined.unwrap_or_default())?;
         let file = request.file.clone().in_radians(names.angles());
         let task = Task {
             file: &file,
@@ -148,7 +150,7 @@ fn before(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failu
     }
 }
 
-fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
+fn check_names(task: &Task<'_>, unjoined: &[&str]) -> Result<Option<StandIn>, Failure> {
     let Task {
         source,
         file,
@@ -156,7 +158,7 @@ fn check_names(task: &Task<'_>) -> Result<Option<StandIn>, Failure> {
         ..
     } = task;
     check::point_names(source, file, &names.points)?;
-    check::points(source, file, names.markers())?;
+    check::points(source, file, names.markers(), unjoined)?;
     if let Some(lengths) = &file.lengths {
         check::names(source, lengths, "length", &names.lengths)?;
         check::lengths(source, lengths)?;

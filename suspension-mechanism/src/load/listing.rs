@@ -52,7 +52,7 @@ impl Chosen {
             None => Axes::Iso,
         };
         let said = unstated::note(&listing, file, &name, axes);
-        let listing = with_points(listing, file, place, axes);
+        let listing = with_points(source, listing, file, place, axes);
         Ok(Self {
             said: said.map(|said| format!("{}: {said}", source.name())),
             name,
@@ -152,26 +152,29 @@ fn stem(file: &Path) -> String {
     stem.to_string_lossy().into_owned()
 }
 
-/// Two points in one place are the listing's mistake where the motion file states neither.
+/// Two points in one place are the listing's mistake where the motion file states neither, but for a direction from which an angle counts.
 fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(), Failure> {
     let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
     let points = file.points.get_ref();
+    let unjoined = listing.unjoined_points();
     let own = listing.stated().filter_map(|(point, at)| {
         let name = listing.name(Part::Point(point));
-        (point < chassis + free && !points.contains_key(name)).then_some((name, at))
+        let is_held = point < chassis + free && !unjoined.contains(&name);
+        (is_held && !points.contains_key(name)).then_some((name, at))
     });
     let own: Vec<(&str, Vector3<f64>)> = own.collect();
     for (index, (name, at)) in own.iter().enumerate() {
         if let Some((other, _)) = own[..index].iter().find(|(_, place)| place == at) {
             let message = format!("point `{name}` is in the same place as point `{other}`");
-            return Err(text.refuse(&statement_of(text.text(), name), message));
+            let place = statement_of(text.text(), name).unwrap_or_default();
+            return Err(text.refuse(&place, message));
         }
     }
     Ok(())
 }
 
 /// Where a listing states a point: the name with `at` behind it.
-fn statement_of(text: &str, name: &str) -> Range<usize> {
+fn statement_of(text: &str, name: &str) -> Option<Range<usize>> {
     let mut places = text.match_indices(name).filter(|(place, _)| {
         let before = text[..*place].chars().next_back();
         let behind = &text[place + name.len()..];
@@ -179,9 +182,7 @@ fn statement_of(text: &str, name: &str) -> Range<usize> {
             behind.trim_start().starts_with("at ") && behind.starts_with(char::is_whitespace);
         stated && !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
     });
-    places
-        .next()
-        .map_or(0..0, |(place, _)| place..place + name.len())
+    places.next().map(|(place, _)| place..place + name.len())
 }
 
 /// The statements in the motion file itself; mistakes have its lines.
@@ -218,20 +219,27 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
 }
 
 /// Adds to the file the points that the listing alone states, those of the catalogue turned to the file's axes, and
-/// orders the elimination by the file's where the listing states none.
+/// orders the elimination by the file's where the listing states none. The file names the listing, or has it, at `place`.
 fn with_points(
+    source: &Source,
     listing: Listing,
     file: &mut MotionFile,
     place: &Range<usize>,
     axes: Axes,
 ) -> Listing {
     let stated = file.points.get_mut();
+    let written = source.text().get(place.clone()).unwrap_or_default();
     for (point, at) in listing.stated() {
         let name = listing.name(Part::Point(point));
         let at = axes.turned(at);
         if !stated.contains_key(name) {
+            let within = statement_of(written, name);
+            let place = within.map_or_else(
+                || place.clone(),
+                |within| place.start + within.start..place.start + within.end,
+            );
             let key = Spanned::new(place.clone(), name.to_owned());
-            stated.insert(key, Spanned::new(place.clone(), Position::At(at.into())));
+            stated.insert(key, Spanned::new(place, Position::At(at.into())));
         }
     }
     let at_coordinates = |name: &str| match stated.get(name).map(Spanned::get_ref) {

@@ -174,7 +174,7 @@ fn on_a_steering_box(vehicle: &str) -> String {
     )
 }
 
-/// The same with the angle about the arm's axis that the page has for it, zero at the design.
+/// The same with the angle about the arm's axis that the page has for it, zero at the design, where its end is in the place of `straight`.
 fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
     let page = include_str!("../../../docs/layouts.md");
     let angle = page
@@ -186,7 +186,7 @@ fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
     on_a_steering_box(vehicle)
         .replace(
             "drive steer: angle(pitman_low -> rack, y);",
-            &format!("fixed: straight at [0.05, 0.34, 0.20];\ndrive steer: angle(pitman_low -> straight{angle};"),
+            &format!("fixed: straight at [0.11, 0.34, 0.20];\ndrive steer: angle(pitman_low -> straight{angle};"),
         )
         .replace("steer = 90.0", "steer = 0.0")
 }
