@@ -49,7 +49,10 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
         format!("{missing} more needed: add a link, a drive, or list a point in its body{spinning}")
     } else {
         let excess = equations - unknowns;
-        let of_one_side = listing.sides.first().map_or_else(String::new, of_one_side);
+        let mirrored = listing.sides.first();
+        let of_one_side =
+            mirrored.map(|sides| in_both(listing, sides).unwrap_or_else(|| of_one_side(sides)));
+        let of_one_side = of_one_side.unwrap_or_default();
         format!("{excess} too many: remove a link or a drive{of_one_side}")
     };
     let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
@@ -78,6 +81,28 @@ fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.without_image();
     format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
+}
+
+/// A hint for a point that a body shares with its image.
+fn in_both(listing: &Listing, sides: &Sides) -> Option<String> {
+    let [stated, _] = &sides.0;
+    let bodies: Vec<(String, &[Ident])> = listing
+        .bodies()
+        .map(|(name, points)| (name.to_string(), points))
+        .collect();
+    let mut pairs = bodies
+        .iter()
+        .filter(|(name, _)| sides.is_stated(name))
+        .filter_map(|(name, points)| {
+            let image = sides.exchanged(name);
+            let (_, of_image) = bodies.iter().find(|(other, _)| *other == image)?;
+            let shared = points.iter().find(|point| of_image.contains(point))?;
+            Some((name, image, shared))
+        });
+    let (body, image, point) = pairs.next()?;
+    Some(format!(
+        "; `{point}` is in body `{body}` and in its image `{image}`: name it `{stated}_{point}` if one body alone has it"
+    ))
 }
 
 /// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.

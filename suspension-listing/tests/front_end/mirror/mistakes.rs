@@ -239,3 +239,20 @@ fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
                     named without `left` and `right`, as a Panhard rod";
     assert!(mistake.message.contains(expected), "{}", mistake.message);
 }
+
+/// A drag link's ball, named for neither side, holds both knuckles to each other.
+#[test]
+fn a_point_that_a_body_shares_with_its_image_is_named_where_there_is_an_equation_too_many() {
+    let text = "mirror: left -> right;
+        fixed: left_low, left_high, pitman;
+        free: left_end, left_tip, ball;
+        hinge left_arm: left_low, left_high -> left_end;
+        body left_blade: left_low, left_end, left_tip, ball;
+        link drag: pitman -> ball;
+        link left_stay: left_high -> left_tip;
+        drive left_turn: left_end.z;";
+    let mistake = only_mistake(text);
+    let expected = "remove a link or a drive; `ball` is in body `left_blade` and in its image `right_blade`: name it `left_ball` if \
+                    one body alone has it";
+    assert!(mistake.message.contains(expected), "{}", mistake.message);
+}
