@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::characteristics::way::Does;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Names, Pair, Place, Wheel};
+use crate::mechanism::{Description, Names, Pair, Place, Wheel};
 
 /// What there is to move along.
 pub(super) struct Course {
@@ -46,7 +46,7 @@ impl Course {
         let mut of_axles = Vec::new();
         let mut courses = Vec::new();
         for pair in Pair::all(&names.wheels) {
-            let wheels = left_first(names, pair.wheels);
+            let wheels = left_first(mechanism, pair.wheels);
             let [Some(a), Some(b)] = wheels.map(|wheel| names.wheels[wheel].travel) else {
                 continue;
             };
@@ -88,10 +88,10 @@ impl Course {
 }
 
 /// Both wheels of an axle, the left one before the right one whatever the order in which a listing states them.
-fn left_first(names: &Names, [one, other]: [usize; 2]) -> [usize; 2] {
+fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
     let points_left = |wheel: usize| {
-        let axis = names.wheels[wheel].design;
-        axis.is_none_or(|[inner, centre]| centre.y >= inner.y)
+        let axis = mechanism.names.wheels[wheel].design;
+        axis.is_none_or(|[inner, centre]| mechanism.axes.turned(centre - inner).y >= 0.0)
     };
     if points_left(one) {
         [one, other]

@@ -68,6 +68,23 @@ fn positions_are_in_the_axes_of_the_first() {
     assert_eq!(centre, [[-0.3, -0.3]]);
 }
 
+/// In roll the left wheel rises, in whatever axes, as roll camber and roll steer have it.
+#[test]
+fn the_left_wheel_rises_in_roll() {
+    for (axes, [_, across, up]) in AXES {
+        let axle = format!(
+            "linkage = \"steered_axle\"\nunit = \"m\"\naxes = \"{axes}\"\nvehicle = {{ wheel_radius = 0.3 }}\n\
+             time = {{ instants = [0.0] }}\n[drives]\nbump_left = {:?}\nbump_right = {:?}\nsteer = {:?}\n",
+            0.3 * up,
+            0.3 * up,
+            0.34 * across,
+        );
+        let [_, report] = compare(&axle, &axle, "");
+        let heading = "over roll, at a change of bump_left upwards and of bump_right downwards";
+        assert!(text(&report.stdout).contains(heading), "{axes}: {report:?}");
+    }
+}
+
 /// A rack that moves askew, and a pair of coordinates that is coupled askew, are not what they were where only one of
 /// the axes has turned.
 #[test]
