@@ -40,6 +40,13 @@ fn font(size: u32) -> (&'static str, u32) {
     (FONT, size * FINE)
 }
 
+/// The size of type, `size` at most, at which a text has a width as shown.
+fn fitting(text: &str, size: u32, width: u32) -> u32 {
+    // Letters are half as wide as high.
+    let letters = text.chars().count() as u32;
+    (2 * width / letters.max(1)).min(size)
+}
+
 const COLOURS: [RGBColor; 4] = [
     RGBColor(31, 90, 160),
     RGBColor(200, 80, 20),
@@ -86,7 +93,8 @@ impl Chart {
             .x_label_area_size(48 * FINE)
             .y_label_area_size(beside * FINE)
             .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
-        self.draw_axes(&mut plane, axes, width)?;
+        let name_size = fitting(&self.across, 17, width + MARGIN[1]);
+        self.draw_axes(&mut plane, axes, width, name_size)?;
         self.draw_curves(&mut plane)?;
         if self.curves.iter().all(|curve| curve.name.is_empty()) {
             area.present()?;
@@ -108,20 +116,26 @@ impl Chart {
         Ok(())
     }
 
-    fn draw_axes(&self, plane: &mut Plane<'_, '_>, [x, y]: &[Axis; 2], width: u32) -> Drawn {
+    fn draw_axes(
+        &self,
+        plane: &mut Plane<'_, '_>,
+        [x, y]: &[Axis; 2],
+        width: u32,
+        name_size: u32,
+    ) -> Drawn {
         const MOST: u32 = 11;
         const ROWS: usize = 10;
         // As wide a gap as two digits.
-        let fitting = width / (x.label_width() + 2 * DIGIT);
+        let numbers = width / (x.label_width() + 2 * DIGIT);
         plane
             .configure_mesh()
             .x_desc(&self.across)
             .y_desc(&self.quantity)
-            .x_labels(fitting.clamp(2, MOST) as usize)
+            .x_labels(numbers.clamp(2, MOST) as usize)
             .y_labels(ROWS)
             .x_label_formatter(&|t| x.label(*t))
             .y_label_formatter(&|v| y.label(*v))
-            .axis_desc_style(font(17))
+            .axis_desc_style(font(name_size))
             .label_style(font(15))
             .bold_line_style(BLACK.mix(0.15).stroke_width(FINE))
             .light_line_style(TRANSPARENT)

@@ -121,3 +121,33 @@ fn a_wheel_centre_of_that_name_is_named_once() {
         );
     }
 }
+
+/// That of curves over roll names two drives; letters taken to be half as wide as high.
+#[test]
+fn the_name_of_the_horizontal_axis_stays_on_its_chart() {
+    let folder = folder();
+    let axles = include_str!("../../examples/front_and_rear_axle.toml");
+    std::fs::write(folder.path().join("a.toml"), axles).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    let page = String::from_utf8(output.stdout).expect("text");
+    let mut named = 0;
+    for svg in page.split("<svg ").skip(1) {
+        let (_, size) = svg.split_once("viewBox=\"0 0 ").expect("a size");
+        let (width, _) = size.split_once(' ').expect("a width");
+        let width: f64 = width.parse().expect("a number");
+        let (svg, _) = svg.split_once("</svg>").expect("an end");
+        for name in labels(svg) {
+            if !name.text.starts_with("change of ") {
+                continue;
+            }
+            let half = 0.25 * name.size * name.text.chars().count() as f64;
+            assert!(
+                name.x - half > 0.0 && name.x + half < width,
+                "{}",
+                name.text
+            );
+            named += 1;
+        }
+    }
+    assert!(named > 100, "{named}");
+}
