@@ -19,6 +19,7 @@ mod instructions;
 mod lanes;
 mod mechanisms;
 mod messages;
+mod motion_files;
 mod no_alloc;
 mod operations;
 mod own_motion_file;
