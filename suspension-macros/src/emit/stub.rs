@@ -79,7 +79,7 @@ fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream 
         #corner
 
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Model<T> {
+        pub struct Model<T = f64> {
             fixed: Fixed<T>,
         }
     }

@@ -82,7 +82,7 @@ pub(super) fn named(
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq, Named)]
-        pub struct #name<T> {
+        pub struct #name<T = f64> {
             #(#docs pub #names: #value,)*
             #none
         }
@@ -129,7 +129,7 @@ fn model(system: &System) -> TokenStream {
     quote! {
         /// The geometry: chassis points at rest and the constants of every equation.
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct Model<T> {
+        pub struct Model<T = f64> {
             fixed: Fixed<T>,
             size: T,
             #(#names: #kinds<T>,)*

@@ -28,7 +28,7 @@ pub mod attia2003 {
     use ::suspension_core::generated::{unknown_names, vector_of};
     /// Every point, with a position, velocity or acceleration each.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Points<T> {
+    pub struct Points<T = f64> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
         /// Chassis point `p2`.
@@ -55,7 +55,7 @@ pub mod attia2003 {
 
     /// Chassis points.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Fixed<T> {
+    pub struct Fixed<T = f64> {
         /// Chassis point `p1`.
         pub p1: Vector3<T>,
         /// Chassis point `p2`.
@@ -70,21 +70,21 @@ pub mod attia2003 {
 
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Drives<T> {
+    pub struct Drives<T = f64> {
         /// Eq. (1.15): `z6 - z1 = d6_1 cos(theta)`.
         pub theta: T,
     }
 
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Measures<T> {
+    pub struct Measures<T = f64> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Lengths<T> {
+    pub struct Lengths<T = f64> {
         /// Eq. (1.1)
         pub d6_1: T,
         /// Eq. (1.2)
@@ -180,7 +180,7 @@ pub mod attia2003 {
 
     /// The geometry: chassis points at rest and the constants of every equation.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Model<T> {
+    pub struct Model<T = f64> {
         fixed: Fixed<T>,
         size: T,
         d6_1: Distance<T>,

@@ -22,7 +22,7 @@ pub mod five_link {
     use ::suspension_core::generated::{unknown_names, vector_of};
     /// Every point, with a position, velocity or acceleration each.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Points<T> {
+    pub struct Points<T = f64> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
         /// Chassis point `upper_front_inner`.
@@ -49,7 +49,7 @@ pub mod five_link {
 
     /// Chassis points.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Fixed<T> {
+    pub struct Fixed<T = f64> {
         /// Chassis point `lower_front_inner`.
         pub lower_front_inner: Vector3<T>,
         /// Chassis point `upper_front_inner`.
@@ -64,21 +64,21 @@ pub mod five_link {
 
     /// The drives' values, or rates: coordinates in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Drives<T> {
+    pub struct Drives<T = f64> {
         /// Angle of the lower leading link from the vertical, radians.
         pub theta: T,
     }
 
     /// What is measured, or its rates: coordinates and lengths in the unit of the points, angles in radians.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Measures<T> {
+    pub struct Measures<T = f64> {
         /// Height of the wheel centre.
         pub height: T,
     }
 
     /// The constant lengths of links and bodies.
     #[derive(Clone, Copy, Debug, PartialEq, Named)]
-    pub struct Lengths<T> {
+    pub struct Lengths<T = f64> {
         /// From `lower_front_inner` to `lower_front_outer`.
         pub lower_front: T,
         /// From `upper_front_inner` to `upper_front_outer`.
@@ -185,7 +185,7 @@ pub mod five_link {
 
     /// The geometry: chassis points at rest and the constants of every equation.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Model<T> {
+    pub struct Model<T = f64> {
         fixed: Fixed<T>,
         size: T,
         lower_front: Distance<T>,
