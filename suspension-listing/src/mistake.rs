@@ -20,8 +20,7 @@ pub struct Mistake {
 impl Mistake {
     /// What an error says, at its place in a text.
     pub(crate) fn of(text: &str, error: &Error) -> Self {
-        let message = error.to_string();
-        let message = in_one_line(&errors::keyword_as_name(&message).unwrap_or(message));
+        let message = in_one_line(&error.to_string());
         let (start, end) = (error.span().start(), error.span().end());
         // The parser has no place for what is missing at the end.
         if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {

@@ -288,6 +288,9 @@ fn unknown_statement(word: &Ident) -> syn::Error {
 /// What the parser expected, and how the statement is written.
 fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
     let message = error.to_string();
+    if let Some(message) = errors::keyword_as_name(&message) {
+        return syn::Error::new(error.span(), message);
+    }
     if !errors::is_of_the_parser(&message) {
         return error;
     }

@@ -51,7 +51,7 @@ fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Errors)> {
     let core = core.parse()?;
     let attributes = input.call(Attribute::parse_outer)?;
     let vis = input.parse()?;
-    input.parse::<Token![mod]>()?;
+    input.parse::<Token![mod]>().map_err(with_example)?;
     let name: Ident = input.parse()?;
     let (source, mut errors) = source(input, &name)?;
     if !input.is_empty() {
@@ -84,6 +84,14 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
         Some(_) => input.parse()?,
         None => LitStr::new(&format!("{}.linkage", name.unraw()), name.span()),
     };
-    input.parse::<Token![;]>()?;
+    input.parse::<Token![;]>().map_err(with_example)?;
     Ok((Source::File(path), Errors::default()))
+}
+
+/// What the parser expected, and how a listing stands in `linkage!`.
+fn with_example(error: syn::Error) -> syn::Error {
+    let message = format!(
+        "{error}; a listing is written `mod corner {{ ... }}`, or `mod corner;` with its statements in the file corner.linkage"
+    );
+    syn::Error::new(error.span(), message)
 }

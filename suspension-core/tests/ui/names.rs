@@ -9,6 +9,16 @@ suspension_core::linkage! {
 }
 
 suspension_core::linkage! {
+    mod keyword {
+        fixed: box;
+        free: p;
+        link self: box -> p;
+        drive y: p.y;
+        drive z: p.z;
+    }
+}
+
+suspension_core::linkage! {
     mod reserved_name {
         fixed: a;
         free: p;

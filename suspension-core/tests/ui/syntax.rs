@@ -54,4 +54,8 @@ suspension_core::linkage! {
     }
 }
 
+suspension_core::linkage! { corner { fixed: a; } }
+
+suspension_core::linkage! { mod without_statements }
+
 fn main() {}
