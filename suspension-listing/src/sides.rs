@@ -11,10 +11,12 @@ impl Sides {
         name.split('_').any(|word| word == stated)
     }
 
-    /// How what has no image is named, in words.
-    pub(crate) fn without_image(&self) -> String {
+    /// How what has an image is named, and what has none, in words.
+    pub(crate) fn how_named(&self) -> String {
         let [one, other] = &self.0;
-        format!("what one side alone has is named without `{one}` and `{other}`")
+        format!(
+            "what both sides have has `{one}` in its name, what one side alone has neither `{one}` nor `{other}`"
+        )
     }
 
     /// A name, or a sentence, with the words exchanged.

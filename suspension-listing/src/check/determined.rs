@@ -76,10 +76,10 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     )
 }
 
-/// How what has no image is named, beside a mirror.
+/// How what has an image is named, and what has none, beside a mirror.
 fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
-    let named = sides.without_image();
+    let named = sides.how_named();
     format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
 }
 

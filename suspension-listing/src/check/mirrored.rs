@@ -45,7 +45,7 @@ fn image_at(sides: &Sides, place: Span, message: &str) -> Option<String> {
     (is_of_image && !message.contains("`mirror`")).then(|| {
         format!(
             "`mirror` makes `{image}`, as the image of `{original}`: {}",
-            sides.without_image()
+            sides.how_named()
         )
     })
 }
