@@ -1,10 +1,11 @@
 //! A failure says what happened, where by name, by how much, and what to do.
 
 use suspension_core::bounded::Refusal;
+use suspension_core::linkages::double_wishbone::{self, Corner};
 use suspension_core::linkages::five_link;
 use suspension_core::listing::Part;
 use suspension_core::stepper::Stopped;
-use suspension_core::{GeometryError, Inputs, Signal, SolveError, Tracker};
+use suspension_core::{Build, GeometryError, Inputs, Signal, SolveError, Tracker};
 
 use super::support;
 
@@ -29,6 +30,22 @@ fn a_geometry_names_the_point_and_the_remedy() {
     let told = error.named(five_link::Listing).to_string();
     assert!(told.contains("point `track_rod_outer`"), "{told}");
     assert!(told.contains("state these points as a `body`"), "{told}");
+}
+
+#[test]
+fn parts_that_do_not_fit_together_are_told_so() {
+    let corner: Corner = Corner::design().expect("a design");
+    let lengths = double_wishbone::Lengths {
+        tie_rod: 5.0,
+        ..corner.model().lengths()
+    };
+    let model = corner.model().with_lengths(&lengths).expect("a model");
+    let failed = Corner::assembled(model, &corner.points().value);
+    let told = failed.map(|_| ()).expect_err("no assembly").to_string();
+    assert!(
+        told.ends_with("; in assembling, see that lengths and drives fit together"),
+        "{told}"
+    );
 }
 
 #[test]
