@@ -5,6 +5,40 @@
 //! That is the cheapest way and keeps coordinates small. The other way, chassis points that move
 //! in world axes ([`RigidMotion::anchors`] as inputs), gives the same motion; drives then
 //! prescribe world coordinates.
+//!
+//! ```
+//! use suspension_core::chassis::RigidMotion;
+//! use suspension_core::linkages::double_wishbone::{Corner, Drives};
+//! use suspension_core::nalgebra::{Isometry3, Vector3};
+//! use suspension_core::{Inputs, Linkage, Signal, Tracker};
+//!
+//! // Straight ahead at 20 m/s.
+//! let chassis = |time: f64| RigidMotion {
+//!     pose: Isometry3::translation(20.0 * time, 0.0, 0.0),
+//!     velocity: Vector3::new(20.0, 0.0, 0.0),
+//!     omega: Vector3::zeros(),
+//!     acceleration: Vector3::zeros(),
+//!     alpha: Vector3::zeros(),
+//! };
+//! let design: Corner = Corner::design()?;
+//! let rate = Drives { bump: 0.2, steer: 0.0 };
+//! let drives = |time| Signal::line(design.drives(), rate, time);
+//!
+//! let mut corner = design;
+//! corner.advance(0.1, drives)?;
+//! let carried = chassis(0.1).carry(corner.points().map(|points| points.wheel_centre));
+//!
+//! let model = design.model();
+//! let inputs = |time| Inputs { chassis: chassis(time).anchors(model.fixed()), drives: drives(time) };
+//! let (tracker, mut motion) = (Tracker::default(), *design.motion());
+//! tracker.step(model, &inputs(0.0), 0.0, &mut motion)?; // finds the rates
+//! tracker.advance(model, inputs, 0.0, 0.1, &mut motion)?;
+//! let in_world = motion.points(model, &inputs(0.1)).map(|points| points.wheel_centre);
+//!
+//! assert!((carried.value - in_world.value).norm() < 1e-14);
+//! assert!((carried.rate - in_world.rate).norm() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use nalgebra::{Isometry3, Vector3};
 

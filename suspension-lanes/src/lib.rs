@@ -47,8 +47,9 @@ impl Instructions {
 
 /// `LANES` models of the listing `G`, each with its motion, on still chassis.
 ///
-/// A lane that fails keeps its motion and says why; its neighbours are not affected. See
-/// [`Bounded`] for `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
+/// A lane that fails keeps its motion and says why; its neighbours are not affected. `N` is how many unknowns
+/// the listing has, `Listing::PARTS.unknowns.len()`, and `_` where the models tell. See [`Bounded`] for
+/// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
 /// so that results differ from those of [`Bounded::step`] by rounding.
 ///
 /// ```
@@ -60,7 +61,7 @@ impl Instructions {
 /// let corner: Corner = Corner::design()?;
 /// let (start, rate) = (corner.drives(), Drives { bump: 0.5, steer: 0.0 });
 /// // Of a car these would be four models.
-/// let mut lanes = Lanes::<Listing, f64, 12, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
+/// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
 /// // A first step without length finds the rates.
 /// lanes.step(Outputs::Acceleration, &[Signal::line(start, rate, 0.0); 4], 0.0);
 /// for tick in 1..=20 {

@@ -26,6 +26,9 @@
 //! assert!((at.z - 0.5 * angle.cos()).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! The number of `corner::<15>` is how many unknowns there is room for: 15, 30 or 60, see [`Size`]. [`Listing::size`]
+//! says how many a listing has, and 60 serves any.
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
 #![cfg_attr(
