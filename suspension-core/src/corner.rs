@@ -19,7 +19,8 @@ use crate::values::Values;
 use crate::wheel::{Kingpin, Wheel};
 use clock::Clock;
 
-/// A suspension that moves on a chassis at rest: its model, configuration, drives and time.
+/// A suspension that moves on a chassis at rest: its model, configuration, drives and time. For one
+/// that moves see [`chassis`](crate::chassis).
 ///
 /// `linkage!` names it after each listing, so that a program says `double_wishbone::Corner`. Failures name
 /// the parts concerned; after one the corner stands where the last good step has led it. Points and rates

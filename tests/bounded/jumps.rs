@@ -1,11 +1,11 @@
-//! What a drive that jumps leaves in the rates of a bounded step: the figures of docs/limits.md and docs/controller.md.
+//! How far a drive may jump in a bounded step, and what that leaves in its rates: the figures of docs/limits.md and docs/controller.md.
 
 use suspension_core::bounded::Outputs;
 use suspension_core::linkages::double_wishbone::{Corner, Drives, Model, Points};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, Signal, Values};
 
 /// The largest velocity and acceleration after a jump of the wheel's height, with rates of zero; `None` where the step is refused.
-fn left<T: Real>(dt: f64, jump: f64) -> Option<[T; 2]> {
+fn left<T: Real, const CORRECTIONS: usize>(dt: f64, jump: f64) -> Option<[T; 2]> {
     let corner: Corner<f64> = Corner::design().expect("the design");
     let design = corner.points().value;
     let design = Points::from_values(design.values().map(|point| point.map(T::constant)));
@@ -17,7 +17,7 @@ fn left<T: Real>(dt: f64, jump: f64) -> Option<[T; 2]> {
         ..rest
     };
     let inputs = Inputs::still(Signal::still(jumped));
-    let step = Bounded::<T>::default();
+    let step = Bounded::<T, CORRECTIONS>::new();
     let report = step.attempt(
         Outputs::Acceleration,
         &model,
@@ -41,7 +41,7 @@ fn in_single_precision_a_part_of_the_jump_stays_in_the_rates() {
         (1e-4, 0.5e-3, [0.03, 600.0]),
         (1e-3, 0.9e-3, [0.01, 20.0]),
     ] {
-        let found = left::<f32>(dt, jump).expect("an accepted step");
+        let found = left::<f32, 1>(dt, jump).expect("an accepted step");
         for (found, stated) in found.into_iter().zip(stated) {
             assert!(
                 (0.9..1.1).contains(&(found / stated)),
@@ -54,10 +54,33 @@ fn in_single_precision_a_part_of_the_jump_stays_in_the_rates() {
 #[test]
 fn in_double_precision_such_a_step_is_refused_or_nothing_is_left() {
     for jump in [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3] {
-        let left = left::<f64>(1e-3, jump);
+        let left = left::<f64, 1>(1e-3, jump);
         assert!(
             left.is_none_or(|[_, acceleration]| acceleration < 1e-8),
             "{jump}: {left:?}"
+        );
+    }
+}
+
+#[test]
+fn with_more_corrections_a_drive_may_be_off_farther_from_its_rates() {
+    let is_accepted = |corrections: usize, jump: f64| match corrections {
+        1 => left::<f64, 1>(1e-3, jump).is_some(),
+        2 => left::<f64, 2>(1e-3, jump).is_some(),
+        _ => left::<f64, 3>(1e-3, jump).is_some(),
+    };
+    for (corrections, stated) in [(1, 4e-8), (2, 2e-5), (3, 3e-4)] {
+        assert!(is_accepted(corrections, stated), "{corrections}");
+        assert!(!is_accepted(corrections, 1.5 * stated), "{corrections}");
+    }
+    for (accepted, refused) in [
+        (left::<f32, 0>(1e-3, 1.5e-6), left::<f32, 0>(1e-3, 2e-6)),
+        (left::<f32, 1>(1e-3, 0.9e-3), left::<f32, 1>(1e-3, 1.1e-3)),
+        (left::<f32, 2>(1e-3, 4e-3), left::<f32, 2>(1e-3, 4.4e-3)),
+    ] {
+        assert!(
+            accepted.is_some() && refused.is_none(),
+            "{accepted:?} {refused:?}"
         );
     }
 }
