@@ -80,7 +80,7 @@ impl Arguments {
         for note in [report.held(), report.idle()].into_iter().flatten() {
             tell(format_args!("note: {}: {note}", source.name()));
         }
-        let text = rewritten(&source, &stated, mechanism, &tuned, &mechanism.points());
+        let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
         check(&out, &text, &tuned)?;
         write_file(&out, &text)?;
         announce(&[out]);

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use crate::file::{Coefficients, Dimension, MotionFile, Position, Source};
+use crate::file::{Coefficients, Dimension, MotionFile, Source};
+use crate::load::Loaded;
 use crate::mechanism::Description;
 use crate::number::exact;
 use crate::tune::Tuned;
@@ -15,29 +16,26 @@ pub(super) const ROUNDING: f64 = 1e-9;
 /// Decimals of coordinates.
 const DECIMALS: usize = 9;
 
-/// The text with the points and drives found; `before` are the points that the file's own assembled at. A point that the file
-/// states otherwise than it assembled is written too: from another start the others might assemble elsewhere.
+/// The text with the points and drives found. A point that the file or its listing states otherwise than it assembled is written
+/// too: from another start the others might assemble elsewhere.
 pub(super) fn rewritten(
     source: &Source,
     file: &MotionFile,
+    loaded: &Loaded<'_>,
     mechanism: &Description,
     tuned: &Tuned,
-    before: &[Vector3<f64>],
 ) -> String {
     let mut edits = Vec::new();
     let mut added = Vec::new();
-    let each = mechanism.names.points.iter().zip(&tuned.points).zip(before);
-    for ((name, point), before) in each {
-        let moved = |from: &Vector3<f64>| (point - from).amax() >= ROUNDING;
-        let stated = file.points.get_ref().get(name.as_str());
-        match stated.map(|stated| (stated.span(), stated.get_ref())) {
-            Some((place, Position::At(at))) if moved(&Vector3::from(*at)) => {
-                edits.push((place, coordinates(point)));
-            }
-            // A marker with an offset goes with its point.
-            Some(_) => {}
-            None if moved(before) => added.push(format!("{name} = {}", coordinates(point))),
-            None => {}
+    for (name, point) in mechanism.names.points.iter().zip(&tuned.points) {
+        // A marker with an offset goes with its point.
+        let stated = loaded.stated_coordinates(name);
+        if stated.is_none_or(|stated| (point - stated).amax() < ROUNDING) {
+            continue;
+        }
+        match file.points.get_ref().get(name.as_str()) {
+            Some(stated) => edits.push((stated.span(), coordinates(point))),
+            None => added.push(format!("{name} = {}", coordinates(point))),
         }
     }
     edits.extend(drives(source, file, mechanism, &tuned.drives));

@@ -1,9 +1,10 @@
 //! A motion file that was read, and the mechanism that it describes.
 
+use nalgebra::Vector3;
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, check, tell};
+use crate::file::{MotionFile, Position, Source, check, tell};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::prepare;
@@ -132,6 +133,14 @@ impl Loaded<'_> {
     /// The axes of its coordinates.
     pub fn axes(&self) -> Axes {
         self.file.axes
+    }
+
+    /// The coordinates of a point that the file states, or else its listing; `None` of a marker off another point.
+    pub fn stated_coordinates(&self, point: &str) -> Option<Vector3<f64>> {
+        match self.file.points.get_ref().get(point)?.get_ref() {
+            Position::At(at) => Some(Vector3::from(*at)),
+            Position::Off(_) => None,
+        }
     }
 
     /// The listing.

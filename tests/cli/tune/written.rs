@@ -221,3 +221,43 @@ within = 0.02
     );
     assert!(!tuned.contains("603.1,"), "{tuned}");
 }
+
+/// The top is 1 mm beside the strut: the file has the points that the assembled strut has, beside the one that moves.
+#[test]
+fn points_of_a_listing_that_do_not_satisfy_it_are_written_as_they_assemble() {
+    let folder = folder();
+    let file = "unit = \"m\"
+angle = \"deg\"
+vehicle = { wheel_radius = 0.3 }
+time = { instants = [0.0] }
+drives = { bump = 0.31, steer = 0.34 }
+statements = '''
+fixed: front at [0.2, 0.4, 0.2], rear at [-0.1, 0.36, 0.19], rack at [-0.12, 0.34, 0.24], top at [-0.03, 0.58, 0.85];
+free: ball at [0.0, 0.72, 0.19], tie_ball at [-0.14, 0.7, 0.25], low at [0.0, 0.64, 0.4], high at [-0.015, 0.61, 0.62],
+      wheel_centre at [0.0, 0.77, 0.31];
+hinge arm: front, rear -> ball;
+link tie_rod: rack -> tie_ball;
+body knuckle: ball, tie_ball, low, high, wheel_centre;
+slide strut: top on low -> high;
+point axle: knuckle at [0.0, 0.68, 0.31];
+drive bump: wheel_centre.z;
+drive steer: rack.y;
+wheel: axle -> wheel_centre;
+'''
+";
+    let tune = "[tune.moves.tie]
+points = [\"tie_ball\"]
+along = \"z\"
+by = [-0.02, 0.02]
+[tune.targets.bump_steer]
+of = \"toe\"
+per = \"bump\"
+value = 1.0
+within = 1e-6
+";
+    met(folder.path(), &format!("{file}{tune}"));
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    assert!(written.contains("\nhigh = ["), "{written}");
+    let slope = swept(folder.path())[24]["toe_deg_per_bump"];
+    assert!((slope - 1.0).abs() < 1e-6, "{slope}");
+}
