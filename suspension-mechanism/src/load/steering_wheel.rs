@@ -36,7 +36,7 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     design: &Design<L, N>,
 ) -> Result<Option<SteeringWheel>, Failure> {
     let gears = gears(task);
-    if gears.is_empty() {
+    if gears.is_empty() || is_singular(names, design) {
         return Ok(None);
     }
     let turned = Turned::all(names, design);
@@ -57,6 +57,14 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     });
     // Of two gears one is not of the kind of the drive.
     Ok(wheels.collect::<Result<Vec<_>, Failure>>()?.pop().flatten())
+}
+
+/// Whether a drive of steering has no rates at the design position: that is reported there, and no other drive would help.
+fn is_singular<L: Suspension<N>, const N: usize>(names: &Names, design: &Design<L, N>) -> bool {
+    let drives = names.wheels.iter().filter_map(|wheel| wheel.steer);
+    drives
+        .map(|drive| design.per(drive))
+        .any(|rates| rates.is_none())
 }
 
 /// What a file states, by either key.

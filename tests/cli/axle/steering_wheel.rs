@@ -365,3 +365,29 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         assert!(said.contains(expected), "{said}");
     }
 }
+
+/// The tie rod stands across the path of its ball, which no rack moves at first. That the design is singular is told, and not that
+/// another drive steers.
+#[test]
+fn a_design_in_which_the_tie_rod_locks_is_told_to_be_singular() {
+    let folder = folder();
+    let file = "statements = '''
+fixed: low at [0.0, 0.7, 0.2], high at [0.0, 0.7, 0.45], rack at [0.0, 0.3, 0.3];
+free: ball at [0.0, 0.6, 0.3], wheel_centre at [0.0, 0.8, 0.3];
+hinge knuckle: low, high -> ball, wheel_centre;
+point hub: knuckle at [0.0, 0.75, 0.3];
+link tie_rod: rack -> ball;
+drive steer: rack.y;
+wheel: hub -> wheel_centre;
+'''
+unit = \"m\"
+vehicle = { rack_per_turn = 0.05 }
+time = { instants = [0.0] }
+drives = { steer = 0.3 }
+";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["check", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let said = text(&output.stderr);
+    assert!(said.contains("the design position is singular"), "{said}");
+}
