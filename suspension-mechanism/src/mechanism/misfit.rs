@@ -98,7 +98,7 @@ impl Misfit {
     }
 }
 
-/// The hinge that bears most of all bodies that turn about lines or points on the chassis, at the last configuration, `q`, of a motion that
+/// The hinge that bears most of all that move where the mechanism can move though its drives are held, at the last configuration, `q`, of a motion that
 /// ends at the time `reached`; `None` where none bears much.
 pub(crate) fn strained_hinge<'n, L: Suspension<N>, const N: usize>(
     model: &L,
@@ -107,8 +107,10 @@ pub(crate) fn strained_hinge<'n, L: Suspension<N>, const N: usize>(
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let [forces, _] = Place::at(model, drives, reached).strained(q)?;
-    let hinge = |row: usize| names.hinges.iter().find(|hinge| hinge.has(row));
+    let [forces, motion] = Place::at(model, drives, reached).strained(q)?;
+    let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&motion));
+    let hinges: Vec<&Hinge> = hinges.collect();
+    let hinge = |row: usize| hinges.iter().find(|hinge| hinge.has(row)).copied();
     hinge(bearing(names, &forces, |row| hinge(row).is_some())?)
 }
 

@@ -136,3 +136,28 @@ fn a_lock_very_near_the_design_is_noted() {
     let output = low(-0.199);
     assert!(line(&output, "notes").ends_with("none"), "{output:?}");
 }
+
+/// The arm of a Dubonnet suspension turns about two points of a casing that the steering holds: the arm reaches no further.
+#[test]
+fn an_arm_on_a_body_that_moves_is_named_with_its_hinge() {
+    let output = check(
+        "statements = '''
+fixed: low at [0.0, 0.6, 0.2], high at [0.0, 0.55, 0.42], straight at [-0.15, 0.55, 0.3];
+free: inner at [0.08, 0.6, 0.31], outer at [0.08, 0.72, 0.31], steer_arm at [-0.15, 0.55, 0.3], seat at [-0.1, 0.62, 0.36],
+      hub at [0.26, 0.68, 0.3], wheel_centre at [0.26, 0.76, 0.3], spring_arm at [0.05, 0.66, 0.37];
+hinge casing: low, high -> inner, outer, steer_arm, seat;
+body arm: inner, outer, hub, wheel_centre, spring_arm;
+drive steer: angle(low -> straight, low -> steer_arm about low -> high);
+drive bump: length(seat -> spring_arm);
+wheel: hub -> wheel_centre;
+'''
+unit = \"m\"
+time = { instants = [0.0] }
+drives = { steer = 0.0, bump = 0.155 }
+",
+        &[],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let fault = ": `arm` on its hinge `inner`, `outer` reaches no further";
+    assert_eq!(text(&output.stdout).matches(fault).count(), 2, "{output:?}");
+}
