@@ -53,7 +53,7 @@ pub enum Command {
     ///
     /// Values at the design positions, derivatives, and where curves differ most.
     Compare(compare::Arguments),
-    /// Draws the mechanism of a file at its first instant.
+    /// Draws the mechanism of a file at its first instant, or at its design position where that is out of reach.
     ///
     /// Chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel, as SVG.
     Draw(draw::Arguments),

@@ -1,4 +1,4 @@
-//! `suspension draw`: a picture of the mechanism at its first instant.
+//! `suspension draw`: a picture of the mechanism at its first instant, or at its design position where that is out of reach.
 
 use std::path::PathBuf;
 
@@ -45,7 +45,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = loaded.at_first_instant()?;
+        let mechanism = loaded.within_reach()?;
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
         out.write(&drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;

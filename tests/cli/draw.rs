@@ -1,6 +1,6 @@
 //! `suspension draw`.
 
-use super::program::{folder, run};
+use super::program::{folder, run, text};
 
 /// A swing arm with a damper, led by one of its drives.
 fn drawn(drive: &str, at: f64) -> String {
@@ -25,4 +25,26 @@ fn a_damper_is_drawn_where_its_length_is_driven_as_where_it_is_measured() {
     let driven = drawn("drive led: length(low -> top);", 0.4);
     let lines = |svg: &str| svg.matches("<polyline").count();
     assert_eq!(lines(&driven), lines(&measured));
+}
+
+/// What is out of reach is easier to find with a drawing.
+#[test]
+fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
+    let folder = folder();
+    let file = "unit = 'm'\nstatements = '''\nfixed: front at [0.2, 0.3, 0.2], rear at [-0.2, 0.3, 0.2];\nfree: centre at [0.0, 0.7, 0.2];\n\
+                hinge arm: front, rear -> centre;\ndrive bump: centre.z;\n'''\ntime = { instants = [0.0] }\ndrives = { bump = AT }\n";
+    let drawn = |at: &str| {
+        std::fs::write(folder.path().join("a.toml"), file.replace("AT", at)).expect("written");
+        let output = run(folder.path(), &["draw", "a.toml", "--out", "-"]);
+        assert!(output.status.success(), "{output:?}");
+        output
+    };
+    let (design, beyond) = (drawn("0.2"), drawn("0.9"));
+    assert_eq!(text(&design.stdout), text(&beyond.stdout));
+    let said = text(&beyond.stderr);
+    assert!(said.contains("\nnote: a.toml: the first instant"), "{said}");
+    assert!(
+        said.ends_with("it stays at the design position\n"),
+        "{said}"
+    );
 }
