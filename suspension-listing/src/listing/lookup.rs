@@ -157,4 +157,17 @@ impl Listing {
         let points = candidates.find(|points| carries(points, a) && carries(points, b))?;
         (points.len() >= 3).then_some(points)
     }
+
+    /// The one of two points that a body of three points or more has, as its own or as its marker: the body, that one, and the other.
+    pub(crate) fn one_carried<'a>(&'a self, a: &'a Ident, b: &'a Ident) -> Option<[&'a Ident; 3]> {
+        let body_of = |point: &Ident| {
+            let mut bodies = self.bodies().filter(|(_, points)| points.len() >= 3);
+            let has = |body: &Ident| self.markers_on(body).any(|marker| marker == point);
+            let (body, _) = bodies.find(|(body, points)| points.contains(point) || has(body))?;
+            Some(body)
+        };
+        let ordered = [[a, b], [b, a]].into_iter();
+        let mut carried = ordered.filter_map(|[one, other]| Some([body_of(one)?, one, other]));
+        carried.next()
+    }
 }

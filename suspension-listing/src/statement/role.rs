@@ -81,7 +81,8 @@ impl Statement for Axis {
                 .iter()
                 .any(|end| check.listing.is_on_short_body(end));
         if self.role == Role::Wheel && known && !is_carried {
-            check.report_missing(wheel_without_carrier(from, to));
+            let carried = check.listing.one_carried(from, to);
+            check.report_missing(wheel_without_carrier(from, to, carried));
         }
     }
 
@@ -215,12 +216,22 @@ fn too_many_wheels(word: &Ident) -> Error {
     )
 }
 
-fn wheel_without_carrier(from: &Ident, to: &Ident) -> Error {
+/// `carried`, where a body has one of them alone: the body, that one, and the other.
+fn wheel_without_carrier(from: &Ident, to: &Ident, carried: Option<[&Ident; 3]>) -> Error {
+    let remedy = carried.map_or_else(
+        || {
+            format!(
+                "list them in one body, or declare one as a marker of the body that has the other: `point {from}: BODY;`"
+            )
+        },
+        |[body, one, other]| {
+            format!(
+                "`{body}` has `{one}`: list `{other}` there too, or declare it as its marker: `point {other}: {body};`"
+            )
+        },
+    );
     errors::at(
         from,
-        format!(
-            "no body carries both `{from}` and `{to}`; list them in one body, or declare one as a marker of the body that has the other: \
-             `point {from}: BODY;`"
-        ),
+        format!("no body carries both `{from}` and `{to}`; {remedy}"),
     )
 }

@@ -256,3 +256,23 @@ fn a_point_that_a_body_shares_with_its_image_is_named_where_there_is_an_equation
                     one body alone has it";
     assert!(mistake.message.contains(expected), "{}", mistake.message);
 }
+
+/// A body in the middle lists the left wheel centre alone; the image of the marker is on it all the same.
+#[test]
+fn a_wheel_of_which_a_body_has_one_point_names_the_body() {
+    let text = "mirror: left -> right;
+        fixed: left_hanger, front, frame;
+        free: left_end, rear, side, left_centre;
+        link left_arm: left_hanger -> left_end;
+        link rod: front -> rear;
+        link panhard: frame -> side;
+        body axle: left_end, right_end, rear, side, left_centre;
+        point left_hub: axle;
+        drive left_bump: left_end.z;
+        wheel left: left_hub -> left_centre;";
+    let mistakes = mistakes(text);
+    let expected = "no body carries both `right_hub` and `right_centre`; `axle` has `right_hub`: list `right_centre` there too, or declare it \
+                    as its marker: `point right_centre: axle;`";
+    let said = |mistake: &Mistake| mistake.message.starts_with(expected);
+    assert!(mistakes.iter().any(said), "{mistakes:?}");
+}
