@@ -53,7 +53,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
         let of_one_side =
             mirrored.map(|sides| in_both(listing, sides).unwrap_or_else(|| of_one_side(sides)));
         let of_one_side = of_one_side.unwrap_or_default();
-        format!("{excess} too many: remove a link or a drive{of_one_side}")
+        let remedy = less(system);
+        format!("{excess} too many: {remedy}{of_one_side}")
     };
     let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
     let note = if drives_chassis {
@@ -74,6 +75,19 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
              points{scalars}; {remedy}{note}"
         ),
     )
+}
+
+/// What to do about equations too many.
+fn less(system: &System) -> &'static str {
+    let has = |kind: Kind| {
+        let mut equations = system.equations.iter();
+        equations.any(|equation| equation.origin.kind == kind)
+    };
+    if !has(Kind::LINK) && has(Kind::HINGE) {
+        "remove a drive, or write a `link`, which is one equation, in place of a `hinge`, which is two for its first point"
+    } else {
+        "remove a link or a drive"
+    }
 }
 
 /// How what has an image is named, and what has none, beside a mirror.

@@ -45,10 +45,11 @@ impl Statement for Hinge {
     fn check(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
         check.sites(&self.points);
         let (line, carried) = self.points.split_at(2);
-        for point in line {
-            if check.is(point, Kind::FREE_POINT) {
-                check.report(not_on_the_chassis(point));
-            }
+        let mut moving = line
+            .iter()
+            .filter(|point| check.is(point, Kind::FREE_POINT));
+        if let Some(point) = moving.next() {
+            check.report(self.not_on_the_chassis(point));
         }
         for point in check.anchors(carried) {
             check.report(cannot_turn(&self.named.name, point));
@@ -65,21 +66,26 @@ impl Statement for Hinge {
     }
 }
 
+impl Hinge {
+    fn not_on_the_chassis(&self, point: &Ident) -> Error {
+        let points: Vec<String> = self.points.iter().map(Ident::to_string).collect();
+        errors::at(
+            point,
+            format!(
+                "a hinge turns about chassis points, and `{point}` is a free point; write `body {}: {};`, which turns about the two points \
+                 that it shares with another body",
+                self.named.name,
+                points.join(", ")
+            ),
+        )
+    }
+}
+
 fn not_two_points(span: Span, count: usize) -> Error {
     Error::new(
         span,
         format!(
             "a hinge turns about the line of two chassis points; name two before the arrow, not {count}"
-        ),
-    )
-}
-
-fn not_on_the_chassis(point: &Ident) -> Error {
-    errors::at(
-        point,
-        format!(
-            "a hinge turns about chassis points, and `{point}` is a free point; write \
-             `body name: ..;` for two bodies that share two points"
         ),
     )
 }

@@ -80,3 +80,22 @@ fn a_marker_in_line_with_two_points_is_told_to_slide() {
          `slide m_on_strut: m on p -> q;` and `link m_from_p: p -> m;`"
     );
 }
+
+#[test]
+fn a_hinge_about_points_that_move_is_said_to_be_a_body() {
+    let text = "fixed: low, high; free: inner, outer, hub; hinge casing: low, high -> inner, outer;\n\
+                hinge arm: inner, outer -> hub; drive bump: hub.z; drive steer: outer.y;";
+    let expected = "a hinge turns about chassis points, and `inner` is a free point; write `body arm: inner, outer, hub;`, which turns about the \
+                    two points that it shares with another body";
+    assert_eq!(only_message(text), expected);
+}
+
+/// An arm on two short links, each of which is stated as a hinge: where there is no link, none is to be removed.
+#[test]
+fn a_link_in_place_of_a_hinge_is_proposed_where_there_are_equations_too_many_and_no_link() {
+    let text = "fixed: bush, a, b, c, d; free: front, ball, hub; hinge short: a, b -> front; hinge upper: c, d -> ball;\n\
+                body arm: bush, front, ball, hub; drive bump: hub.z;";
+    let said = only_message(text);
+    let expected = "2 too many: remove a drive, or write a `link`, which is one equation, in place of a `hinge`, which is two for its first point";
+    assert!(said.ends_with(expected), "{said}");
+}
