@@ -1,6 +1,7 @@
 //! What the program remarks on a file that runs.
 
 mod doubtful;
+mod steering;
 mod travel;
 
 use super::program::{edited, example, folder, run, text};

@@ -45,6 +45,9 @@ pub(super) fn notes<L: Suspension<N>, const N: usize>(
         ]
     };
     notes.extend(task.names.wheels.iter().flat_map(of_wheel).flatten());
+    if vehicle.is_none_or(|vehicle| vehicle.steer.is_none()) {
+        notes.extend(steered_alone(task, design, &points));
+    }
     let name = task.source.name();
     notes.iter().map(|note| format!("{name}: {note}")).collect()
 }
@@ -106,6 +109,38 @@ fn unsteered(
         let wheel = wheel.title("wheel");
         format!("steer of the {wheel} is `{drive}`, which does not turn it: is it another drive?")
     })
+}
+
+/// The usual drive of steering turns one wheel of an axle and not the other, as where a rack has an image that nothing moves.
+fn steered_alone<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    points: &[Vector3<f64>],
+) -> Option<String> {
+    let size = design.model.size();
+    let wheels = &task.names.wheels;
+    let is_turned = |wheel: &Wheel| {
+        let rates = design.per(wheel.steer?)?;
+        Some(turns(wheel, (points, &rates), size))
+    };
+    let centre = |wheel: &Wheel| points[wheel.points.axis[1]];
+    let is_beside = |one: &Wheel, other: &Wheel| {
+        Axle::of(&one.name) == Axle::of(&other.name)
+            && one.steer == other.steer
+            && centre(one).y * centre(other).y < 0.0
+    };
+    let pairs = wheels
+        .iter()
+        .flat_map(|one| wheels.iter().map(move |other| (one, other)));
+    let mut pairs = pairs.filter(|(one, other)| is_beside(one, other));
+    let (turned, still) = pairs
+        .find(|(one, other)| is_turned(one) == Some(true) && is_turned(other) == Some(false))?;
+    let drive = &task.names.drives[turned.steer?].name;
+    let [turned, still] = [turned, still].map(|wheel| wheel.title("wheel"));
+    Some(format!(
+        "the drive `{drive}` turns the {turned} and not the {still}: to steer both it moves one end of a rack, whose other end a link \
+         joins to it; `suspension list steered_axle` shows how"
+    ))
 }
 
 /// What bears the torque of a driven axle whose wheels move each other, where the file leaves that open.
