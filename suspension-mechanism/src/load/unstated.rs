@@ -12,6 +12,10 @@ use crate::number::rounded;
 /// Points that are nearer, in metres, are in the same place.
 const SAME: f64 = 1e-6;
 
+/// A design of the user's own has most points further, in metres, from where the listing has them; those of one that was assembled
+/// from rough points are nearer.
+const OWN: f64 = 0.01;
+
 /// How far a point may be changed beside another that is not stated, as a part of their distance: a hardpoint that is tuned
 /// leaves the others where they are.
 const TUNED: f64 = 0.25;
@@ -25,8 +29,9 @@ const DIGITS: usize = 9;
 /// What points of the listing the file does not state and, as it seems, should. `axes` are those of the listing.
 pub(super) fn note(listing: &Listing, file: &MotionFile, name: &str, axes: Axes) -> Option<String> {
     let points = Points::of(listing, file, axes);
-    let changed = points.changed.iter().flatten().count();
-    let is_own = 2 * changed > points.names.len();
+    let far = OWN * file.length.metre();
+    let changed = points.changed.iter().flatten().filter(|off| **off > far);
+    let is_own = 2 * changed.count() > points.names.len();
     let unstated = points.unstated.iter().enumerate();
     let unstated = unstated.filter_map(|(point, at)| at.map(|_| point));
     let kept = unstated.filter_map(|point| Some((point, points.reason(listing, point, is_own)?)));

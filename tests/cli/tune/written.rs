@@ -260,4 +260,9 @@ within = 1e-6
     assert!(written.contains("\nhigh = ["), "{written}");
     let slope = swept(folder.path())[24]["toe_deg_per_bump"];
     assert!((slope - 1.0).abs() < 1e-6, "{slope}");
+    let check = run(folder.path(), &["check", "a_tuned.toml"]);
+    assert!(
+        text(&check.stdout).ends_with("notes         none\n"),
+        "{check:?}"
+    );
 }
