@@ -212,3 +212,20 @@ fn derivatives_are_per_travel_of_the_wheel_too() {
         assert_eq!(height, ["1", "m/m"], "{drive}");
     }
 }
+
+/// A knuckle on a fixed kingpin is steered and does not rise: there is no other drive to name.
+#[test]
+fn a_mechanism_that_steers_alone_is_told_what_has_its_tables() {
+    let folder = folder();
+    let file = "unit = 'm'\ntime = { instants = [0.0] }\ndrives = { steer = 0.3 }\nstatements = '''\n\
+                fixed: low at [0.0, 0.7, 0.2], high at [0.0, 0.68, 0.45], rack at [-0.1, 0.3, 0.3];\n\
+                free: ball at [-0.1, 0.65, 0.3], wheel_centre at [0.0, 0.78, 0.3];\n\
+                hinge knuckle: low, high -> ball, wheel_centre;\npoint hub: knuckle at [0.0, 0.74, 0.3];\n\
+                link tie_rod: rack -> ball;\ndrive steer: rack.y;\nwheel: hub -> wheel_centre;\n'''\n";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "a.toml: no drive moves the wheel up and down but in steering, and curves are over travel; state one in the listing, as \
+                    `drive bump: wheel_centre.z;` where the wheel can rise; `suspension sweep` has tables over any drive\n";
+    assert_eq!(text(&output.stderr), expected);
+}

@@ -10,7 +10,9 @@ use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, From, Grid, Order, Place, State, Unit, Visited, evenly_spaced};
+use crate::mechanism::{
+    Axis, From, Grid, Names, Order, Place, State, Unit, Visited, evenly_spaced,
+};
 use crate::number::number;
 
 /// The states along a drive, or along several that move together.
@@ -56,11 +58,7 @@ pub fn ways(
 ) -> Result<Vec<Along>, Failure> {
     let names = &mechanism.names;
     if names.vehicle.travel.is_empty() {
-        let known = names.of_drives().join(", ");
-        let travel = names.travel_in_file(&names.wheels);
-        return Err(Failure::Input(format!(
-            "{file}: which drive moves the wheel up and down? Write [vehicle] with travel = {travel}; the drives are {known}"
-        )));
+        return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
     }
     let mut ways: Vec<Along> = Vec::new();
     for course in Course::all(mechanism, interrupted) {
@@ -84,6 +82,28 @@ pub fn ways(
         ways.push(along(mechanism, course, number, (kind, span), interrupted));
     }
     Ok(ways)
+}
+
+/// What to do where no drive is known to move the wheel up and down.
+fn no_travel(names: &Names) -> String {
+    let is_still = names.wheels.iter().all(|wheel| wheel.lifted_by.is_empty());
+    match names.wheels.first() {
+        Some(wheel) if is_still => {
+            let [_, centre] = wheel.points.axis;
+            let centre = &names.points[centre];
+            format!(
+                "no drive moves the wheel up and down but in steering, and curves are over travel; state one in the listing, as \
+                 `drive bump: {centre}.z;` where the wheel can rise; `suspension sweep` has tables over any drive"
+            )
+        }
+        _ => {
+            let known = names.of_drives().join(", ");
+            let travel = names.travel_in_file(&names.wheels);
+            format!(
+                "which drive moves the wheel up and down? Write [vehicle] with travel = {travel}; the drives are {known}"
+            )
+        }
+    }
 }
 
 /// That an option moves a drive that steers where no drive does.
