@@ -6,7 +6,7 @@ use crate::mechanism::{State, Unit};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
-use crate::quantities;
+use crate::quantities::{self, is_driven_angle};
 
 /// A column of numbers that are read off things.
 pub struct Column<T> {
@@ -36,12 +36,16 @@ impl<T: 'static> Column<T> {
     /// One of the catalogue's, of the state of the thing.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
         let scale = column.dimension.in_file(unit);
+        let stated_in = is_driven_angle(&column).then_some(unit.angle);
         Self {
             heading: Heading {
                 name: column.csv_name(unit),
                 counts: column.dimension == Dimension::Count,
             },
-            value: Box::new(move |thing| column.value(state(thing)) * scale),
+            value: Box::new(move |thing| {
+                let value = column.value(state(thing)) * scale;
+                stated_in.map_or(value, |angle| angle.as_stated(value))
+            }),
         }
     }
 }

@@ -31,7 +31,7 @@ pub use catalogue::{
     STEERING_RATIO, STEERING_WHEEL_ANGLE, TIME, TOE, TOTAL_TOE, TRACK, TRACK_CHANGE,
     TURNING_RADIUS, VELOCITIES, VIRTUAL_CASTER, VIRTUAL_KINGPIN, VIRTUAL_PITCH,
     VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL, WHEEL_RATE, WHEEL_TRAVEL, WHEELBASE_CHANGE, catalogue,
-    from_design, of_axles,
+    from_design, is_driven_angle, of_axles,
 };
 pub use formulas::Compiled;
 pub use number::Number;

@@ -95,6 +95,17 @@ impl Angle {
         }
     }
 
+    /// An angle in this unit, which was in radians in between: degrees of 15 digits where they are the same but for rounding, so
+    /// that what a file has as -10 is shown as that, not as -10.000000000000004.
+    pub fn as_stated(self, angle: f64) -> f64 {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        let few = format!("{angle:.14e}").parse().unwrap_or(angle);
+        match self {
+            Self::Degree if (few - angle).abs() <= ROUNDING * angle.abs() => few,
+            Self::Degree | Self::Radian => angle,
+        }
+    }
+
     /// Between which values a drive lies, in words, where `value`, in radians if it is an angle, is not there.
     pub fn bounds_exceeded(self, kind: DriveKind, value: f64) -> Option<String> {
         let half_turn = match self {
@@ -134,5 +145,30 @@ impl Unit {
     /// A metre in the unit of lengths.
     pub fn metre(self) -> f64 {
         self.length.metre()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Angle;
+
+    /// Stated in degrees, of which a grid is made in radians.
+    #[test]
+    fn degrees_are_shown_as_they_were_stated() {
+        for tenth in -3600..=3600 {
+            let (half, stated) = (f64::from(tenth) / 20.0, f64::from(tenth) / 10.0);
+            let radians = half.to_radians() + half.to_radians();
+            assert_eq!(Angle::Degree.as_stated(radians.to_degrees()), stated);
+        }
+        assert!(Angle::Degree.as_stated(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn other_angles_are_off_by_rounding_alone() {
+        for angle in [0.1, 1.0 / 3.0, 2.0_f64.sqrt(), 1e-17, -1e300] {
+            let off = (Angle::Degree.as_stated(angle) - angle).abs();
+            assert!(off <= 4.0 * f64::EPSILON * angle.abs(), "{angle}: {off}");
+            assert_eq!(Angle::Radian.as_stated(angle), angle);
+        }
     }
 }

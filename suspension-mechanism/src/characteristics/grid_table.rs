@@ -3,8 +3,10 @@
 use suspension_core::Signal;
 
 use crate::file::Dimension;
-use crate::mechanism::{DRIVES_AT_ONCE, Description, Gradient, Place, State};
-use crate::quantities::{Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in};
+use crate::mechanism::{Angle, DRIVES_AT_ONCE, Description, Gradient, Place, State};
+use crate::quantities::{
+    Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in, is_driven_angle,
+};
 
 /// What is read off each place of a grid: all quantities that positions determine, with derivatives up to an order.
 pub struct GridTable {
@@ -15,6 +17,9 @@ pub struct GridTable {
     gradients: Vec<(Column<Gradient>, Option<usize>)>,
     /// How many numbers a row has.
     width: usize,
+    /// The columns of drives that are angles, and the unit in which they are stated.
+    driven_angles: Vec<usize>,
+    angle: Angle,
     /// What a number inside is divided by, of each drive that there are derivatives with respect to.
     drives: Vec<f64>,
     /// Up to which order.
@@ -34,6 +39,9 @@ impl GridTable {
             (column, scale)
         };
         let quantities: Vec<_> = of_positions(mechanism).map(scaled).collect();
+        let driven_angles = quantities.iter().enumerate();
+        let driven_angles = driven_angles.filter(|(_, (column, _))| is_driven_angle(column));
+        let driven_angles = driven_angles.map(|(index, _)| index).collect();
         let mut width = quantities.len();
         let behind = |column: Column<Gradient>| {
             let start = has_derivatives(&column).then_some(width);
@@ -44,6 +52,8 @@ impl GridTable {
             gradients: of_positions(mechanism).map(behind).collect(),
             quantities,
             width,
+            driven_angles,
+            angle: unit.angle,
             drives,
             derivatives,
         }
@@ -70,11 +80,15 @@ impl GridTable {
 
     /// The numbers of a place; derivatives are NaN where the mechanism locks.
     pub fn row(&self, place: &dyn Place) -> Vec<f64> {
-        if self.derivatives == 1 {
+        let mut row = if self.derivatives == 1 {
             self.with_gradients(place)
         } else {
             self.with_signals(place)
+        };
+        for drive in &self.driven_angles {
+            row[*drive] = self.angle.as_stated(row[*drive]);
         }
+        row
     }
 
     fn with_gradients(&self, place: &dyn Place) -> Vec<f64> {

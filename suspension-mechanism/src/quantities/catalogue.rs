@@ -1,7 +1,8 @@
 //! The catalogue: each quantity is one row. Signs and formulas are those of [`suspension_core::wheel`] and
 //! [`suspension_core::body`].
 
-use crate::quantities::quantity::Quantity;
+use crate::file::Dimension;
+use crate::quantities::quantity::{Column, Quantity};
 
 /// Makes a `static` of each row and the list of a file's. A formula is compiled for each kind of number.
 macro_rules! catalogue {
@@ -66,6 +67,11 @@ pub use wheel::{
     CAMBER, CAMBER_TO_GROUND, CASTER, CASTER_OFFSET, CENTRE, CONTACT, KINGPIN, KINGPIN_OFFSET,
     MECHANICAL_TRAIL, SCRUB_RADIUS, TOE,
 };
+
+/// Whether a column is of a drive that is an angle: what it shows a file states.
+pub fn is_driven_angle(column: &Column) -> bool {
+    column.is(&DRIVES) && column.dimension == Dimension::Angle
+}
 
 /// The rows of an axle, of a linkage with two wheels.
 pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {

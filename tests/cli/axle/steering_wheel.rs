@@ -253,9 +253,23 @@ fn a_steering_box_has_the_quantities_of_a_rack() {
                 table(&motion, &["sweep", &drive]).remove(0)
             });
             check(&places, names, -1.0);
+            assert!(
+                [arm, 90.0 + arm].contains(&places[1]["steer_deg"]),
+                "as stated"
+            );
             // The arm turns away from y, which moves its end to the right, and with it the front of the wheel.
             assert_near(places[1][names[0]], -16.0 * arm, 1e-9, "box");
         }
+    }
+}
+
+/// Degrees that the way to radians and back would change.
+#[test]
+fn degrees_of_a_drive_are_in_tables_as_they_are_stated() {
+    let file = on_an_arm_that_passes_the_axis("steering_box_ratio = 16.0");
+    for stated in [-12.0, -7.5, -3.0, 1.5, 6.0] {
+        let file = file.replace("steer = 0.0", &format!("steer = {stated:?}"));
+        assert_eq!(table(&file, &["motion"]).remove(0)["steer_deg"], stated);
     }
 }
 
