@@ -6,6 +6,7 @@ mod derivatives;
 mod files;
 mod roll;
 mod steering;
+mod steering_box;
 mod steering_wheel;
 
 use std::collections::BTreeMap;
