@@ -99,11 +99,12 @@ impl Angle {
     /// that what a file has as -10 is shown as that, not as -10.000000000000004.
     pub fn as_stated(self, angle: f64) -> f64 {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
-        let few = format!("{angle:.14e}").parse().unwrap_or(angle);
-        match self {
-            Self::Degree if (few - angle).abs() <= ROUNDING * angle.abs() => few,
-            Self::Degree | Self::Radian => angle,
+        if self == Self::Radian {
+            return angle;
         }
+        let few = format!("{angle:.14e}").parse().unwrap_or(angle);
+        let is_same = (few - angle).abs() <= ROUNDING * angle.abs();
+        if is_same { few } else { angle }
     }
 
     /// Between which values a drive lies, in words, where `value`, in radians if it is an angle, is not there.

@@ -68,7 +68,7 @@ pub use wheel::{
     MECHANICAL_TRAIL, SCRUB_RADIUS, TOE,
 };
 
-/// Whether a column is of a drive that is an angle: what it shows a file states.
+/// Whether a column is of a drive that is an angle, whose values files state.
 pub fn is_driven_angle(column: &Column) -> bool {
     column.is(&DRIVES) && column.dimension == Dimension::Angle
 }
