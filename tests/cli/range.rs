@@ -39,6 +39,20 @@ fn both_ends_and_when_the_motion_locks() {
     }
 }
 
+/// A motion that steers too may lock where the range with the steering held does not end.
+#[test]
+fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
+    let folder = folder();
+    let both = CORNER.replace("bump = 0.3", "bump = [0.3, 0.01]");
+    let both = both.replace("steer = 0.34", "steer = [0.34, 0.01]");
+    assert_eq!(both.matches("0.01]").count(), 2);
+    std::fs::write(folder.path().join("a.toml"), both).expect("written");
+    let output = run(folder.path(), &["range", "a.toml"]);
+    let said = text(&output.stdout);
+    assert_eq!(said.matches("moves other drives too").count(), 2, "{said}");
+    assert!(!said.contains("neither end"), "{said}");
+}
+
 /// Both say from where they measure: the one from the first instant, the other from the design position.
 #[test]
 fn a_range_says_from_where_it_is() {

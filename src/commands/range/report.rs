@@ -6,7 +6,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::mechanism::{Description, Unit};
 use crate::number::{counted, rounded};
-use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting};
+use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting, moves_alone};
 
 /// Digits of an end: all that are known of one in radians.
 const DIGITS: usize = 13;
@@ -79,6 +79,10 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
         }
         None if mechanism.led_by.is_some() => {
             "the file's motion is led by a measure: its end is not looked for".to_owned()
+        }
+        None if !moves_alone(mechanism, range.index) => {
+            "the file's motion moves other drives too, so that this range does not tell where it ends; `suspension motion` does"
+                .to_owned()
         }
         None => format!(
             "the file's motion, carried on to {CARRIED_ON} times its duration, brings this drive to \

@@ -50,11 +50,13 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     } else {
         let excess = equations - unknowns;
         let mirrored = listing.sides.first();
-        let of_one_side =
-            mirrored.map(|sides| in_both(listing, sides).unwrap_or_else(|| of_one_side(sides)));
-        let of_one_side = of_one_side.unwrap_or_default();
-        let remedy = less(system);
-        format!("{excess} too many: {remedy}{of_one_side}")
+        let remedy = mirrored
+            .and_then(|sides| in_both(listing, sides))
+            .unwrap_or_else(|| {
+                let of_one_side = mirrored.map(of_one_side).unwrap_or_default();
+                format!("{}{of_one_side}", less(system))
+            });
+        format!("{excess} too many: {remedy}")
     };
     let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
     let note = if drives_chassis {
@@ -115,7 +117,8 @@ fn in_both(listing: &Listing, sides: &Sides) -> Option<String> {
         });
     let (body, image, point) = pairs.next()?;
     Some(format!(
-        "; `{point}` is in body `{body}` and in its image `{image}`: name it `{stated}_{point}` if one body alone has it"
+        "`{point}` joins body `{body}` to its image `{image}`: name it `{stated}_{point}`, and each side has its own, or remove a link or \
+         a drive"
     ))
 }
 

@@ -5,24 +5,37 @@ use crate::mechanism::Description;
 /// The motion is carried on beyond its last instant, to this many times its duration.
 pub const CARRIED_ON: f64 = 10.0;
 
+/// Whether the motion, carried on so long, moves no other drive than the one with this index.
+pub fn moves_alone(mechanism: &Description, index: usize) -> bool {
+    looks(mechanism).all(|t| !moves_others(mechanism, index, t))
+}
+
+/// The instants at which the motion is looked at, but for the first.
+fn looks(mechanism: &Description) -> impl Iterator<Item = f64> {
+    const LOOKS: usize = 20_000;
+    let [first, last] = mechanism.instants.ends();
+    let span = (last - first) * CARRIED_ON;
+    (1..=LOOKS).map(move |look| first + span * look as f64 / LOOKS as f64)
+}
+
+fn moves_others(mechanism: &Description, index: usize, t: f64) -> bool {
+    let mut drives = mechanism.drives.at(t).enumerate();
+    drives.any(|(other, drive)| other != index && drive.rate != 0.0)
+}
+
 /// The first time at which the drive with this index is at one of `ends`, in the file's coordinates, and
 /// which; `None` where it is not, or where another drive moves too or a measure leads: then the ends are
 /// not those of the motion.
 pub fn meeting(mechanism: &Description, index: usize, ends: [f64; 2]) -> Option<(f64, usize)> {
-    const LOOKS: usize = 20_000;
     if mechanism.led_by.is_some() {
         return None;
     }
     let ends = ends.map(|end| end - mechanism.drive_offsets[index]);
-    let [first, last] = mechanism.instants.ends();
     let value = |t: f64| mechanism.drives_at(t).get(index).copied();
-    let span = (last - first) * CARRIED_ON;
     let excess = |t: f64| Some([ends[0] - value(t)?, value(t)? - ends[1]]);
-    let mut before = first;
-    for look in 1..=LOOKS {
-        let after = first + span * look as f64 / LOOKS as f64;
-        let mut drives = mechanism.drives.at(after).enumerate();
-        if drives.any(|(other, drive)| other != index && drive.rate != 0.0) {
+    let [mut before, _] = mechanism.instants.ends();
+    for after in looks(mechanism) {
+        if moves_others(mechanism, index, after) {
             return None;
         }
         let beyond = excess(after)?;

@@ -252,8 +252,7 @@ fn a_point_that_a_body_shares_with_its_image_is_named_where_there_is_an_equation
         link left_stay: left_high -> left_tip;
         drive left_turn: left_end.z;";
     let mistake = only_mistake(text);
-    let expected = "remove a link or a drive; `ball` is in body `left_blade` and in its image `right_blade`: name it `left_ball` if \
-                    one body alone has it";
+    let expected = "too many: `ball` joins body `left_blade` to its image `right_blade`: name it `left_ball`, and each side has its own";
     assert!(mistake.message.contains(expected), "{}", mistake.message);
 }
 
