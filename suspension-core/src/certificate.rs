@@ -28,11 +28,11 @@
 //! driving angles with the true cosine; what [`RigidMotion`](crate::chassis::RigidMotion) rounds in the
 //! chassis points comes before.
 
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector3};
 
 use crate::error::SolveError;
-use crate::factored::with_factors;
-use crate::linkage::{Linkage, Listing, Values};
+use crate::factored::{is_healthy, with_pivoting};
+use crate::linkage::{Factors, Linkage, Listing, Values};
 use crate::listing::DriveKind;
 use crate::magnitude::magnitude;
 use crate::motion::Prescribed;
@@ -43,10 +43,12 @@ use crate::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
 
 mod bounds;
 mod enclosed;
+mod inverse;
 mod verdict;
 
 use bounds::Bounds;
 pub use enclosed::Enclosed;
+use inverse::Columns;
 pub use verdict::{Certificate, Unproved};
 
 /// The model of a linkage in enclosed numbers.
@@ -95,6 +97,8 @@ where
     enclosing: Enclosing<L, N>,
     /// Bounds of `|C_k(v, w)|` over `|v|, |w| <= 1`.
     curvatures: [L::Scalar; N],
+    /// How the Jacobian is inverted.
+    columns: Columns<N>,
 }
 
 impl<T, L, const N: usize> Certifier<L, N>
@@ -107,11 +111,15 @@ where
         let enclosing = L::Listing::converted(linkage, Enclosed::exact);
         let any = SVector::from([Enclosed::within(T::zero(), T::one()); N]);
         let at_rest = Default::default();
+        let anywhere = Vector3::repeat(Enclosed::within(T::zero(), T::one()));
+        let anywhere = Values::from_values(core::iter::repeat(anywhere));
+        let columns = Columns::of(&enclosing.jacobian(&any, &anywhere));
         let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;
         Self {
             linkage: *linkage,
             enclosing,
             curvatures: curvatures.map(Enclosed::magnitude),
+            columns,
         }
     }
 
@@ -152,9 +160,16 @@ where
             .map_err(SolveError::not_finite)?;
         let jacobian = self.enclosing.jacobian(&position, &fixed);
         let at = Prescribed::new(&self.linkage, inputs).fixed.value;
-        with_factors(&self.linkage, q, &at, T::zero(), |factors| {
-            Bounds::new(&residual, &jacobian, &self.curvatures, factors)
-        })?
+        // Not by `with_factors`: back-substitutions that are calls of a `dyn` take a third longer.
+        let mut inverse = [[T::zero(); N]; N];
+        let factors = self.linkage.factor(q, &at);
+        if is_healthy(factors.growth_squared()) {
+            self.columns.invert(&factors, &jacobian, &mut inverse);
+        } else {
+            let factors = with_pivoting(&self.linkage, q, &at, T::zero())?;
+            self.columns.invert(&factors, &jacobian, &mut inverse);
+        }
+        Bounds::new(&residual, &jacobian, &self.curvatures, &inverse)
     }
 
     /// The coordinates that drives prescribe.

@@ -4,8 +4,8 @@ use nalgebra::{SMatrix, SVector};
 use num_traits::Zero;
 
 use super::enclosed::Enclosed;
+use super::inverse::unit;
 use crate::error::SolveError;
-use crate::linkage::Factors;
 use crate::magnitude::magnitude;
 use crate::scalar::Real;
 
@@ -34,8 +34,8 @@ struct Row<T> {
 }
 
 impl<T: Real> Bounds<T> {
-    /// The bounds, by `factors` of any quality. `curvatures` bound `|C_k(v, w)|` over
-    /// `|v|, |w| <= 1`.
+    /// The bounds, by an `inverse` of any quality, column by column. `curvatures` bound `|C_k(v, w)|`
+    /// over `|v|, |w| <= 1`.
     ///
     /// A sum of `n` products is off by no more than `n EPSILON` times the sum of the products'
     /// magnitudes (Higham 2002, Accuracy and Stability of Numerical Algorithms, section 3.1, as
@@ -49,10 +49,9 @@ impl<T: Real> Bounds<T> {
         residual: &SVector<Enclosed<T>, N>,
         jacobian: &SMatrix<Enclosed<T>, N, N>,
         curvatures: &[T; N],
-        factors: &dyn Factors<T, N>,
+        inverse: &[[T; N]; N],
     ) -> Result<Self, SolveError<T>> {
-        let inverse = inverse(factors);
-        let (mut defects, spreads) = defects_and_spreads(&inverse, jacobian);
+        let (mut defects, spreads) = defects_and_spreads(inverse, jacobian);
         let rows = rows(residual, &spreads, curvatures);
         let mut sums = [Row::<T>::default(); N];
         for (column, row) in inverse.iter().zip(&rows) {
@@ -81,25 +80,6 @@ impl<T: Real> Row<T> {
         self.jacobian_spread += size * row.jacobian_spread;
         self.curvature += size * row.curvature;
     }
-}
-
-/// `A`, column by column.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn inverse<T: Real, const N: usize>(factors: &dyn Factors<T, N>) -> [[T; N]; N] {
-    let mut columns = [[T::zero(); N]; N];
-    for (k, column) in columns.iter_mut().enumerate() {
-        [*column] = factors.solve(&unit(k)).data.0;
-    }
-    columns
-}
-
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
-    let mut unit = [T::zero(); N];
-    if let Some(entry) = unit.get_mut(k) {
-        *entry = T::one();
-    }
-    SVector::from(unit)
 }
 
 /// Rounding of sums of `N + 1` products and of sums of their magnitudes, relative.
@@ -170,31 +150,13 @@ mod tests {
 
     use super::super::verdict::{Certificate, Unproved, judge};
     use super::{Bounds, Enclosed};
-    use crate::linkage::Factors;
 
-    /// Solves `J x = b` by `x = share b`, right for the identity and a share of 1.
-    struct Share(f64);
-
-    impl Factors<f64, 2> for Share {
-        fn solve(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
-            right * self.0
-        }
-        fn solve_transposed(&self, right: &SVector<f64, 2>) -> SVector<f64, 2> {
-            self.solve(right)
-        }
-        fn determinant_sign(&self) -> f64 {
-            1.0
-        }
-        fn growth_squared(&self) -> f64 {
-            2.0
-        }
-    }
-
-    /// Of `F = (0.01, 0)`, `J = I` and `C` up to 3.
+    /// Of `F = (0.01, 0)`, `J = I`, `A = share I` and `C` up to 3.
     fn certificate(share: f64) -> Certificate<f64> {
         let residual = SVector::from([0.01, 0.0].map(Enclosed::exact));
         let jacobian = SMatrix::<f64, 2, 2>::identity().map(Enclosed::exact);
-        let bounds = Bounds::new(&residual, &jacobian, &[3.0, 2.0], &Share(share));
+        let inverse = [[share, 0.0], [0.0, share]];
+        let bounds = Bounds::new(&residual, &jacobian, &[3.0, 2.0], &inverse);
         judge(&bounds.expect("finite"))
     }
 
