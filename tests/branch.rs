@@ -6,7 +6,7 @@ use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::listing::{Part, Parts};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Motion, Newton, Signal, SolveError, Still,
-    Tracker, Values, assemble, handedness,
+    Tracker, Values, assemble, model::handedness,
 };
 
 use crate::support::{self, Reference};

@@ -6,10 +6,10 @@
 use std::iter::repeat_with;
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Distance, Frame, angle_to_coordinate};
 use suspension_core::linkage::Named;
 use suspension_core::listing::Part;
-use suspension_core::{Build, Linkage, Real, Signal, Values, measure};
+use suspension_core::model::constraint::{Carried, Distance, Frame, angle_to_coordinate};
+use suspension_core::{Build, Linkage, Real, Signal, Values, model::measure};
 
 use crate::support;
 

@@ -5,9 +5,9 @@ mod carried;
 
 use nalgebra::{Const, DimMin, SVector, Vector3};
 use proptest::prelude::*;
-use suspension_core::factored::Factored;
 use suspension_core::linkage::Factors as _;
-use suspension_core::lu::Lu;
+use suspension_core::solve::factored::Factored;
+use suspension_core::solve::lu::Lu;
 use suspension_core::{Build, Linkage, Motion, Newton, Real, Values};
 
 use crate::support;

@@ -1,10 +1,10 @@
 //! A failure says what happened, where by name, by how much, and what to do.
 
-use suspension_core::bounded::Refusal;
 use suspension_core::linkages::double_wishbone::{self, Corner};
 use suspension_core::linkages::five_link;
 use suspension_core::listing::Part;
-use suspension_core::stepper::Stopped;
+use suspension_core::step::bounded::Refusal;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Build, GeometryError, Inputs, Signal, SolveError, Tracker};
 
 use super::support;

@@ -3,12 +3,12 @@
 use std::hint::black_box;
 
 use nalgebra::{Isometry3, SVector, Vector3};
-use suspension_core::bounded::Outputs;
 use suspension_core::certificate::Certifier;
 use suspension_core::chassis::RigidMotion;
 use suspension_core::linkage::{HasKingpin, HasWheel};
 use suspension_core::path::{Continuation, Curve, Leader, Led};
-use suspension_core::series::{InputSeries, Jet, SeriesTracker};
+use suspension_core::step::bounded::Outputs;
+use suspension_core::step::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::wheel::{CarrierRotation, Kingpin, Wheel};
 use suspension_core::{
     Bounded, Build, Inputs, Linkage, Listing, Motion, Newton, Real, Signal, Still, Tangent,

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
-use suspension_core::assemble::best_rigid_fit;
+use suspension_core::solve::assemble::best_rigid_fit;
 
 type Points = [Vector3<f64>; 5];
 

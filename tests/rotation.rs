@@ -7,7 +7,7 @@ use suspension_core::body::{
     angular_velocity_of, pose,
 };
 use suspension_core::chassis::RigidMotion;
-use suspension_core::constraint::{Carried, Frame};
+use suspension_core::model::constraint::{Carried, Frame};
 use suspension_core::wheel::{
     Spin, camber, camber_to_ground, caster, kingpin_angle, toe, wheel_angular_acceleration,
     wheel_angular_velocity,

@@ -1,7 +1,7 @@
 //! One trait over the ways to step: the same calls, the same report, the same motion.
 
 use suspension_core::linkages::five_link::Model;
-use suspension_core::series::SeriesTracker;
+use suspension_core::step::series::SeriesTracker;
 use suspension_core::{Bounded, Motion, Stepper, Tracker};
 
 use super::support;

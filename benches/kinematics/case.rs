@@ -1,6 +1,6 @@
 //! A linkage on the published motion.
 
-use suspension_core::bounded::Outputs;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Build, Inputs, Linkage, Listing, Motion, Newton, Still, Tracker, assemble};
 use suspension_lanes::Lane;
 

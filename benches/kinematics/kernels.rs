@@ -5,8 +5,8 @@ use std::hint::black_box;
 use criterion::{Bencher, Criterion};
 use nalgebra::SVector;
 use suspension_core::linkage::Factors as _;
-use suspension_core::lu::Lu;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::lu::Lu;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Linkage, Listing};
 use suspension_lanes::Lane;
 

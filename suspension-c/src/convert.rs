@@ -3,7 +3,8 @@
 use core::mem::MaybeUninit;
 
 use suspension_core::nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use suspension_core::{Real, Signal, assemble, wheel};
+use suspension_core::solve::assemble;
+use suspension_core::{Real, Signal, wheel};
 
 use crate::shared::{Assembly, CarrierRotation, Kingpin, Report, RigidMotion, Wheel};
 use crate::status::Status;
@@ -17,8 +18,8 @@ pub fn fill<A, B: From<A>>(place: Option<&mut MaybeUninit<B>>, found: A) {
     }
 }
 
-impl<T: Real> From<suspension_core::report::Report<T>> for Report<T> {
-    fn from(found: suspension_core::report::Report<T>) -> Self {
+impl<T: Real> From<suspension_core::solve::report::Report<T>> for Report<T> {
+    fn from(found: suspension_core::solve::report::Report<T>) -> Self {
         Self {
             iterations: found.iterations as u32,
             steps: found.steps as u32,

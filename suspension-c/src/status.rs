@@ -2,8 +2,8 @@
 
 use core::ffi::CStr;
 
-use suspension_core::bounded::Refusal;
 use suspension_core::error::{Cause, Explain};
+use suspension_core::step::bounded::Refusal;
 
 use crate::describe::Interface;
 

@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use suspension_core::bounded::Outputs;
 use suspension_core::nalgebra::Vector3;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Linkage, Signal};
 
 use crate::status::Status;

@@ -29,7 +29,7 @@ mod surface;
 
 use core::fmt;
 
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 
 pub use surface::{Patch, Surface, SurfacePlace};
 

@@ -5,9 +5,9 @@
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use crate::constraint::Frame;
+use crate::arithmetic::scalar::Real;
 use crate::error::Indeterminate;
-use crate::scalar::Real;
+use crate::model::constraint::Frame;
 use crate::signal::Number;
 
 type Triple<T> = [Vector3<T>; 3];

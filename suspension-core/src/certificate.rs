@@ -1,7 +1,7 @@
 //! A proof that a root lies near a position, and only one.
 //!
 //! The equations are quadratic: `J(q + d) = J(q) + C(d, .)` with a constant `C`
-//! ([`constraint`](crate::constraint)). Let `A` be any matrix, and in the maximum norm
+//! ([`constraint`](crate::model::constraint)). Let `A` be any matrix, and in the maximum norm
 //!
 //! ```text
 //! |A F(q)| <= Y     |I - A J(q)| <= Z < 1     |A C(v, w)| <= K |v| |w|     2 K Y < (1 - Z)^2
@@ -30,16 +30,16 @@
 
 use nalgebra::{SVector, Vector3};
 
+use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::scalar::Real;
+use crate::arithmetic::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
 use crate::error::SolveError;
-use crate::factored::{is_healthy, with_pivoting};
 use crate::linkage::{Factors, Linkage, Listing, Values};
 use crate::listing::DriveKind;
-use crate::magnitude::magnitude;
-use crate::motion::Prescribed;
 use crate::path::Chart;
-use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
+use crate::solve::factored::{is_healthy, with_pivoting};
+use crate::solve::motion::Prescribed;
 
 mod bounds;
 mod enclosed;

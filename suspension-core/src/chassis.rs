@@ -42,8 +42,8 @@
 
 use nalgebra::{Isometry3, Vector3};
 
+use crate::arithmetic::scalar::Real;
 use crate::linkage::Values;
-use crate::scalar::Real;
 use crate::signal::Signal;
 
 /// Pose, velocity and acceleration of a rigid body, all in world axes.

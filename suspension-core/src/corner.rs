@@ -3,18 +3,18 @@
 mod clock;
 mod drives;
 
-use crate::assemble::assemble;
-use crate::directions::Directions;
+use crate::arithmetic::scalar::Real;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
-use crate::motion::Motion;
-use crate::newton::Newton;
-use crate::report::Report;
-use crate::scalar::Real;
 use crate::signal::{Inputs, Signal, Still};
+use crate::solve::assemble::assemble;
+use crate::solve::directions::Directions;
+use crate::solve::motion::Motion;
+use crate::solve::newton::Newton;
+use crate::solve::report::Report;
 use crate::statics::Statics;
-use crate::substeps::Stopped;
-use crate::tracker::Tracker;
+use crate::step::substeps::Stopped;
+use crate::step::tracker::Tracker;
 use crate::values::Values;
 use crate::wheel::{Kingpin, Wheel};
 use clock::Clock;

@@ -5,8 +5,8 @@
 
 use core::fmt;
 
+use crate::arithmetic::scalar::Real;
 use crate::listing::Part;
-use crate::scalar::Real;
 
 mod cause;
 mod message;

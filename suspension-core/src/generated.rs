@@ -6,29 +6,29 @@ pub use nalgebra::{SMatrix, SVector, Vector3};
 #[cfg(feature = "macros")]
 pub use suspension_macros::{Named, linkage as expand};
 
-pub use crate::assemble::best_rigid_fit;
-pub use crate::constraint::{
-    Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
-    angle_to_coordinate, turn_to_coordinate,
+pub use crate::arithmetic::magnitude::sum_of_squares;
+pub use crate::arithmetic::scalar::{Real, Scalar};
+pub use crate::arithmetic::vector::{
+    difference, dot, gather_vector, gather_vectors, moved_along, opposite, xyz,
 };
 pub use crate::corner;
 pub use crate::error::GeometryError;
-pub use crate::handedness::Linked;
 pub use crate::linkage::{
     Build, Designed, Factors as JacobianFactors, HasKingpin, HasWheel, Linkage,
     Listing as AnyNumber, Named, Values,
 };
 pub use crate::listing::{DriveKind, MeasureKind, Names, Parts, WheelPlaces};
-pub use crate::magnitude::sum_of_squares;
-pub use crate::measure;
-pub use crate::parts;
-pub use crate::pivots::check as check_pivots;
-pub use crate::rows::Rows;
-pub use crate::scalar::{Real, Scalar};
-pub use crate::signal::Signal;
-pub use crate::vector::{
-    difference, dot, gather_vector, gather_vectors, moved_along, opposite, xyz,
+pub use crate::model::constraint::{
+    Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
+    angle_to_coordinate, turn_to_coordinate,
 };
+pub use crate::model::handedness::Linked;
+pub use crate::model::measure;
+pub use crate::model::parts;
+pub use crate::model::rows::Rows;
+pub use crate::signal::Signal;
+pub use crate::solve::assemble::best_rigid_fit;
+pub use crate::solve::pivots::check as check_pivots;
 
 /// A vector of its entries.
 #[doc(hidden)]

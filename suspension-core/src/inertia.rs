@@ -6,8 +6,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::arithmetic::scalar::Real;
 use crate::body::{angular_acceleration, angular_velocity, pose};
-use crate::scalar::Real;
 use crate::signal::Signal;
 use crate::statics::spread;
 

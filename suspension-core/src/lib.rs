@@ -31,10 +31,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Below it are the parts: Newton's method ([`Newton`]) and [`assemble()`]; velocities and accelerations from
-//! one factorisation ([`Tangent`]); the ways to step ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed
-//! cost ([`Bounded`]), by Taylor [`series`]; through the turning points of the drives ([`path`]);
-//! motions that were [`baked`]; the [`wheel`]; and a [`certificate`] that the root is the one near by.
+//! Below it are the parts. [`model`] has what a listing becomes, [`solve`] what finds one configuration: [`assemble()`],
+//! Newton's method ([`Newton`]), velocities and accelerations from one factorisation ([`Tangent`]). [`step`] has the ways from
+//! one configuration to the next ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed cost ([`Bounded`]), by Taylor
+//! [`series`](step::series). Further there are motions through the turning points of the drives ([`path`]) and motions that
+//! were [`baked`]; the [`wheel`]; and a [`certificate`] that the root is the one near by.
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 //!
 //! The feature `macros`, on by default, brings [`linkage!`] and the layouts that it compiles in [`linkages`]. A program that reads
@@ -55,63 +56,42 @@
     )
 )]
 
-pub mod assemble;
+pub mod arithmetic;
 pub mod baked;
 pub mod body;
-pub mod bounded;
 pub mod certificate;
 pub mod chassis;
-pub mod constraint;
 pub mod corner;
 #[doc = include_str!("../docs/controller.md")]
 pub mod controller {}
-pub mod directions;
-mod entrywise;
 pub mod error;
 #[cfg(feature = "macros")]
 mod expansion;
-pub mod factored;
 #[doc(hidden)]
 pub mod generated;
-pub mod handedness;
 pub mod inertia;
 pub mod linkage;
 pub mod linkages;
 pub mod listing;
-pub mod local;
-pub mod lu;
-mod magnitude;
-pub mod measure;
-pub mod motion;
-pub mod newton;
-pub mod parts;
+pub mod model;
 pub mod path;
-pub mod pivots;
-pub mod report;
-mod rows;
-pub mod scalar;
-pub mod series;
 pub mod signal;
+pub mod solve;
 pub mod statics;
-pub mod stepper;
-mod substeps;
-pub mod tolerance;
-pub mod tracker;
-pub mod trigonometry;
+pub mod step;
 pub mod values;
-mod vector;
 pub mod wheel;
 
 pub use nalgebra;
 
-pub use assemble::assemble;
-pub use bounded::Bounded;
+pub use arithmetic::scalar::{Real, Scalar};
 pub use corner::Corner;
 pub use error::{GeometryError, SolveError};
 pub use linkage::{Build, Linkage, Listing, Values};
-pub use motion::{Motion, Tangent};
-pub use newton::Newton;
-pub use scalar::{Real, Scalar};
 pub use signal::{Inputs, Signal, Still};
-pub use stepper::Stepper;
-pub use tracker::Tracker;
+pub use solve::assemble::assemble;
+pub use solve::motion::{Motion, Tangent};
+pub use solve::newton::Newton;
+pub use step::bounded::Bounded;
+pub use step::stepper::Stepper;
+pub use step::tracker::Tracker;

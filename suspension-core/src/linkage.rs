@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
+use crate::arithmetic::scalar::{Real, Scalar};
 use crate::error::GeometryError;
 use crate::listing::Parts;
-use crate::scalar::{Real, Scalar};
 use crate::signal::Signal;
 pub use crate::values::{Named, Values};
 
@@ -65,7 +65,7 @@ pub trait Listing<const N: usize>: Parts + Copy {
     }
 
     /// A model in numbers of fewer digits: each of its constants is computed in `f64` and rounded
-    /// once. See [`local`](crate::local).
+    /// once. See [`local`](crate::model::local).
     fn rounded<T: Scalar>(model: &Self::Model<f64>) -> Self::Model<T> {
         Self::converted(model, T::constant)
     }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 
 /// The parts of a listing. A model has them, and so has the listing that it is made from. A type that has them in a
 /// table implements [`table`](Self::table) alone, any other type every other method.

@@ -34,11 +34,11 @@ mod turning;
 
 use nalgebra::SVector;
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::newton::Newton;
-use crate::scalar::Real;
-use crate::tracker::CORRECTION_OF_MOVE;
+use crate::solve::newton::Newton;
+use crate::step::tracker::CORRECTION_OF_MOVE;
 
 pub(crate) use chart::Chart;
 pub use configuration::Configuration;

@@ -2,7 +2,7 @@
 
 mod number;
 
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 use crate::values::Values;
 
 pub use number::Number;

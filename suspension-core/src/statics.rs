@@ -11,14 +11,14 @@ use core::ops::Range;
 
 use nalgebra::{SVector, Vector3};
 
+use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
-use crate::factored::{Factored, smallest_pivot, with_factors};
 use crate::linkage::Linkage;
 use crate::listing::{Kind, Parts};
-use crate::magnitude::magnitude;
-use crate::motion::Prescribed;
-use crate::scalar::Real;
 use crate::signal::{Inputs, Signal};
+use crate::solve::factored::{Factored, smallest_pivot, with_factors};
+use crate::solve::motion::Prescribed;
 use crate::values::Values;
 
 pub use spread::spread;

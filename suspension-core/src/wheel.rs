@@ -16,8 +16,8 @@ mod travel;
 
 use nalgebra::Vector3;
 
+use crate::arithmetic::scalar::Real;
 use crate::body;
-use crate::scalar::Real;
 use crate::signal::Signal;
 
 pub use angles::{

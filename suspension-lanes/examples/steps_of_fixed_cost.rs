@@ -8,10 +8,10 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::report::Report;
+use suspension_core::solve::report::Report;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{
     Bounded, Build, Inputs, Linkage, Motion, Real, Scalar, Signal, SolveError, Still, Values,
 };

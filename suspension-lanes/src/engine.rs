@@ -2,8 +2,8 @@
 
 use fearless_simd::Simd;
 use nalgebra::SVector;
-use suspension_core::bounded::{Measures, Outputs, Step};
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
+use suspension_core::step::bounded::{Measures, Outputs, Step};
 use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still, Values};
 
 use crate::number::{Number, Vector};

@@ -13,8 +13,8 @@ use engine::Engine;
 use fearless_simd::{Avx2, Avx512, Level};
 pub use lane::Lane;
 use plain::Plain;
-use suspension_core::bounded::Outputs;
-use suspension_core::report::Report;
+use suspension_core::solve::report::Report;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveError};
 
 /// Which instructions run the lanes.
@@ -53,7 +53,7 @@ impl Instructions {
 /// so that results differ from those of [`Bounded::step`] by rounding.
 ///
 /// ```
-/// use suspension_core::bounded::Outputs;
+/// use suspension_core::step::bounded::Outputs;
 /// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
 /// use suspension_core::{Inputs, Signal};
 /// use suspension_lanes::Lanes;

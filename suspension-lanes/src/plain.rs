@@ -1,7 +1,7 @@
 //! The step one lane after the other, for processors without instructions for vectors.
 
-use suspension_core::bounded::{Measures, Outputs, Step};
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
+use suspension_core::step::bounded::{Measures, Outputs, Step};
 use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still};
 
 use crate::engine::Engine;

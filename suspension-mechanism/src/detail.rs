@@ -20,7 +20,7 @@ mod row;
 
 pub use method::{Method, NotAMethod};
 pub use need::{Detail, Need};
-pub use suspension_core::bounded::Outputs;
+pub use suspension_core::step::bounded::Outputs;
 
 pub use crate::bake::Wish;
 use crate::failure::Failure;

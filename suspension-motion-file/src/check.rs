@@ -4,7 +4,7 @@ mod instants;
 
 use std::borrow::Borrow;
 
-use suspension_core::parts;
+use suspension_core::model::parts;
 use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 

@@ -1,12 +1,12 @@
 //! The model from positions.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{
+use suspension_core::generated::dot;
+use suspension_core::model::constraint::{
     Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
 };
-use suspension_core::generated::dot;
-use suspension_core::handedness::Linked;
-use suspension_core::{GeometryError, Real, Signal, Values, parts};
+use suspension_core::model::handedness::Linked;
+use suspension_core::{GeometryError, Real, Signal, Values, model::parts};
 
 use crate::fitted::Fitted;
 use crate::model::Model;

@@ -9,8 +9,8 @@ mod constants;
 mod rates;
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Frame};
 use suspension_core::generated::dot;
+use suspension_core::model::constraint::{Carried, Frame};
 use suspension_core::{Real, Scalar, Signal, Values};
 
 use crate::form::{Prescribed, Walked};

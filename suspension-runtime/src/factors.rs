@@ -5,7 +5,7 @@ mod solution;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::Scalar;
-use suspension_core::constraint::Carried;
+use suspension_core::model::constraint::Carried;
 
 use crate::form::{Walked, walk};
 use crate::model::Model;

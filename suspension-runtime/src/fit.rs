@@ -1,8 +1,9 @@
 //! Guesses, with what is rigid put where it fits best.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::Frame;
-use suspension_core::{Real, assemble};
+use suspension_core::Real;
+use suspension_core::model::constraint::Frame;
+use suspension_core::solve::assemble;
 
 use crate::model::Model;
 use crate::site::{Site, Sites};

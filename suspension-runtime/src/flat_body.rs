@@ -1,8 +1,8 @@
 //! Bodies whose first three points, which carry the others, lie in line.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::Frame;
-use suspension_core::parts;
+use suspension_core::model::constraint::Frame;
+use suspension_core::model::parts;
 use suspension_listing::Kind;
 use suspension_listing::form::Form;
 use suspension_listing::system::{Body, Equation, Site};

@@ -1,5 +1,5 @@
 //! The forms of equations, each in one file: where its points and its derivatives are, and what is asked of it where
-//! equations are walked. What is computed of them is in [`suspension_core::constraint`]. `list` lists the forms.
+//! equations are walked. What is computed of them is in [`suspension_core::model::constraint`]. `list` lists the forms.
 
 mod along;
 mod bilinear;

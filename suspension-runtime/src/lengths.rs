@@ -1,9 +1,9 @@
 //! Constant lengths: into the model, and out of it.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Bilinear, Carried, Distance, Frame, OnLine, Product};
-use suspension_core::handedness::Linked;
-use suspension_core::{GeometryError, Real, Values, parts};
+use suspension_core::model::constraint::{Bilinear, Carried, Distance, Frame, OnLine, Product};
+use suspension_core::model::handedness::Linked;
+use suspension_core::{GeometryError, Real, Values, model::parts};
 
 use crate::build::fill;
 use crate::model::Model;

@@ -1,7 +1,7 @@
 //! What the solvers ask of a model.
 
 use nalgebra::{SMatrix, SVector, Vector3};
-use suspension_core::constraint::Frame;
+use suspension_core::model::constraint::Frame;
 use suspension_core::{Build, GeometryError, Linkage, Real, Scalar, Signal};
 
 use crate::equations::{rows, zeros};

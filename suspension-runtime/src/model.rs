@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint::{
+use suspension_core::generated::gather_vector;
+use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::model::constraint::{
     Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
 };
-use suspension_core::generated::gather_vector;
-use suspension_core::handedness::Linked;
-use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
+use suspension_core::model::handedness::Linked;
 
 use crate::fitted::Fitted;
 use crate::form::Forms;

@@ -1,9 +1,9 @@
 //! All points and their rates from the unknowns, what the listing measures, and how drives enter.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Frame, angle_to_coordinate, turn_to_coordinate};
 use suspension_core::generated::{dot, moved_along};
-use suspension_core::{Real, Scalar, Signal, Values, measure};
+use suspension_core::model::constraint::{Carried, Frame, angle_to_coordinate, turn_to_coordinate};
+use suspension_core::{Real, Scalar, Signal, Values, model::measure};
 
 use crate::equations::rows;
 use crate::form::{Walked, walk};

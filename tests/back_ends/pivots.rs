@@ -2,8 +2,8 @@
 //! model is built.
 
 use nalgebra::Vector3;
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{LISTINGS, attia2003};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Corner, Inputs, Motion, Signal, Still, Values};
 use suspension_runtime::{Listing, ModelError};
 

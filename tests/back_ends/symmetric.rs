@@ -2,10 +2,10 @@
 //! which is the one that `linkage!` chooses too, must suit them.
 
 use nalgebra::Vector3;
-use suspension_core::bounded::{Outputs, Refusal};
 use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::LISTINGS;
-use suspension_core::lu::Lu;
+use suspension_core::solve::lu::Lu;
+use suspension_core::step::bounded::{Outputs, Refusal};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Motion, Signal, Still, Values,
 };

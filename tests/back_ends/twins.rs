@@ -1,8 +1,8 @@
 //! The two back ends side by side: what `linkage!` writes of a listing, and its text walked.
 
 use nalgebra::SVector;
-use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Factors;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Still, Tracker, Values};
 
 mod same;

@@ -4,7 +4,7 @@
 use nalgebra::{Complex, SVector, Vector3};
 use suspension_core::linkage::Factors;
 use suspension_core::listing::Kind;
-use suspension_core::lu::Lu;
+use suspension_core::solve::lu::Lu;
 use suspension_core::{Build, Inputs, Linkage, Listing as _, Motion, Signal, Tracker, Values};
 use suspension_runtime::{Fitted, Listing, Model, Room, Size, Work};
 

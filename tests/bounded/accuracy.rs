@@ -1,8 +1,8 @@
 //! How far steps are from the motion, by their length, corrections, prediction and outputs.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Factors as _;
-use suspension_core::tolerance::Tolerance;
+use suspension_core::solve::tolerance::Tolerance;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Linkage};
 
 use super::case::{Case, assert_within, attia, five_link, instants, widen};

@@ -1,9 +1,9 @@
 //! Attempts, which know neither partial pivoting nor reasons, and steps without corrections.
 
 use nalgebra::Vector3;
-use suspension_core::bounded::{Outputs, Refusal};
 use suspension_core::linkages::attia2003;
-use suspension_core::tolerance::Tolerance;
+use suspension_core::solve::tolerance::Tolerance;
+use suspension_core::step::bounded::{Outputs, Refusal};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, SolveError};
 
 use super::case::{Case, attia, five_link};

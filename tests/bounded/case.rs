@@ -1,7 +1,7 @@
 //! The catalogue on the published motion, and how far from it a motion is.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, Motion, Newton, Real, Still, Tangent};
 
 use crate::support::{self, differences};

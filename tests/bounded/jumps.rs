@@ -1,7 +1,7 @@
 //! How far a drive may jump in a bounded step, and what that leaves in its rates: the figures of docs/limits.md and docs/controller.md.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::double_wishbone::{Corner, Drives, Model, Points};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, Signal, Values};
 
 /// The largest velocity and acceleration after a jump of the wheel's height, with rates of zero; `None` where the step is refused.

@@ -1,10 +1,10 @@
 //! Steps that are refused: the reason is named, and no bit of the motion changes.
 
 use nalgebra::SVector;
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::five_link;
 use suspension_core::listing::Part;
-use suspension_core::tolerance::Tolerance;
+use suspension_core::solve::tolerance::Tolerance;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, Motion, SolveError, Still};
 
 use super::case::{Case, attia, five_link};

@@ -1,7 +1,7 @@
 //! Each lane is the step that it would make alone, to rounding.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Listing};
 use suspension_lanes::{Instructions, Lane, Lanes};
 

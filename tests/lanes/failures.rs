@@ -1,10 +1,10 @@
 //! A lane that fails says why and stays where it is; its neighbours do not notice.
 
 use nalgebra::Vector3;
-use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Factors as _;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::listing::Part;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, SolveError, Tracker};
 use suspension_lanes::{Lane, Lanes};
 

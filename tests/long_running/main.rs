@@ -19,7 +19,7 @@ mod support;
 
 use nalgebra::{SMatrix, SVector};
 use proptest::test_runner::Config;
-use suspension_core::lu::Lu;
+use suspension_core::solve::lu::Lu;
 
 /// Of so many random cases, of which a failing one is printed, not written to a file.
 fn config(cases: u32) -> Config {

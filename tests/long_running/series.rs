@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use proptest::prelude::*;
 use suspension_core::linkages::five_link::{Drives, Lengths, Model};
-use suspension_core::series::{InputSeries, Jet, Series, SeriesTracker};
+use suspension_core::step::series::{InputSeries, Jet, Series, SeriesTracker};
 use suspension_core::{
     Build, Inputs, Linkage, Motion, Newton, Signal, Tangent, Tracker, Values, assemble,
 };

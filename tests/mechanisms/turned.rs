@@ -3,8 +3,8 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use suspension_core::certificate::Certifier;
-use suspension_core::series::{InputSeries, Jet, Series};
 use suspension_core::statics::Statics;
+use suspension_core::step::series::{InputSeries, Jet, Series};
 use suspension_core::{Build, Inputs, Linkage, Newton, Signal, Tangent, Values, assemble};
 
 use super::checks;

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use suspension_core::bounded::{Outputs, Step};
 use suspension_core::linkage::Factors as _;
-use suspension_core::motion::Prescribed;
 use suspension_core::signal::ChassisMotion;
+use suspension_core::solve::motion::Prescribed;
+use suspension_core::step::bounded::{Outputs, Step};
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
 use super::number::{Counting, Counts, different};

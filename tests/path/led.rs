@@ -5,7 +5,7 @@ use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::attia2003;
 use suspension_core::listing::Parts;
 use suspension_core::path::{Curve, Leader, Led, Place};
-use suspension_core::stepper::Stopped;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Build, Inputs, Motion, Newton, Signal, SolveError};
 
 use super::case::{Case, attia, five_link};

@@ -2,7 +2,7 @@
 
 use nalgebra::{Rotation3, SVector, Vector3};
 use suspension_core::linkages::five_link;
-use suspension_core::series::{InputSeries, Jet, Series};
+use suspension_core::step::series::{InputSeries, Jet, Series};
 use suspension_core::{Build, Linkage, Newton, Signal, Tangent, Values, assemble};
 
 use crate::support;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::series::{InputSeries, Jet, Series};
+use suspension_core::step::series::{InputSeries, Jet, Series};
 use suspension_core::{Inputs, Linkage, Motion, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::series::{InputSeries, Jet, SeriesTracker};
+use suspension_core::step::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::{Motion, Newton, Real, SolveError, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};

@@ -23,7 +23,7 @@ use nalgebra::SVector;
 use suspension_core::linkage::Listing;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::listing::Parts;
-use suspension_core::stepper::Stopped;
+use suspension_core::step::stepper::Stopped;
 
 use axes::{POINTS, Subject};
 use closure::{Closures, NINE_DISTANCES, RIGID_BODY};

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVectorView};
 use suspension_core::listing::{Part, Parts};
-use suspension_core::pivots::Elimination;
+use suspension_core::solve::pivots::Elimination;
 
 use crate::kinematics::{Equations, Kinematics};
 use crate::mechanism::Names;

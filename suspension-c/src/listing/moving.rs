@@ -5,7 +5,7 @@ use std::boxed::Box;
 use suspension_core::error::{Explain, Facts};
 use suspension_core::listing::Parts;
 use suspension_core::nalgebra::Vector3;
-use suspension_core::report::Report;
+use suspension_core::solve::report::Report;
 use suspension_core::{Corner, Signal, Values};
 use suspension_runtime::{Model, Room, Size};
 

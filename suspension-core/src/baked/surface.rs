@@ -1,7 +1,7 @@
 //! Motions of two drives, as travel and steer.
 
+use crate::arithmetic::scalar::Real;
 use crate::baked::{Outside, Split, add_product, polynomial};
-use crate::scalar::Real;
 
 /// The coefficients of a patch by power of the first drive, power of the second, and output.
 pub type Patch<T, const OUT: usize, const TERMS: usize> = [[[T; OUT]; TERMS]; TERMS];

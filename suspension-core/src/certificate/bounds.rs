@@ -5,9 +5,9 @@ use num_traits::Zero;
 
 use super::enclosed::Enclosed;
 use super::inverse::unit;
+use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
-use crate::magnitude::magnitude;
-use crate::scalar::Real;
 
 /// Bounds in the maximum norm, `A` an approximate inverse of the Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]

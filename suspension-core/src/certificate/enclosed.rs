@@ -4,7 +4,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
-use crate::scalar::{Real, Scalar};
+use crate::arithmetic::scalar::{Real, Scalar};
 
 /// All numbers within `radius` of `value`: of whatever numbers within two enclosures, sum,
 /// difference, product and quotient lie within that of the enclosures.
@@ -191,7 +191,7 @@ impl<T: Real> Scalar for Enclosed<T> {
     }
 
     /// The whole number nearest to the middle, exactly. Where it is asked for
-    /// ([`sine_cosine`](crate::trigonometry::sine_cosine)) any whole number near by will do, as
+    /// ([`sine_cosine`](crate::arithmetic::trigonometry::sine_cosine)) any whole number near by will do, as
     /// long as it is one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {

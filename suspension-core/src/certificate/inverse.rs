@@ -4,8 +4,8 @@ use nalgebra::{SMatrix, SVector};
 use num_traits::{One, Zero};
 
 use super::enclosed::Enclosed;
+use crate::arithmetic::scalar::Real;
 use crate::linkage::Factors;
-use crate::scalar::Real;
 
 /// How each column of an inverse `A` is found: by a back-substitution, or from another column.
 ///
@@ -96,7 +96,7 @@ mod tests {
     use nalgebra::{Matrix3, SMatrix};
 
     use super::{Columns, Derived, Enclosed};
-    use crate::lu::Lu;
+    use crate::solve::lu::Lu;
 
     /// Any number.
     fn any() -> Enclosed<f64> {

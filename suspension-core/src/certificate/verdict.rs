@@ -2,8 +2,8 @@
 
 use super::bounds::Bounds;
 use super::enclosed::Enclosed;
+use crate::arithmetic::scalar::{Real, Scalar};
 use crate::error::{Cause, Compared, Explain, Facts, SolveError, messages};
-use crate::scalar::{Real, Scalar};
 
 /// Whether a root is proved to lie near a position `q`. Distances are the largest difference of any
 /// unknown, in units of length.

@@ -1,6 +1,6 @@
 //! The time of a suspension that moves.
 
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 
 /// A sum of steps, and what rounding has added to it (Kahan's summation): after an hour of milliseconds a plain sum of `f32` is off
 /// by more than a minute, and later stands still.

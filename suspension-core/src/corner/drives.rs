@@ -1,11 +1,11 @@
 //! Drives that a step would not notice to be wrong.
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
-use crate::scalar::Real;
 use crate::signal::Signal;
-use crate::substeps::Stopped;
+use crate::step::substeps::Stopped;
 use crate::values::Values;
 
 /// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. Refuses

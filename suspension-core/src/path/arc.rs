@@ -1,13 +1,13 @@
 //! The curve near one of its points, as a polynomial in the local parameter.
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
 use crate::path::linear::Linear;
-use crate::scalar::Real;
-use crate::series::{Jet, half_curvature};
 use crate::signal::Signal;
+use crate::step::series::{Jet, half_curvature};
 
 /// The curve near a configuration: a polynomial in the distance that entry `parameter` has moved,
 /// counted along the tangent that the arc was given.

@@ -1,11 +1,11 @@
 //! The coordinate by which a drive enters the equations, and the way back to the drive's value.
 
+use crate::arithmetic::scalar::Real;
+use crate::arithmetic::trigonometry::sine_cosine;
 use crate::linkage::{Linkage, Values};
 use crate::listing::DriveKind;
-use crate::parts;
-use crate::scalar::Real;
+use crate::model::parts;
 use crate::signal::Signal;
-use crate::trigonometry::sine_cosine;
 
 /// What a drive's coordinate `h` is of its value `theta`.
 #[derive(Clone, Copy, Debug, PartialEq)]

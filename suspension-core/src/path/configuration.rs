@@ -4,8 +4,8 @@ use core::ops::{Add, Mul, Sub};
 
 use nalgebra::SVector;
 
-use crate::entrywise::{difference, multiple, sum};
-use crate::scalar::Real;
+use crate::arithmetic::entrywise::{difference, multiple, sum};
+use crate::arithmetic::scalar::Real;
 
 /// The `N` unknowns and, entry `N`, the coordinate of the drive that is set free; or their rates.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,16 +2,16 @@
 
 use nalgebra::SVector;
 
+use crate::arithmetic::magnitude::{index_of_largest, magnitude};
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
-use crate::magnitude::{index_of_largest, magnitude};
-use crate::newton::{Newton, rounding_at, within};
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
 use crate::path::linear::{Linear, of_drive};
-use crate::report::Report;
-use crate::scalar::Real;
+use crate::solve::newton::{Newton, rounding_at, within};
+use crate::solve::report::Report;
 
 /// Corrections with the same factors after the first with them. Each takes the same share off as the
 /// first has left, at a fraction of the cost of new factors.

@@ -1,22 +1,22 @@
 //! One step of a led motion: Newton's method on the equations and the quantity together.
 
+use crate::arithmetic::magnitude::{index_of_largest, magnitude};
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
-use crate::factored::smallest_pivot;
-use crate::handedness;
 use crate::linkage::Linkage;
 use crate::listing::Part;
-use crate::magnitude::{index_of_largest, magnitude};
-use crate::motion::input_terms;
-use crate::newton::{rounding_at, within};
+use crate::model::handedness;
 use crate::path::configuration::Configuration;
 use crate::path::correct::finite;
 use crate::path::curve::Curve;
 use crate::path::leader::Leader;
 use crate::path::led::Led;
 use crate::path::linear::Linear;
-use crate::report::Report;
-use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Signal};
+use crate::solve::factored::smallest_pivot;
+use crate::solve::motion::input_terms;
+use crate::solve::newton::{rounding_at, within};
+use crate::solve::report::Report;
 
 /// The smallest part of the tangent's largest entry that the local parameter may have.
 const POOR: f64 = 0.25;

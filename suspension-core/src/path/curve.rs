@@ -2,16 +2,16 @@
 
 use nalgebra::SVector;
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Factors as _, Linkage, Values};
 use crate::listing::Kind;
-use crate::lu::Lu;
-use crate::motion::Prescribed;
 use crate::path::chart::Chart;
 use crate::path::configuration::Configuration;
 use crate::path::linear::{Linear, of_drive};
-use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
+use crate::solve::lu::Lu;
+use crate::solve::motion::Prescribed;
 
 /// What rounding may grow by where the factors of the Jacobian serve a curve: digits that its rates lose
 /// beside partial pivoting.

@@ -1,12 +1,12 @@
 //! Where a quantity is largest or smallest along a curve.
 
+use crate::arithmetic::scalar::Real;
 use crate::linkage::Linkage;
-use crate::newton::Newton;
 use crate::path::arc::second_order;
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
-use crate::scalar::Real;
 use crate::signal::Signal;
+use crate::solve::newton::Newton;
 
 /// Newton steps along the curve.
 const STEPS: usize = 40;

@@ -10,6 +10,7 @@
 //! and velocity and acceleration follow from the rates of the target in the same way: `g` is affine
 //! in the velocities, and its second rate in the accelerations.
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Linkage, Values};
 use crate::listing::Kind;
@@ -17,10 +18,9 @@ use crate::path::course::Course;
 use crate::path::curve::Curve;
 use crate::path::leader::Leader;
 use crate::path::led::Led;
-use crate::report::Report;
-use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::substeps::{Stopped, in_steps};
+use crate::solve::report::Report;
+use crate::step::substeps::{Stopped, in_steps};
 
 /// The measure of the listing with this index, as a quantity that leads: chosen at run time among
 /// [`Linkage::Measures`]. `None` where there is none.

@@ -1,9 +1,9 @@
 //! How to follow a motion that a quantity leads.
 
-use crate::newton::Newton;
-use crate::scalar::Real;
-use crate::substeps::MAX_STEPS;
-use crate::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
+use crate::arithmetic::scalar::Real;
+use crate::solve::newton::Newton;
+use crate::step::substeps::MAX_STEPS;
+use crate::step::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
 /// How to follow a motion that a quantity leads.
 #[derive(Clone, Copy, Debug, PartialEq)]

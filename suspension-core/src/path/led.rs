@@ -2,13 +2,13 @@
 
 use nalgebra::SVector;
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::motion::Motion;
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
-use crate::scalar::Real;
 use crate::signal::{ChassisMotion, Inputs, Signal};
+use crate::solve::motion::Motion;
 
 /// A motion that another quantity leads in place of one drive.
 #[derive(Clone, Copy, Debug, PartialEq)]

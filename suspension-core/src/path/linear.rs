@@ -18,15 +18,15 @@
 
 use nalgebra::SVector;
 
-use crate::entrywise::plus_multiple;
+use crate::arithmetic::entrywise::plus_multiple;
+use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
-use crate::factored::Factored;
 use crate::linkage::Linkage;
 use crate::listing::Part;
-use crate::lu::Lu;
-use crate::magnitude::magnitude;
 use crate::path::configuration::Configuration;
-use crate::scalar::Real;
+use crate::solve::factored::Factored;
+use crate::solve::lu::Lu;
 
 /// The largest entry of the tangent, as a multiple of the parameter's, up to which the factors of the
 /// Jacobian serve.

@@ -1,11 +1,11 @@
 //! The quantity that leads, and its slopes.
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::path::configuration::Configuration;
 use crate::path::course::Course;
-use crate::scalar::Real;
 use crate::signal::Signal;
 
 impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>

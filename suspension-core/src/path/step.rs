@@ -1,15 +1,15 @@
 //! One step along a curve: predicted, corrected, and examined for what lies within it.
 
+use crate::arithmetic::magnitude::index_of_largest;
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
-use crate::magnitude::index_of_largest;
 use crate::path::arc::Arc;
 use crate::path::linear::Linear;
 use crate::path::place::{End, Place, Stretch};
 use crate::path::{Continuation, ORDER, Path};
-use crate::scalar::Real;
-use crate::tracker::CORRECTION_OF_MOVE;
+use crate::step::tracker::CORRECTION_OF_MOVE;
 
 /// The least cosine of the angle between the tangents at the ends of a step.
 const STRAIGHT: f64 = 0.97;

@@ -1,13 +1,13 @@
 //! Where the free drive turns, and where a path leaves its range.
 
+use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::newton::rounding_at;
 use crate::path::arc::{Arc, second_order};
 use crate::path::place::{End, Place, Stretch, Turning};
 use crate::path::{ORDER, Path};
-use crate::scalar::Real;
 use crate::signal::Signal;
+use crate::solve::newton::rounding_at;
 
 /// Places of the predictor at which the drive's direction is looked at.
 const LOOKS: usize = 8;

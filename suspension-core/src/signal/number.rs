@@ -7,7 +7,7 @@ use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssig
 use num_traits::{One, Zero};
 
 use super::Signal;
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 
 /// What the formulas of [`wheel`](crate::wheel) need of a number: met by real numbers, and by a [`Signal`]
 /// of one, whose derivatives the formula then has too.

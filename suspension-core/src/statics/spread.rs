@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::scalar::Real;
+use crate::arithmetic::scalar::Real;
 
 /// Three forces at three points of a rigid body that are together as one force at a place of it with a moment:
 /// `f_i = F / 3 + (I^-1 M) x r_i`, `r_i` from the middle of the points, `M` the moment about that, and `I` the inertia of

@@ -4,8 +4,8 @@
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{double_wishbone, double_wishbone_pushrod};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Values, linkages::LISTINGS};
 use suspension_listing::include_source::NoIncludes;
 use suspension_listing::{order, text};

@@ -63,7 +63,7 @@ pub(super) trait Emit {
     /// driven, of the drive; `None` where they are zero.
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream>;
 
-    /// Operations of residual, Jacobian and curvature, as `suspension_core::constraint` writes them.
+    /// Operations of residual, Jacobian and curvature, as `suspension_core::model::constraint` writes them.
     fn cost(&self) -> [Operations; 3];
 }
 

@@ -1,6 +1,6 @@
 //! What a scene needs, and what it can have.
 
-use suspension_core::bounded::Outputs;
+use suspension_core::step::bounded::Outputs;
 
 use crate::bake::Wish;
 use crate::detail::method::Method;

@@ -2,7 +2,7 @@
 
 use serde::de::{Deserialize, Deserializer, Error};
 
-use suspension_core::bounded::Outputs;
+use suspension_core::step::bounded::Outputs;
 
 use crate::bake::Wish;
 use crate::detail::need::Detail;

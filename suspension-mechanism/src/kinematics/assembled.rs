@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Kind, Parts};
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::assemblies::{Assemblies, Tally, Watch};

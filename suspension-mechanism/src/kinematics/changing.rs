@@ -1,9 +1,9 @@
 //! How a mechanism changes with its hardpoints and lengths.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::directions::Directions;
-use suspension_core::factored::Factored;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::directions::Directions;
+use suspension_core::solve::factored::Factored;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
 use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 

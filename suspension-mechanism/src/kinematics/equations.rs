@@ -1,8 +1,8 @@
 //! The equations of a mechanism at a place, as numbers.
 
 use nalgebra::{DMatrix, SVector};
-use suspension_core::motion::Prescribed;
-use suspension_core::pivots::Elimination;
+use suspension_core::solve::motion::Prescribed;
+use suspension_core::solve::pivots::Elimination;
 
 use crate::mechanism::{Mechanism, Suspension};
 

@@ -1,8 +1,8 @@
 //! From what a file says to a mechanism at its design position.
 
 use nalgebra::Vector3;
-use suspension_core::local::LocalOrigin;
-use suspension_core::{GeometryError, Values, parts};
+use suspension_core::model::local::LocalOrigin;
+use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;

@@ -1,8 +1,8 @@
 //! From polynomials of time to what the solver is given.
 
 use suspension_core::listing::Part;
-use suspension_core::report::Report;
-use suspension_core::stepper::Stopped;
+use suspension_core::solve::report::Report;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Still, Tracker, Values};
 
 use crate::mechanism::polynomial::Polynomial;

@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use suspension_core::path::{Leader, Led, measured};
-use suspension_core::report::Report;
-use suspension_core::stepper::Stopped;
+use suspension_core::solve::report::Report;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::file::Dimension;

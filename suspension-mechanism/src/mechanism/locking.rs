@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
-use suspension_core::stepper::Stopped;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
 use crate::file::Dimension;

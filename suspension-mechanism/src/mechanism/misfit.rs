@@ -1,8 +1,8 @@
 //! Which link keeps a mechanism from following its drives, and how long it would have to be; or which hinge.
 
 use nalgebra::SVector;
-use suspension_core::lu::Lu;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::lu::Lu;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Linkage, Values};
 
 use crate::mechanism::drives::DriveLaws;

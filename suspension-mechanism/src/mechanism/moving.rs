@@ -1,8 +1,8 @@
 //! A mechanism on its way, by its drives or by a measure in place of one.
 
 use suspension_core::path::Led;
-use suspension_core::report::Report;
-use suspension_core::stepper::Stopped;
+use suspension_core::solve::report::Report;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::mechanism::drives::{DriveLaws, advance, follow};

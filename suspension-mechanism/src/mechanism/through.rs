@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use suspension_core::report::Report;
+use suspension_core::solve::report::Report;
 use suspension_core::{Inputs, Motion, Still};
 
 use crate::failure::Failure;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::listing::DriveKind;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::statics::{Loads, Statics};
 use suspension_core::{Inputs, Signal, Values};
 use suspension_runtime::PartForces;

@@ -1,8 +1,8 @@
 //! How a model's constants change.
 
 use nalgebra::Vector3;
-use suspension_core::constraint::{Carried, Frame};
 use suspension_core::generated::dot;
+use suspension_core::model::constraint::{Carried, Frame};
 use suspension_core::{Real, Scalar, Signal, Values};
 
 use super::{Given, Start};

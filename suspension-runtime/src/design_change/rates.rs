@@ -1,7 +1,7 @@
 //! How derivatives with respect to the drives change with a design.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::{Carried, Frame};
+use suspension_core::model::constraint::{Carried, Frame};
 use suspension_core::{Linkage, Real, Values};
 
 use super::{DesignChange, Start, Unknowns};

@@ -1,7 +1,7 @@
 //! Solutions with the factors, made in place.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::constraint::Frame;
+use suspension_core::model::constraint::Frame;
 use suspension_core::{Scalar, linkage};
 
 use super::{Factors, take};

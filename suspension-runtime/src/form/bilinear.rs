@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint;
+use suspension_core::model::constraint;
 use suspension_listing::form;
 use suspension_listing::system::System;
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint::{self, Frame};
+use suspension_core::model::constraint::{self, Frame};
 use suspension_listing::form;
 use suspension_listing::system::{self, pair_name};
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint::Held;
+use suspension_core::model::constraint::Held;
 use suspension_listing::form;
 
 use super::{Entries, Place, Walked};

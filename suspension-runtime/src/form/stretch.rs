@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;
-use suspension_core::constraint;
 use suspension_core::generated::dot;
+use suspension_core::model::constraint;
 use suspension_listing::form;
 
 use super::span::Span;

@@ -2,8 +2,8 @@
 
 use dashu_ratio::Relaxed;
 use fastrand::Rng;
+use suspension_core::arithmetic::trigonometry::sine_cosine;
 use suspension_core::certificate::Enclosed;
-use suspension_core::trigonometry::sine_cosine;
 use suspension_core::{Real, Scalar};
 use suspension_double_double::DoubleDouble;
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Parts};
-use suspension_core::lu::Lu;
+use suspension_core::solve::lu::Lu;
 use suspension_core::{Linkage, Listing, Signal, Values};
 use suspension_double_double::DoubleDouble;
 

@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::HasWheel;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::local::LocalOrigin;
+use suspension_core::model::local::LocalOrigin;
 use suspension_core::wheel::Wheel;
 use suspension_core::{
     Bounded, Build, Inputs, Linkage, Listing, Motion, Newton, Real, Signal, SolveError, Still,

@@ -5,7 +5,7 @@ use nalgebra::{SVector, Vector3};
 use suspension::bake::{Continuity, Path, TERMS, Wanted, Wish, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::local::LocalOrigin;
+use suspension_core::model::local::LocalOrigin;
 use suspension_core::{Build, Linkage, Motion, Tracker, Values};
 
 use super::case::{Built, Errors, Single, Tested, WAYS, Way, single, theta};

@@ -1,6 +1,6 @@
 //! Jumps of a driven chassis point.
 
-use suspension_core::tracker::Between;
+use suspension_core::step::tracker::Between;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Still, Tracker, Values};
 
 use super::random::Random;

@@ -5,8 +5,8 @@ use suspension_core::certificate::Certifier;
 use suspension_core::linkage::{Named, Values};
 use suspension_core::linkages::five_link::{Lengths, Model, Points, equation};
 use suspension_core::listing::Part;
-use suspension_core::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::signal::ChassisMotion;
+use suspension_core::step::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Motion, Newton, Real, Signal, SolveError,
     Tangent, Tracker, assemble,

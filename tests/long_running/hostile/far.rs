@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Values;
 use suspension_core::linkages::five_link;
-use suspension_core::local::LocalOrigin;
+use suspension_core::model::local::LocalOrigin;
 use suspension_core::{Build, Inputs, Motion, Newton, Real, Signal, Tracker, assemble};
 
 use super::mechanisms::{four_bar, rocker};

@@ -3,8 +3,8 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::{Build, Values};
 use suspension_core::listing::Part;
-use suspension_core::series::{InputSeries, Jet};
 use suspension_core::signal::ChassisMotion;
+use suspension_core::step::series::{InputSeries, Jet};
 use suspension_core::{
     GeometryError, Inputs, Motion, Newton, Real, Signal, SolveError, Still, Tangent, assemble,
 };

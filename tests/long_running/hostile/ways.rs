@@ -1,10 +1,10 @@
 //! The ways from one instant to the next: each makes its step, or refuses it for a cause that it
 //! names and leaves the motion.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkage::Build;
-use suspension_core::series::{InputSeries, SeriesTracker};
 use suspension_core::signal::ChassisMotion;
+use suspension_core::step::bounded::Outputs;
+use suspension_core::step::series::{InputSeries, SeriesTracker};
 use suspension_core::{Bounded, Inputs, Motion, Real, SolveError, Still, Tracker};
 
 use super::draw::Draw;

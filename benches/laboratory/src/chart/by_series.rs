@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use suspension_core::linkage::Linkage;
-use suspension_core::series::{InputSeries, Jet, SeriesTracker};
+use suspension_core::step::series::{InputSeries, Jet, SeriesTracker};
 use suspension_core::{Motion, Real, Still, Values};
 
 use super::course::{Given, cast};

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use hdrhistogram::Histogram;
-use suspension_core::bounded::Outputs;
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Listing, Motion, Signal};
 
 use super::course::{Course, cast_drives};

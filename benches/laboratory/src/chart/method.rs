@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-pub use suspension_core::bounded::Outputs;
+pub use suspension_core::step::bounded::Outputs;
 
 use super::course::Given;
 

@@ -1,7 +1,7 @@
 //! Newton's method with a dense factorisation, to the tolerance of the core's.
 
 use nalgebra::{Const, DimMin, SMatrix, SVector};
-use suspension_core::lu::Lu;
+use suspension_core::solve::lu::Lu;
 use suspension_core::{Newton as Settings, Real};
 
 use super::course::Given;

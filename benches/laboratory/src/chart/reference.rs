@@ -4,8 +4,8 @@ use std::iter::repeat;
 
 use nalgebra::SVector;
 use suspension_core::listing::DriveKind;
-use suspension_core::lu::Lu;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::lu::Lu;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Tracker, Values};
 
 use super::course::{Course, Given, cast_drives};

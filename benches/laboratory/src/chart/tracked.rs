@@ -1,8 +1,8 @@
 //! The real-time loops of the core.
 
 use nalgebra::SVector;
-use suspension_core::bounded::Bounded;
-use suspension_core::tolerance::Tolerance;
+use suspension_core::solve::tolerance::Tolerance;
+use suspension_core::step::bounded::Bounded;
 use suspension_core::{Inputs, Linkage, Motion, Real, Still, Tracker, Values};
 
 use super::course::{Given, cast_drives};

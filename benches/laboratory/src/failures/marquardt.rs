@@ -7,7 +7,7 @@ use nalgebra_034 as older;
 use num_traits::Float;
 use older::storage::Owned;
 use older::{DMatrix, DVector, Dyn};
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Linkage, Real};
 
 /// A number that the core and the crate compute with.

@@ -1,7 +1,7 @@
 //! The methods: ways to get from one configuration to another, or from a rough guess to one.
 
 use nalgebra::SVector;
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Motion, Newton, Real, Still, Tracker, assemble};
 
 use super::integration::runge_kutta;

@@ -1,8 +1,8 @@
 //! The motion that results are held against, followed in fine steps.
 
 use nalgebra::SVector;
-use suspension_core::motion::Prescribed;
-use suspension_core::stepper::Stopped;
+use suspension_core::solve::motion::Prescribed;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Real, Still};
 
 use suspension::mechanism::{DriveLaws, Suspension, follow};

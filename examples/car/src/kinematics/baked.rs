@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::Signal;
 use suspension_core::baked::{Curve, Outside, Surface};
-use suspension_core::measure::length;
+use suspension_core::model::measure::length;
 
 use super::{Drives, Hub, Kinematics, Refused, Why};
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::Vector3;
-use suspension_core::stepper::Stopped;
+use suspension_core::step::stepper::Stopped;
 use suspension_core::{Linkage, Motion, Values};
 
 use crate::bake::driven::Driven;

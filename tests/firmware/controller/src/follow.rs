@@ -1,7 +1,7 @@
 //! Through the published motion, one counted call a step.
 
 use suspension_core::nalgebra::{SVector, Vector3};
-use suspension_core::report as solver;
+use suspension_core::solve::report as solver;
 use suspension_core::{Inputs, Linkage, Motion, Real, SolveError, Still, Values};
 
 use crate::baked::Wheel;

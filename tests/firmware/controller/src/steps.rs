@@ -1,11 +1,11 @@
 //! What is counted: one step of the control loop, as one call of a function that nothing is
 //! inlined into. Their names are those of the symbols.
 
-use suspension_core::bounded::{Outputs, Refusal};
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::SVector;
-use suspension_core::report::Report;
+use suspension_core::solve::report::Report;
 use suspension_core::statics::Loads;
+use suspension_core::step::bounded::{Outputs, Refusal};
 use suspension_core::{Bounded, Inputs, Motion, SolveError, Still, Tracker};
 
 use crate::follow::Borne;

@@ -1,7 +1,7 @@
 //! Absolute coordinates: position and Euler parameters of the knuckle.
 
 use nalgebra::{SMatrix, SVector, Vector3, Vector4};
-use suspension_core::constraint::angle_to_coordinate;
+use suspension_core::model::constraint::angle_to_coordinate;
 use suspension_core::{Real, Signal, Values};
 
 use super::five_links::{FiveLinks, in_a_row};

@@ -1,7 +1,7 @@
 //! Point coordinates: the equations of the listing.
 
 use nalgebra::{SMatrix, SVector};
-use suspension_core::motion::Prescribed;
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Real, Signal, Still, Values};
 
 use super::{Formulation, State};

@@ -1,7 +1,7 @@
 //! Steps of fixed cost. All settings come from outside, so that no branch is folded away.
 
-use suspension_core::bounded::Outputs;
 use suspension_core::linkages::{attia2003, five_link};
+use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, Motion, Real, Signal};
 
 fn step<T, L, const CORRECTIONS: usize>(

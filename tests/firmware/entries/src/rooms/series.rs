@@ -1,7 +1,7 @@
 //! Steps by series. All settings come from outside, so that no branch is folded away.
 
 use suspension_core::linkages::{attia2003, five_link};
-use suspension_core::series::{ChassisSeries, InputSeries, Jet, Series, SeriesTracker};
+use suspension_core::step::series::{ChassisSeries, InputSeries, Jet, Series, SeriesTracker};
 use suspension_core::{Linkage, Motion, Real, Still};
 
 /// The order of the series.

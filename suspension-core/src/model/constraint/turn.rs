@@ -1,0 +1,160 @@
+//! An angle about an axis, by sine and cosine of its quarter.
+
+use nalgebra::Vector3;
+
+use crate::arithmetic::scalar::{Real, Scalar};
+use crate::arithmetic::trigonometry::sine_cosine;
+use crate::arithmetic::vector::{cross, dot};
+use crate::signal::Signal;
+
+/// Heron's method from the design: to rounding where lengths are between a hundredth of what they are there and a
+/// hundred times as much.
+const ROUNDS: usize = 12;
+
+/// Sine and cosine of a quarter of an angle, times a length `L`: `F = (s^2 + c^2 - L^2) / (2 L)`.
+///
+/// A drive prescribes `s = L sin(theta / 4)`. Those of the half and of the whole angle are products of `s` and `c`
+/// ([`Bilinear`](super::Bilinear)), so that the angle is regular everywhere within a whole turn to either side, 0 and
+/// pi included, where a cosine alone would be singular.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Turn<T> {
+    length: T,
+    inverse: T,
+    /// `c / L` and `s / L` in the design.
+    quarter: [T; 2],
+    /// The length of the axis in the design.
+    axis: T,
+    /// How long both [`parts`](Self::parts) are together there.
+    radius: T,
+}
+
+impl<T: Real> Turn<T> {
+    /// The angle from `d` to `e` about `n` in the design, times a length; `None` where a line has no length, or is
+    /// along the axis.
+    pub fn new([d, e, n]: [Vector3<T>; 3], length: T) -> Option<Self> {
+        let axis = n.norm();
+        let [along, across] = Self::parts([d, e, n], axis);
+        let radius = (along * along + across * across).sqrt();
+        let flat = T::EPSILON.sqrt() * d.norm() * e.norm() * axis;
+        let (sine, cosine) = sine_cosine(T::arc_tangent(across, along) * T::constant(0.25));
+        (radius > flat).then(|| Self {
+            length,
+            inverse: T::one() / length,
+            quarter: [cosine, sine],
+            axis,
+            radius,
+        })
+    }
+}
+
+impl<T: Scalar> Turn<T> {
+    /// The length `L`.
+    #[inline]
+    pub fn length(&self) -> T {
+        self.length
+    }
+
+    /// `F(s, c)`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn residual(&self, sine: T, cosine: T) -> T {
+        let square = (sine * sine).plus_product(cosine, cosine);
+        (square * self.inverse - self.length) * T::constant(0.5)
+    }
+
+    /// `dF/ds = s / L`, and so `dF/dc = c / L`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn gradient(&self, part: T) -> T {
+        part * self.inverse
+    }
+
+    /// `C(v, w)`, with the changes of `s` and `c` in each.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn curvature(&self, [v_s, v_c]: [T; 2], [w_s, w_c]: [T; 2]) -> T {
+        (v_s * w_s).plus_product(v_c, w_c) * self.inverse
+    }
+
+    /// `s` and `c` of the angle from `d` to `e` about `n`, as if it were less than half a turn from that of the design.
+    #[inline]
+    pub fn quarter(&self, [d, e, n]: [Vector3<T>; 3]) -> [T; 2] {
+        let axis = root(dot(n, n), self.axis);
+        let [along, across] = Self::parts([d, e, n], axis);
+        let square = (along * along).plus_product(across, across);
+        let inverse = T::one() / root(square, self.radius);
+        let whole = [along * inverse, across * inverse];
+        let half = complex_root(whole, complex_product(self.quarter, self.quarter));
+        let [cosine, sine] = complex_root(half, self.quarter).map(|part| part * self.length);
+        [sine, cosine]
+    }
+
+    /// Of `e` without its part along `n`, what is along and what is across `d`, without its part along `n`: both over
+    /// the same length, anticlockwise about `n`.
+    #[inline]
+    fn parts([d, e, n]: [Vector3<T>; 3], axis: T) -> [T; 2] {
+        let normal = cross(n, d);
+        [dot(normal, cross(n, e)) / axis, dot(normal, e)]
+    }
+
+    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn gather<M, S: Scalar>(
+        of: impl Fn(&M) -> Turn<S>,
+        number: &impl Fn(&dyn Fn(&M) -> S) -> T,
+    ) -> Self {
+        let length = number(&|model| of(model).length);
+        // The inverse to all digits of the other number: it is part of the equation.
+        Self {
+            length,
+            inverse: T::one() / length,
+            quarter: [
+                number(&|model| {
+                    let [cosine, _] = of(model).quarter;
+                    cosine
+                }),
+                number(&|model| {
+                    let [_, sine] = of(model).quarter;
+                    sine
+                }),
+            ],
+            axis: number(&|model| of(model).axis),
+            radius: number(&|model| of(model).radius),
+        }
+    }
+}
+
+/// Heron's method for a square root.
+#[inline]
+fn root<T: Scalar>(square: T, guess: T) -> T {
+    let half = T::constant(0.5);
+    (0..ROUNDS).fold(guess, |root, _| (root + square / root) * half)
+}
+
+/// The same of a complex number, for the root within a quarter of a turn of the guess.
+#[inline]
+fn complex_root<T: Scalar>(square: [T; 2], guess: [T; 2]) -> [T; 2] {
+    let half = T::constant(0.5);
+    (0..ROUNDS).fold(guess, |[x, y], _| {
+        let inverse = half / (x * x).plus_product(y, y);
+        let [re, im] = complex_product(square, [x, -y]);
+        [
+            (x * half).plus_product(re, inverse),
+            (y * half).plus_product(im, inverse),
+        ]
+    })
+}
+
+fn complex_product<T: Scalar>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
+    [(a * c).minus_product(b, d), (a * d).plus_product(b, c)]
+}
+
+/// The coordinate that a driving angle about an axis prescribes: `h = L sin(theta / 4)` and its rates by the chain
+/// rule.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn turn_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {
+    let quarter = angle.map(|angle| *angle * T::constant(0.25));
+    let (sine, cosine) = sine_cosine(quarter.value);
+    Signal {
+        value: length * sine,
+        rate: length * cosine * quarter.rate,
+        second_rate: length * (cosine * quarter.second_rate - sine * quarter.rate * quarter.rate),
+    }
+}

@@ -1,0 +1,99 @@
+//! Where a search starts, and which of the roots that it meets is the nearest.
+
+use nalgebra::SVector;
+
+use crate::arithmetic::magnitude::largest;
+use crate::arithmetic::scalar::Real;
+use crate::error::SolveError;
+use crate::solve::assemble::assembly::Assembly;
+use crate::solve::factored::smallest_pivot;
+use crate::solve::report::Report;
+
+/// Starts around the guess.
+pub(super) const AROUND: usize = 16;
+
+/// How far a start lies from the guess in each coordinate at most, as a multiple of what the
+/// equations are off by there (root mean square): about as far as the guess is from a root.
+const SPREAD: f64 = 1.5;
+
+/// Starts around the guess, the same at every call, whatever room there is behind its `unknowns`. `off` is the residual at the
+/// guess.
+pub(super) fn around<T: Real, const N: usize>(
+    guess: &SVector<T, N>,
+    unknowns: usize,
+    off: &SVector<T, N>,
+) -> impl Iterator<Item = SVector<T, N>> {
+    let spread = off.norm() * T::constant(SPREAD / libm::sqrt(unknowns as f64));
+    let guess = *guess;
+    let mut state = 1;
+    let around = move || {
+        let mut start = guess;
+        for x in start.iter_mut().take(unknowns) {
+            *x += spread * random(&mut state);
+        }
+        start
+    };
+    core::iter::repeat_with(around).take(AROUND)
+}
+
+/// A number between -1 and 1, from the upper half of a linear congruential generator (Knuth,
+/// MMIX).
+fn random<T: Real>(state: &mut u64) -> T {
+    *state = state
+        .wrapping_mul(6_364_136_223_846_793_005)
+        .wrapping_add(1_442_695_040_888_963_407);
+    T::constant(f64::from((*state >> 32) as u32) / f64::from(1_u32 << 31) - 1.0)
+}
+
+/// A root, and how it relates to the guess and to others.
+pub(super) struct Found<T, const N: usize> {
+    pub(super) root: SVector<T, N>,
+    pub(super) assembly: Assembly<T>,
+}
+
+impl<T: Real, const N: usize> Found<T, N> {
+    /// A root to which one start led.
+    pub(super) fn new(root: SVector<T, N>, guess: &SVector<T, N>, report: Report<T>) -> Self {
+        let assembly = Assembly {
+            report,
+            distance: (root - guess).norm(),
+            next: None,
+            starts: 1,
+        };
+        Self { root, assembly }
+    }
+
+    /// The nearer of two, which takes note of the other.
+    fn or_nearer(mut self, mut other: Self, size: T) -> Self {
+        if is_same(&self.root, &other.root, size) {
+            self.assembly.starts += 1;
+            return self;
+        }
+        if other.assembly.distance < self.assembly.distance {
+            core::mem::swap(&mut self, &mut other);
+        }
+        let beside = other.assembly.distance;
+        let next = self.assembly.next.map_or(beside, |next| next.min(beside));
+        self.assembly.next = Some(next);
+        self
+    }
+}
+
+/// What was found so far and one more attempt.
+pub(super) fn nearer<T: Real, const N: usize>(
+    so_far: Result<Found<T, N>, SolveError<T>>,
+    attempt: Result<Found<T, N>, SolveError<T>>,
+    size: T,
+) -> Result<Found<T, N>, SolveError<T>> {
+    match (so_far, attempt) {
+        (Ok(so_far), Ok(found)) => Ok(so_far.or_nearer(found, size)),
+        (Err(_), Ok(found)) => Ok(found),
+        (so_far, Err(_)) => so_far,
+    }
+}
+
+/// Whether two results are one root: near a singularity it is known to half the digits only.
+fn is_same<T: Real, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>, size: T) -> bool {
+    let ([apart], [coordinates]) = ((a - b).data.0, a.data.0);
+    largest(apart) <= smallest_pivot::<T>() * size.max(largest(coordinates))
+}

@@ -1,0 +1,191 @@
+//! A factored Jacobian: in the macro's order of pivots, or where that is unhealthy, with partial
+//! pivoting.
+
+use nalgebra::SVector;
+
+use crate::arithmetic::scalar::Real;
+use crate::error::SolveError;
+use crate::linkage::{Factors, Linkage};
+use crate::listing::Part;
+use crate::solve::lu::Lu;
+
+/// The [growth](Factors::growth_squared) up to which the fixed order is used: what rounding costs there with
+/// one small pivot, as a multiple of what it costs with partial pivoting. At the instants of the published
+/// motion it is 33 or less.
+const GROWTH_LIMIT: f64 = 1e3;
+
+/// A pivot, as a multiple of the square root of `EPSILON`, at which no digit of a velocity is
+/// known: a residual at rounding level leaves the position off by as much there.
+const SMALLEST_PIVOT: f64 = 8.0;
+
+/// The part of itself by which the Jacobian's smallest singular value may change within what rounding leaves of the position.
+/// At a lock, where it is zero but for that, a residual of `k` roundings makes it `1 / (2 k)`; residuals of eight are accepted.
+const CHANGE_BY_ROUNDING: f64 = 1.0 / 64.0;
+
+/// The smallest pivot that determines a velocity.
+pub(crate) fn smallest_pivot<T: Real>() -> T {
+    T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
+}
+
+/// The largest [growth](Factors::growth_squared) that will do, not squared.
+pub(crate) fn growth_limit<T: Real>() -> T {
+    T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot())
+}
+
+/// Whether pivots with this [growth](Factors::growth_squared) will do.
+pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
+    let limit = growth_limit::<T>();
+    growth_squared < limit * limit
+}
+
+/// Gives `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
+///
+/// # Errors
+///
+/// [`SolveError::Singular`] from partial pivoting, [`SolveError::NotFinite`] where an entry of the
+/// Jacobian is not finite.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn with_factors<T, L, R, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    threshold: T,
+    work: impl FnOnce(&dyn Factors<T, N>) -> R,
+) -> Result<R, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let factors = linkage.factor(q, fixed);
+    if is_healthy(factors.growth_squared()) {
+        Ok(work(&factors))
+    } else {
+        Ok(work(&with_pivoting(linkage, q, fixed, threshold)?))
+    }
+}
+
+/// The same for rates, which a singularity leaves without a value: refused where they have hardly a digit.
+///
+/// # Errors
+///
+/// As [`with_factors`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub fn with_factors_for_rates<T, L, R, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    work: impl FnOnce(&dyn Factors<T, N>) -> R,
+) -> Result<R, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let factors = linkage.factor(q, fixed);
+    if is_healthy(factors.growth_squared()) {
+        Ok(work(&factors))
+    } else {
+        let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+        check_rates(linkage, &lu)?;
+        Ok(work(&lu))
+    }
+}
+
+/// The factors with partial pivoting, whose pivots must exceed `threshold`.
+///
+/// # Errors
+///
+/// As [`with_factors`].
+#[cold]
+#[inline(never)]
+pub(crate) fn with_pivoting<T, L, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+    threshold: T,
+) -> Result<Lu<T, N>, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let mut lu = Lu::of(linkage.jacobian(q, fixed));
+    lu.eliminate_jacobian(threshold)?;
+    Ok(lu)
+}
+
+/// The direction of the unknowns that changes the equations least: the inverse takes almost anything to it.
+#[cold]
+#[inline(never)]
+fn least_determined<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N> {
+    let any = SVector::from_fn(|row, _| T::one() / T::constant((row + 1) as f64));
+    let direction = factors.solve(&any);
+    direction / direction.norm()
+}
+
+/// Refuses factors near a lock by how much of itself the smallest singular value may change where the position is off by what
+/// rounding leaves of it; so much may rates be off.
+#[cold]
+#[inline(never)]
+pub(crate) fn check_rates<T, L, const N: usize>(
+    linkage: &L,
+    factors: &Lu<T, N>,
+) -> Result<(), SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let direction = least_determined(factors);
+    let still = L::Fixed::default();
+    let curvature = linkage.curvature(&direction, &still, &direction, &still);
+    let change = factors.solve(&curvature).norm();
+    let rounding = T::EPSILON * linkage.size();
+    let by_rounding = change * change * rounding / curvature.norm();
+    let most = T::constant(CHANGE_BY_ROUNDING);
+    let (unknown, pivot) = factors.smallest_pivot();
+    if by_rounding > most {
+        return Err(SolveError::Singular {
+            part: Part::Unknown(unknown),
+            pivot,
+            threshold: pivot * (by_rounding / most).sqrt(),
+        });
+    }
+    Ok(())
+}
+
+/// The factors of a Jacobian, to keep.
+#[derive(Clone, Copy, Debug)]
+pub enum Factored<F, T, const N: usize> {
+    /// In the macro's order.
+    InFixedOrder(F),
+    /// With partial pivoting, because the pivots of the macro's order are unhealthy.
+    WithPivoting(Lu<T, N>),
+}
+
+impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
+    /// Factors the Jacobian of a linkage, for velocities.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Singular`] where the position, off by rounding, leaves hardly a digit of a velocity,
+    /// [`SolveError::NotFinite`] where an entry of the Jacobian is not finite.
+    pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T, Factors = F>,
+    {
+        let factors = linkage.factor(q, fixed);
+        if is_healthy(factors.growth_squared()) {
+            Ok(Self::InFixedOrder(factors))
+        } else {
+            let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+            check_rates(linkage, &lu)?;
+            Ok(Self::WithPivoting(lu))
+        }
+    }
+
+    /// The factors, whichever they are.
+    pub fn factors(&self) -> &dyn Factors<T, N> {
+        match self {
+            Self::InFixedOrder(factors) => factors,
+            Self::WithPivoting(lu) => lu,
+        }
+    }
+}

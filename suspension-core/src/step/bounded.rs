@@ -1,0 +1,223 @@
+//! A step of fixed cost: one factorisation, a fixed number of solutions, no branch on the data.
+//!
+//! `F` is quadratic, so with `J` and `F` at the predicted position `q0 = q + e`
+//!
+//! ```text
+//! F(q0 - e) = F(q0) - J e + C(e, e) / 2        J(q0 - e) = J - C(e, .)        exactly,
+//! ```
+//!
+//! and the error `e` of the prediction, velocity and acceleration all follow with the factors of
+//! `J`:
+//!
+//! ```text
+//! J e = F(q0) + C(e, e) / 2
+//! J v = -dF/du udot + C(e, v)                                (Attia 2003, eq. 3)
+//! J a = -dF/du uddot - C(v, v) + C(e, a)                     (Attia 2003, eq. 7 and 8)
+//! ```
+//!
+//! Each is corrected a fixed number of times, with the last value put in on the right. The first
+//! values of `v` and `a` are the rates of the prediction, corrected by what `e` tells of the term
+//! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`. Where a drive jumps instead, `e` says nothing
+//! of the rates, and a part of it stays in them: of the order of `e^2 / (l dt)` in the velocity and `e^2 / (l dt^2)` in the
+//! acceleration, `l` being the length of a link. In `f64` a step of a millisecond is accepted only where these are below 1e-8 m/s^2; in
+//! `f32` steps of a millisecond are accepted with 0.01 m/s and 20 m/s^2. [`Report::error`] is the size of `e`.
+
+use crate::arithmetic::scalar::Real;
+use crate::error::SolveError;
+use crate::linkage::Linkage;
+use crate::signal::{ChassisMotion, Inputs};
+use crate::solve::factored::{check_rates, smallest_pivot, with_pivoting};
+use crate::solve::motion::{Motion, Prescribed};
+use crate::solve::report::Report;
+use crate::solve::tolerance::Tolerance;
+use crate::step::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
+
+mod judge;
+mod measures;
+mod predict;
+mod step;
+
+pub use judge::Refusal;
+pub use measures::Measures;
+pub use step::Step;
+
+/// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would
+/// just accept.
+const DEFAULT_TOLERANCE: f64 = 64.0;
+
+/// Which rates a step solves for. What it does not solve for it estimates from what it does: good
+/// for the next prediction, not for reading off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outputs {
+    /// The position alone.
+    Position,
+    /// Position and velocity.
+    Velocity,
+    /// Position, velocity and acceleration.
+    Acceleration,
+}
+
+/// How to step at a fixed cost: with `CORRECTIONS` solutions for each of position, velocity and
+/// acceleration from a prediction of order `ORDER`: 0 is the last position, 1 adds its
+/// velocity, 2 its acceleration. More corrections allow for longer steps.
+///
+/// With 0 corrections each is solved for once and all terms of `e` are left out, a quarter of the
+/// instructions. Only a step with an error within the tolerance is then accepted, so that what is
+/// left out is rounding: `f32` at 1 ms. With another tolerance than the default what is left out of
+/// the rates grows with it.
+///
+/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction
+/// is enough for smooth drives where the acceleration is solved for; with less two are, or half the step. The page
+/// [`controller`](crate::controller#which-step) says how smooth: in `f64` a wheel on a road takes two or three.
+///
+/// The instructions that a step executes do not depend on its data, as long as the pivots of the
+/// macro's order are healthy, the error of the prediction is within
+/// [`correction_of_size`](Self::correction_of_size) and the step is accepted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounded<T, const CORRECTIONS: usize = 1, const ORDER: usize = 2> {
+    /// The largest norm of the residual that is accepted. Rounding is `EPSILON` times the size of the
+    /// linkage: coordinates are taken to be local ones ([`local`](crate::model::local)).
+    pub tolerance: Tolerance<T>,
+    /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
+    pub correction_of_move: T,
+    /// See [`Tracker::correction_of_size`](crate::Tracker::correction_of_size).
+    pub correction_of_size: T,
+}
+
+/// One correction from a prediction of second order: for others see [`Bounded::new`].
+impl<T: Real> Default for Bounded<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
+    /// With as many corrections, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn new() -> Self {
+        Self {
+            tolerance: Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE)),
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
+        }
+    }
+
+    /// One step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
+    ///
+    /// Where the pivots of the macro's order are unhealthy the step is made again with partial
+    /// pivoting.
+    ///
+    /// # Errors
+    ///
+    /// See [`SolveError`]; the motion is then unchanged.
+    #[inline]
+    pub fn step<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        self.step_to(Outputs::Acceleration, linkage, inputs, dt, motion)
+    }
+
+    /// [`step`](Self::step), solving only for what is asked.
+    ///
+    /// # Errors
+    ///
+    /// See [`SolveError`]; the motion is then unchanged.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn step_to<L, C, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        match self.attempt(outputs, linkage, inputs, dt, motion) {
+            Ok(settled) => Ok(settled),
+            Err(_) => self.step_anew(outputs, linkage, inputs, dt, motion),
+        }
+    }
+
+    /// [`step_to`](Self::step_to) in the macro's order of pivots or not at all: what a hard real-time
+    /// loop calls. A refusal takes no longer than a step, and brings neither partial pivoting nor the
+    /// search for reasons into the program; where it is to be explained, there is time for `step_to`.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the motion is then unchanged. An error of the prediction is
+    /// [`Diverging`](Refusal::Diverging) by its size alone, however far the step goes.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn attempt<L, C, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Refusal>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let prescribed = Prescribed::new(linkage, inputs);
+        let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
+        let (next, measures) = step.in_fixed_order(outputs);
+        let before = motion.positive_determinant;
+        // What the step keeps to itself stays in registers: it is not asked how far it goes.
+        let settled = self.judge(linkage.size(), &measures, before, T::zero)?;
+        if !measures.is_healthy() {
+            return Err(Refusal::Unhealthy);
+        }
+        *motion = measures.signed(next);
+        Ok(settled)
+    }
+
+    /// The step from the start again, with partial pivoting: with the distance that it goes, or with
+    /// the reason why it is refused. In little code and stack: there is no hurry any more.
+    #[cold]
+    #[inline(never)]
+    fn step_anew<L, C, const N: usize>(
+        &self,
+        outputs: Outputs,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let prescribed = Prescribed::new(linkage, inputs);
+        let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
+        let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
+        // NaN is the reason even where the pivots are too small as well.
+        let start = step.residual_called(at);
+        if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
+            return Err(SolveError::not_finite(equation));
+        }
+        let lu = with_pivoting(linkage, at, fixed, smallest_pivot())?;
+        check_rates(linkage, &lu)?;
+        let (next, measures) = step.settle::<_, true>(&lu, outputs);
+        let before = motion.positive_determinant;
+        match self.judge(linkage.size(), &measures, before, || step.moved(&next)) {
+            Ok(settled) => {
+                *motion = measures.signed(next);
+                Ok(settled)
+            }
+            Err(refusal) => Err(step.explain(self, refusal, &next, &measures)),
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Whether a step is accepted, and if not, why.
+
+use nalgebra::SVector;
+
+use super::measures::Measures;
+use super::{Bounded, Step};
+use crate::arithmetic::magnitude::index_of_largest;
+use crate::arithmetic::scalar::Real;
+use crate::error::{Cause, Explain, Facts, SolveError, messages};
+use crate::linkage::Linkage;
+use crate::listing::Part;
+use crate::model::handedness::{is_right, most_mirrored};
+use crate::signal::ChassisMotion;
+use crate::solve::motion::Motion;
+use crate::solve::report::Report;
+
+/// Which test a step failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// A position, velocity or acceleration is not finite.
+    NotFinite,
+    /// The error of the prediction exceeds its bound.
+    Diverging,
+    /// The residual exceeds the tolerance.
+    NotConverged,
+    /// The determinant has changed its sign.
+    CrossedSingularity,
+    /// A point that links alone hold is mirrored.
+    Mirrored,
+    /// The pivots of the fixed order are too small: with partial pivoting there may be a step.
+    Unhealthy,
+}
+
+impl Explain for Refusal {
+    fn facts(&self) -> Facts {
+        let cause = match self {
+            Self::NotFinite => Cause::Overflow,
+            Self::Diverging => Cause::Diverging,
+            Self::NotConverged => Cause::NotConverged,
+            Self::CrossedSingularity => Cause::CrossedSingularity,
+            Self::Mirrored => Cause::Mirrored,
+            Self::Unhealthy => Cause::UnhealthyPivots,
+        };
+        Facts::of(cause, None)
+    }
+}
+
+messages! {
+    [] Refusal;
+}
+
+impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
+    /// What the residual of a linkage of the given size is compared with.
+    fn residual_tolerance(&self, size: T) -> T {
+        self.tolerance.length(T::EPSILON * size)
+    }
+
+    /// The error of the prediction that is accepted however short the step.
+    fn smallest_bound(&self, size: T) -> T {
+        if CORRECTIONS == 0 {
+            self.residual_tolerance(size)
+        } else {
+            self.correction_of_size * size
+        }
+    }
+
+    /// The error that is accepted of a step that has `moved` so far.
+    fn bound(&self, size: T, moved: impl FnOnce() -> T) -> T {
+        let smallest = self.smallest_bound(size);
+        if CORRECTIONS == 0 {
+            smallest
+        } else {
+            smallest.max(self.correction_of_move * moved())
+        }
+    }
+
+    /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is
+    /// the sign of the determinant at the last motion, where known; `moved` the distance from its
+    /// position, which is asked for where the error of the prediction is not small by itself.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    #[inline]
+    pub fn judge(
+        &self,
+        size: T,
+        measures: &Measures<T>,
+        before: Option<bool>,
+        moved: impl FnOnce() -> T,
+    ) -> Result<Report<T>, Refusal> {
+        let tolerance = self.residual_tolerance(size);
+        let is_positive = measures.determinant_sign > T::zero();
+        let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
+        let error_squared = measures.error_squared;
+        let is_within = |bound: T| error_squared <= bound * bound;
+        let is_near = is_within(self.smallest_bound(size))
+            || CORRECTIONS > 0 && is_within(self.bound(size, moved));
+        if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
+            Err(Refusal::NotFinite)
+        } else if !is_near {
+            Err(Refusal::Diverging)
+        } else if !is_root {
+            Err(Refusal::NotConverged)
+        } else if before.is_some_and(|before| before != is_positive) {
+            Err(Refusal::CrossedSingularity)
+        } else if !is_right(measures.mirrored) {
+            Err(Refusal::Mirrored)
+        } else {
+            Ok(Report {
+                tolerance,
+                residual_squared: measures.residual_squared,
+                error_squared,
+                growth_squared: measures.growth_squared,
+                steps: 1,
+                iterations: 1,
+            })
+        }
+    }
+}
+
+impl<T, L, C, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
+    Step<'_, L, C, N, CORRECTIONS, ORDER>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+    C: ChassisMotion<L::Fixed>,
+{
+    /// How far the step goes.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn moved(&self, next: &Motion<T, N>) -> T {
+        (next.position - self.from.position).norm()
+    }
+
+    /// The refusal in full, with the equation or unknown concerned.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn explain(
+        &self,
+        settings: &Bounded<T, CORRECTIONS, ORDER>,
+        refusal: Refusal,
+        next: &Motion<T, N>,
+        measures: &Measures<T>,
+    ) -> SolveError<T> {
+        let fixed = &self.prescribed.fixed.value;
+        let size = self.linkage.size();
+        match refusal {
+            Refusal::NotFinite => {
+                let infinite = |vector: &SVector<T, N>| vector.iter().position(|x| !x.is_finite());
+                let unknown = [&next.position, &next.velocity, &next.acceleration]
+                    .into_iter()
+                    .find_map(infinite)
+                    .unwrap_or_else(|| index_of_largest(&next.acceleration));
+                SolveError::overflow(unknown)
+            }
+            Refusal::Diverging => SolveError::Diverging {
+                part: Part::Unknown(index_of_largest(
+                    &(self.prediction.position - next.position),
+                )),
+                step: measures.error_squared.sqrt(),
+                bound: settings.bound(size, || self.moved(next)),
+            },
+            Refusal::NotConverged => SolveError::NotConverged {
+                part: Part::Equation(index_of_largest(&self.residual_called(&next.position))),
+                residual: measures.residual_squared.sqrt(),
+                tolerance: settings.residual_tolerance(size),
+                iterations: CORRECTIONS,
+            },
+            // Small pivots are an attempt's refusal: with partial pivoting nothing is left of them but a
+            // singularity near by.
+            Refusal::CrossedSingularity | Refusal::Unhealthy => SolveError::CrossedSingularity {
+                part: Part::Unknown(index_of_largest(&(next.position - self.from.position))),
+            },
+            Refusal::Mirrored => SolveError::Mirrored {
+                part: most_mirrored(self.linkage, &next.position, fixed),
+            },
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Following a motion in time: last good motion in, next motion out.
+
+mod between;
+pub(crate) mod guard;
+
+use nalgebra::SVector;
+
+use crate::arithmetic::entrywise::difference;
+use crate::arithmetic::magnitude::{index_of_largest, largest, magnitude};
+use crate::arithmetic::scalar::Real;
+use crate::error::SolveError;
+use crate::linkage::{Factors, Linkage};
+use crate::listing::Part;
+use crate::model::handedness::{self, count_mirrored, is_right};
+use crate::signal::{ChassisMotion, Inputs};
+use crate::solve::factored::{is_healthy, with_factors_for_rates};
+use crate::solve::motion::{Motion, Prescribed, rates_at};
+use crate::solve::newton::{Newton, rounding_at};
+use crate::solve::report::Report;
+use crate::step::substeps::{MAX_STEPS, Stopped, in_steps};
+
+pub use between::{Between, Cubic};
+use guard::{Change, Crossing};
+
+/// See [`Tracker::correction_of_move`].
+pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
+
+/// See [`Tracker::correction_of_size`].
+pub(crate) const CORRECTION_OF_SIZE: f64 = 0.02;
+
+/// How to follow a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tracker<T> {
+    /// How each step is solved.
+    pub newton: Newton<T>,
+    /// Steps that one advance may try, the refused ones included.
+    pub max_steps: usize,
+    /// The largest first correction of a predicted position, as a part of the predicted move. A
+    /// larger one tells that the prediction has left the motion, and the root may be another's.
+    pub correction_of_move: T,
+    /// The correction that is allowed in any case, as a part of the linkage's size: for drives
+    /// that jump, and for the first step from rest.
+    pub correction_of_size: T,
+    /// The largest change of the Jacobian over a step, applied to the step itself and solved for:
+    /// a part of the step. With more, singularities may lie between, an even number too.
+    pub change_of_jacobian: T,
+}
+
+impl<T: Real> Default for Tracker<T> {
+    fn default() -> Self {
+        Self {
+            newton: Newton::near_by(),
+            max_steps: MAX_STEPS,
+            correction_of_move: T::constant(CORRECTION_OF_MOVE),
+            correction_of_size: T::constant(CORRECTION_OF_SIZE),
+            change_of_jacobian: T::constant(guard::CHANGE_OF_JACOBIAN),
+        }
+    }
+}
+
+impl<T: Real> Tracker<T> {
+    /// One step of length `dt` to the configuration of `inputs`, predicted from the last motion.
+    ///
+    /// Chassis points, driven ones too, are taken to have moved as their rates in `inputs` say: the
+    /// inputs of the last motion are not known here. Where their values jump without rates, call
+    /// [`step_between`](Self::step_between), which sees the jump and refuses one across a lock.
+    ///
+    /// # Errors
+    ///
+    /// See [`SolveError`]; the motion is then unchanged.
+    pub fn step<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let prescribed = Prescribed::new(linkage, inputs);
+        let change = Change {
+            from: None,
+            to: &prescribed,
+            dt,
+        };
+        self.step_over::<_, C, N>(linkage, &change, motion)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn step_over<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        if let Some((next, report)) = self.at_once::<_, C, N>(linkage, change, motion) {
+            *motion = next;
+            return Ok(report);
+        }
+        self.by_iteration::<_, C, N>(linkage, change, motion)
+    }
+
+    /// The same, compiled once for all laws of inputs over time that [`advance`](Self::advance) is given.
+    #[inline(never)]
+    fn step_on_the_way<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        self.step_over::<_, C, N>(linkage, change, motion)
+    }
+
+    /// The step where two corrections with the same factors meet every condition, as in most steps
+    /// of a control loop.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at_once<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &Motion<T, N>,
+    ) -> Option<(Motion<T, N>, Report<T>)>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let Change { to, dt, .. } = *change;
+        let Prescribed { fixed, drives } = to;
+        let residual_at = |q: &SVector<T, N>| linkage.residual(q, &fixed.value, &drives.value);
+        let predicted = motion.predict(dt);
+        let factors = linkage.factor(&predicted, &fixed.value);
+        let error = factors.solve(&residual_at(&predicted));
+        // The second correction takes off what the square of the first has left.
+        let nearly = difference(&predicted, &error);
+        let second = factors.solve(&residual_at(&nearly));
+        let position = difference(&nearly, &second);
+        let left = residual_at(&position);
+        let last = linkage.factor(&position, &fixed.value);
+        let next = rates_at::<T, L, C, N>(linkage, to, &position, &last).motion();
+        let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
+        let rounding = rounding_at(linkage, &position);
+        let tolerance = self.newton.tolerance.length(rounding);
+        let [moves] = difference(&predicted, &motion.position).data.0;
+        let moved = largest(moves);
+        let bound = self.correction_bound(moved, linkage.size());
+        let [second] = second.data.0;
+        let contracts = self.newton.contraction.is_none_or(|contraction| {
+            largest(second) <= (contraction * error).max(rounding * T::constant(1024.0))
+        });
+        let next = next.ok()?;
+        let is_same_assembly = motion.positive_determinant.is_none()
+            || motion.positive_determinant == next.positive_determinant;
+        let is_good = residual <= tolerance
+            && error <= bound
+            && guard::is_beyond_doubt(error.max(change.jump::<C>(linkage)), moved, linkage.size())
+            && contracts
+            && is_same_assembly
+            && is_right(count_mirrored(linkage, &position, &fixed.value))
+            && is_healthy(factors.growth_squared())
+            && is_healthy(last.growth_squared());
+        is_good.then(|| {
+            let report = Report {
+                tolerance,
+                residual_squared: residual * residual,
+                error_squared: error * error,
+                growth_squared: last.growth_squared(),
+                steps: 1,
+                iterations: 1,
+            };
+            (next, report)
+        })
+    }
+
+    /// The step by as many iterations as it takes.
+    #[cold]
+    #[inline(never)]
+    fn by_iteration<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        change: &Change<'_, L, N>,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let prescribed = change.to;
+        let mut position = motion.predict(change.dt);
+        let [moves] = (position - motion.position).data.0;
+        let bound = self.correction_bound(largest(moves), linkage.size());
+        let report =
+            self.newton
+                .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
+        handedness::check(linkage, &position, &prescribed.fixed.value)?;
+        let moves = &(position - motion.position);
+        let before = motion.positive_determinant;
+        let fixed = &prescribed.fixed.value;
+        *motion = with_factors_for_rates(linkage, &position, fixed, |factors| {
+            let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, factors).motion()?;
+            if before.is_some() && before != next.positive_determinant {
+                let part = Part::Unknown(index_of_largest(moves));
+                return Err(SolveError::CrossedSingularity { part });
+            }
+            let crossing = Crossing {
+                linkage,
+                change,
+                moves,
+                factors,
+            };
+            crossing.check::<C>(self.change_of_jacobian)?;
+            Ok(next)
+        })??;
+        Ok(report)
+    }
+
+    /// The largest correction that a step of this move may need.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn correction_bound(&self, moved: T, size: T) -> T {
+        (self.correction_of_move * moved).max(self.correction_of_size * size)
+    }
+
+    /// Follows the motion from time `from` to time `to`, either way, in as few steps as the
+    /// bounds on corrections allow: a refused step is halved, a good one doubled.
+    ///
+    /// A step into another assembly is refused: where an odd number of singularities lies between the
+    /// determinant of the Jacobian tells it, else its change over the step.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] where steps have shrunk to rounding or `max_steps` are used up; the motion is
+    /// then the last good one, at [`Stopped::reached`].
+    pub fn advance<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: impl Fn(T) -> Inputs<C, L::Drives>,
+        from: T,
+        to: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let mut last = Prescribed::new(linkage, &inputs(from));
+        in_steps([from, to], self.max_steps, |next, dt| {
+            let prescribed = Prescribed::new(linkage, &inputs(next));
+            let change = Change {
+                from: Some(&last),
+                to: &prescribed,
+                dt,
+            };
+            let report = self.step_on_the_way::<_, C, N>(linkage, &change, motion)?;
+            last = prescribed;
+            Ok(report)
+        })
+    }
+}

@@ -1,0 +1,203 @@
+//! A step too long for one prediction: inputs between its ends, and sub-steps over them.
+
+use nalgebra::Vector3;
+
+use super::Tracker;
+use crate::arithmetic::scalar::{Real, Scalar};
+use crate::linkage::{Linkage, Values};
+use crate::signal::{ChassisMotion, Inputs, Signal, Still};
+use crate::solve::motion::Motion;
+use crate::solve::report::Report;
+use crate::step::substeps::Stopped;
+
+/// How chassis points `F` move between two instants.
+pub trait Between<T, F>: ChassisMotion<F> {
+    /// Their motion at a place between that of `self` and that of `to`.
+    fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self;
+}
+
+impl<T, F: Copy + Default> Between<T, F> for Still {
+    fn between(&self, _to: &Self, _cubic: &Cubic<T>) -> Self {
+        Self
+    }
+}
+
+impl<T: Scalar, F: Values<Vector3<T>>> Between<T, F> for Signal<F> {
+    fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self {
+        cubic.between(self, to)
+    }
+}
+
+/// A place on the cubic that has the values and rates of two instants (Hermite): what values and
+/// rates at the ends weigh in its value, rate and second rate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cubic<T> {
+    /// Weights of the change of the value, the first rate and the last.
+    weights: Signal<[T; 3]>,
+}
+
+impl<T: Scalar> Cubic<T> {
+    /// The place a time `t` after the first of two instants that lie `dt`, not zero, apart.
+    pub fn at(t: T, dt: T) -> Self {
+        let [one, two, three, six] = [1.0, 2.0, 3.0, 6.0].map(T::constant);
+        let s = t / dt;
+        let rest = one - s;
+        Self {
+            weights: Signal {
+                value: [
+                    s * s * (three - two * s),
+                    s * rest * rest * dt,
+                    -(s * s * rest * dt),
+                ],
+                rate: [
+                    six * s * rest / dt,
+                    rest * (one - three * s),
+                    s * (three * s - two),
+                ],
+                second_rate: [
+                    six * (rest - s) / (dt * dt),
+                    (six * s - two * two) / dt,
+                    (six * s - two) / dt,
+                ],
+            },
+        }
+    }
+
+    /// The same place on a straight line, which is a cubic too: the rates of the ends do not matter.
+    fn on_line(t: T, dt: T) -> Self {
+        let [zero, one] = [T::zero(), T::one()];
+        Self {
+            weights: Signal {
+                value: [t / dt, zero, zero],
+                rate: [one / dt, zero, zero],
+                second_rate: [zero; 3],
+            },
+        }
+    }
+
+    fn between<V, S>(&self, from: &Signal<S>, to: &Signal<S>) -> Signal<S>
+    where
+        S: Values<V>,
+        V: Copy
+            + Default
+            + core::ops::Add<Output = V>
+            + core::ops::Sub<Output = V>
+            + core::ops::Mul<T, Output = V>,
+    {
+        let weighed = |[change, first, last]: [T; 3], at: S| {
+            let ends = from.value.values().zip(to.value.values());
+            let rates = from.rate.values().zip(to.rate.values());
+            let each = at.values().zip(ends).zip(rates);
+            S::from_values(each.map(|((at, (start, end)), (first_rate, last_rate))| {
+                at + (end - start) * change + first_rate * first + last_rate * last
+            }))
+        };
+        let nothing = S::from_values([]);
+        Signal {
+            value: weighed(self.weights.value, from.value),
+            rate: weighed(self.weights.rate, nothing),
+            second_rate: weighed(self.weights.second_rate, nothing),
+        }
+    }
+}
+
+/// What values and rates at both ends weigh at a time `t` after the first, the step being `dt` long.
+type Interpolation<T> = fn(T, T) -> Cubic<T>;
+
+impl<T: Real> Tracker<T> {
+    /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
+    /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
+    /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
+    /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
+    /// was long, they follow straight lines, in [`max_steps`](Self::max_steps) sub-steps more. The result has the rates of `to`.
+    ///
+    /// # Errors
+    ///
+    /// As [`advance`](Self::advance), with the times counted from the start of the step, and
+    /// [`SolveError::NotFinite`](crate::SolveError::NotFinite) where `dt` is zero; the motion is then unchanged. The error is that on
+    /// the cubics.
+    pub fn step_between<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        [from, to]: [&Inputs<C, L::Drives>; 2],
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
+        let along = |curve: Interpolation<T>, mut next: Motion<T, N>| {
+            let mut inputs = *from;
+            let advanced = self.advance_along(curve, linkage, &mut inputs, to, dt, &mut next)?;
+            Ok((next, advanced))
+        };
+        // From rest, in the same assembly: the last rates are what led the cubics astray.
+        let at_rest = Motion {
+            positive_determinant: motion.positive_determinant,
+            ..Motion::at_rest(motion.position)
+        };
+        let (next, advanced) = along(Cubic::at, *motion)
+            .or_else(|stopped| along(Cubic::on_line, at_rest).map_err(|_| stopped))?;
+        *motion = next;
+        Ok(advanced)
+    }
+
+    /// [`step_between`](Self::step_between) along the cubics alone that keeps what it has got to where it stops early: `inputs`,
+    /// those of `motion`, move with it.
+    ///
+    /// # Errors
+    ///
+    /// As [`advance`](Self::advance), with the times counted from the start; motion and inputs are then
+    /// those at [`Stopped::reached`].
+    pub fn advance_between<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &mut Inputs<C, L::Drives>,
+        to: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
+        self.advance_along(Cubic::at, linkage, inputs, to, dt, motion)
+    }
+
+    /// The same along other curves.
+    fn advance_along<L, C, const N: usize>(
+        &self,
+        curve: Interpolation<T>,
+        linkage: &L,
+        inputs: &mut Inputs<C, L::Drives>,
+        to: &Inputs<C, L::Drives>,
+        dt: T,
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: Between<T, L::Fixed>,
+    {
+        let from = *inputs;
+        let at = |t: T| {
+            // A step of no length has no rates between its ends: those of the cubic are then NaN.
+            if t == dt && dt != T::zero() {
+                return *to;
+            }
+            let cubic = curve(t, dt);
+            Inputs {
+                chassis: from.chassis.between(&to.chassis, &cubic),
+                drives: cubic.between(&from.drives, &to.drives),
+            }
+        };
+        let advanced = self.advance(linkage, at, T::zero(), dt, motion);
+        match &advanced {
+            Ok(_) => *inputs = *to,
+            // At the start the second rates are the caller's and not the cubic's.
+            Err(stopped) if stopped.reached == T::zero() => {}
+            Err(stopped) => *inputs = at(stopped.reached),
+        }
+        advanced
+    }
+}
