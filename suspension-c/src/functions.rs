@@ -177,7 +177,7 @@ macro_rules! functions_of_a_linkage {
             respond(failure, &NAMES, || {
                 let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
                 let (inputs, change) = (inputs.get()?, change.get()?);
-                let found = solver::solve::directions::Directions::at(model, named(&inputs.value), &motion.position, |directions| {
+                let found = solver::directions::Directions::at(model, named(&inputs.value), &motion.position, |directions| {
                     directions.points(named(change))
                 })?;
                 points.write(Rates::from_signal(&found, values_of_points));

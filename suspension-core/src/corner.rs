@@ -4,11 +4,11 @@ mod clock;
 mod drives;
 
 use crate::arithmetic::scalar::Real;
+use crate::directions::Directions;
 use crate::error::{Failure, GeometryError, SolveError};
 use crate::linkage::{Build, Designed, Linkage};
 use crate::signal::{Inputs, Signal, Still};
 use crate::solve::assemble::assemble;
-use crate::solve::directions::Directions;
 use crate::solve::motion::Motion;
 use crate::solve::newton::Newton;
 use crate::solve::report::Report;

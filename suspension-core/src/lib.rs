@@ -64,6 +64,7 @@ pub mod chassis;
 pub mod corner;
 #[doc = include_str!("../docs/controller.md")]
 pub mod controller {}
+pub mod directions;
 pub mod error;
 #[cfg(feature = "macros")]
 mod expansion;

@@ -1,7 +1,6 @@
 //! One configuration: from a rough guess to a position, its velocity and acceleration.
 
 pub mod assemble;
-pub mod directions;
 pub mod factored;
 pub mod lu;
 pub mod motion;

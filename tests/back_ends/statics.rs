@@ -3,9 +3,9 @@
 
 use fastrand::Rng;
 use nalgebra::{SVector, Vector3};
+use suspension_core::directions::Directions;
 use suspension_core::linkages::LISTINGS;
 use suspension_core::listing::{Kind, Part, Parts};
-use suspension_core::solve::directions::Directions;
 use suspension_core::statics::{Loads, Statics, spread};
 use suspension_core::{Build, Inputs, Linkage, Signal, Tracker, Values};
 use suspension_runtime::{Fitted, Listing, Model, Room, Size, Statement, Work};

@@ -1,7 +1,7 @@
 //! The exact motion of a mechanism whose drives move on straight lines.
 
 use nalgebra::Vector3;
-use suspension_core::solve::directions::Directions;
+use suspension_core::directions::Directions;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Tracker, Values};
 

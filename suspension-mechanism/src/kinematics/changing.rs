@@ -1,7 +1,7 @@
 //! How a mechanism changes with its hardpoints and lengths.
 
 use nalgebra::{SVector, Vector3};
-use suspension_core::solve::directions::Directions;
+use suspension_core::directions::Directions;
 use suspension_core::solve::factored::Factored;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::{SVector, Vector3};
+use suspension_core::directions::Directions;
 use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_core::model::local::LocalOrigin;
-use suspension_core::solve::directions::Directions;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Linkage, Newton, Signal, Values, assemble};
 

@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use nalgebra::SVector;
-use suspension_core::solve::directions::Directions;
+use suspension_core::directions::Directions;
 use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
 
 use crate::mechanism::derivatives::{Along, Derivatives};

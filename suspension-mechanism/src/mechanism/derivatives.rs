@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::Values;
-use suspension_core::solve::directions::{Direction, Directions};
+use suspension_core::directions::{Direction, Directions};
 
 use crate::mechanism::known::Arrival;
 use crate::mechanism::names::Suspension;

@@ -1,8 +1,8 @@
 //! Kinematics from the linkage's equations, to rounding or at a fixed cost: the stepper and its numbers decide.
 
+use suspension_core::directions::Directions;
 use suspension_core::error::{Cause, Explain};
 use suspension_core::linkage::{Designed, Values};
-use suspension_core::solve::directions::Directions;
 use suspension_core::{
     Bounded, Build, GeometryError, Inputs, Linkage, Listing, Motion, Real, Signal, Stepper, Still,
     Tracker,
