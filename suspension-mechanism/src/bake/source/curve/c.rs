@@ -6,15 +6,19 @@ use crate::bake::source::curve::Sheet;
 
 /// The text of a header.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
+    let segments = sheet.coefficients(["{", "}"]);
+    let code = [numbers(sheet, &segments), function(sheet)];
+    header(&sheet.titled, &sheet.header(), &segments, &code.join("\n"))
+}
+
+/// The numbers that describe the curve.
+fn numbers(sheet: &Sheet<'_>, segments: &str) -> String {
     let name = &sheet.titled.name;
     let upper = name.to_uppercase();
     let width = sheet.titled.outputs.len();
     let count = sheet.baked.segments.len();
     let [from, to] = sheet.baked.wanted.range;
-    let per_unit = sheet.baked.segments_per_unit();
-    let segments = sheet.coefficients(["{", "}"]);
-    let kind = sheet.argument.kind();
-    let code = format!(
+    format!(
         "\
 enum {{ {upper}_OUTPUTS = {width}, {upper}_SEGMENTS = {count} }};
 
@@ -23,7 +27,19 @@ static const {name}_number {name}_range[2] = {{{from:?}, {to:?}}};
 /* By segment, power and output, constants first; the variable of a segment runs from 0 to 1. */
 static const {name}_number {name}_segments[{count}][{TERMS}][{width}] = {{
 {segments}}};
+"
+    )
+}
 
+/// The function that programs call.
+fn function(sheet: &Sheet<'_>) -> String {
+    let name = &sheet.titled.name;
+    let width = sheet.titled.outputs.len();
+    let count = sheet.baked.segments.len();
+    let per_unit = sheet.baked.segments_per_unit();
+    let kind = sheet.argument.kind();
+    format!(
+        "\
 /*
  * Position, velocity and acceleration where the {kind} has the value `{kind}` and moves at `rate`
  * per second and `second_rate` per second squared. Where `velocity` or `acceleration` is NULL
@@ -63,6 +79,5 @@ static inline int {name}({name}_number {kind}, {name}_number rate, {name}_number
 ",
         last = count - 1,
         degree = TERMS - 1,
-    );
-    header(&sheet.titled, &sheet.header(), &segments, &code)
+    )
 }

@@ -6,6 +6,15 @@ use crate::bake::source::surface::Sheet;
 
 /// The text of a header.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
+    let patches = sheet.coefficients(["{", "}"]);
+    let name = &sheet.titled.name;
+    let function = function(name, sheet.titled.outputs.len());
+    let code = [numbers(sheet, &patches), polynomial(name), function];
+    header(&sheet.titled, &sheet.header(), &patches, &code.join("\n"))
+}
+
+/// The numbers that describe the surface.
+fn numbers(sheet: &Sheet<'_>, patches: &str) -> String {
     let name = &sheet.titled.name;
     let upper = name.to_uppercase();
     let width = sheet.titled.outputs.len();
@@ -13,8 +22,7 @@ pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let count = along * across;
     let [[from, to], [second_from, second_to]] = sheet.baked.wanted.ranges;
     let [per_unit, second_per_unit] = sheet.baked.patches_per_unit();
-    let patches = sheet.coefficients(["{", "}"]);
-    let code = format!(
+    format!(
         "\
 enum {{ {upper}_OUTPUTS = {width}, {upper}_ALONG = {along}, {upper}_ACROSS = {across} }};
 
@@ -28,7 +36,15 @@ static const {name}_number {name}_patches_per_unit[2] = {{{per_unit:?}, {second_
  */
 static const {name}_number {name}_patches[{count}][{TERMS}][{TERMS}][{width}] = {{
 {patches}}};
+"
+    )
+}
 
+/// A function for the value and the derivatives of a polynomial.
+fn polynomial(name: &str) -> String {
+    let degree = TERMS - 1;
+    format!(
+        "\
 /* The value of a polynomial, its derivative, and half its second derivative. */
 static inline void {name}_polynomial(const {name}_number terms[{TERMS}], {name}_number variable,
         {name}_number orders[3])
@@ -42,7 +58,16 @@ static inline void {name}_polynomial(const {name}_number terms[{TERMS}], {name}_
             orders[2] = orders[2] * variable + orders[1];
     }}
 }}
+"
+    )
+}
 
+/// The function that programs call.
+fn function(name: &str, width: usize) -> String {
+    let upper = name.to_uppercase();
+    let outputs = outputs(name, width);
+    format!(
+        "\
 /*
  * Position, velocity and acceleration where the drives have the values `drives` and move at `rates` per second and
  * `second_rates` per second squared. Where `velocity` or `acceleration` is NULL it is not written. Returns 0;
@@ -66,6 +91,16 @@ static inline int {name}(const {name}_number drives[2], const {name}_number rate
         second_rate[way] = second_rates[way] * per_unit;
     }}
     const {name}_number (*patch)[{TERMS}][{width}] = {name}_patches[place[0] * {upper}_ACROSS + place[1]];
+{outputs}    return 0;
+}}
+"
+    )
+}
+
+/// Its loop over the outputs.
+fn outputs(name: &str, width: usize) -> String {
+    format!(
+        "\
     for (int i = 0; i < {width}; i++) {{
         {name}_number across[3][{TERMS}], by[3][3];
         for (int power = 0; power < {TERMS}; power++) {{
@@ -91,10 +126,6 @@ static inline int {name}(const {name}_number drives[2], const {name}_number rate
             acceleration[i] = sum;
         }}
     }}
-    return 0;
-}}
-",
-        degree = TERMS - 1,
-    );
-    header(&sheet.titled, &sheet.header(), &patches, &code)
+"
+    )
 }
