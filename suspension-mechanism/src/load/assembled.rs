@@ -1,6 +1,7 @@
 //! From what a file says to a mechanism at its design position.
 
 use nalgebra::Vector3;
+use suspension_core::listing::Parts;
 use suspension_core::model::local::LocalOrigin;
 use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
@@ -43,11 +44,7 @@ pub(super) struct Measured {
 impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     /// Of a file, and of a listing.
     pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
-        let names = Names::of(&listing);
-        let names = match request.listing {
-            Some(statements) => names.with_parts_of(statements),
-            None => names,
-        };
+        let names = names(request, &listing);
         let task = Task {
             source: request.source,
             file: request.file,
@@ -55,8 +52,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
             names: &names,
             middle: 0.0,
         };
-        let unjoined = request.listing.map(Listing::unjoined_points);
-        let stand_in = check_names(&task, &unjoined.unwrap_or_default())?;
+        let stand_in = check_names(&task, request.listing)?;
         let file = request.file.clone().in_radians(names.angles());
         let task = Task {
             file: &file,
@@ -75,12 +71,8 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
             ..task
         };
         let given = given(&task);
-        let model = L::of(listing, &given).and_then(|model| with_lengths(&task, model));
+        let model: L = model(&task, (listing, request.listing), &given).map_err(outlier_first)?;
         let placed: Vec<_> = given.values().take(names.points.len()).collect();
-        let model = model.map_err(|error| {
-            let flat = flat_body::refused(&task, request.listing, &placed, &error);
-            outlier_first(flat.unwrap_or_else(|| task.refuse_geometry(&error)))
-        })?;
         let designed = names.clone().designed(&placed);
         let names = with_vehicle(&Task {
             names: &designed,
@@ -150,7 +142,16 @@ fn before(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failu
     }
 }
 
-fn check_names(task: &Task<'_>, unjoined: &[&str]) -> Result<Option<StandIn>, Failure> {
+/// What things are called, with the parts of a listing that was read while the program runs.
+fn names(request: &Request<'_>, listing: &impl Parts) -> Names {
+    let names = Names::of(listing);
+    match request.listing {
+        Some(statements) => names.with_parts_of(statements),
+        None => names,
+    }
+}
+
+fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<StandIn>, Failure> {
     let Task {
         source,
         file,
@@ -158,7 +159,8 @@ fn check_names(task: &Task<'_>, unjoined: &[&str]) -> Result<Option<StandIn>, Fa
         ..
     } = task;
     check::point_names(source, file, &names.points)?;
-    check::points(source, file, names.markers(), unjoined)?;
+    let unjoined = listing.map(Listing::unjoined_points);
+    check::points(source, file, names.markers(), &unjoined.unwrap_or_default())?;
     if let Some(lengths) = &file.lengths {
         check::names(source, lengths, "length", &names.lengths)?;
         check::lengths(source, lengths)?;
@@ -193,7 +195,21 @@ fn given<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
     P::from_values(each)
 }
 
-/// The model with the lengths that the file states.
+/// The model of a listing at points, with the lengths that the file states.
+fn model<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    (listing, statements): (L::Listing, Option<&Listing>),
+    given: &L::Points,
+) -> Result<L, Failure> {
+    let model = L::of(listing, given).and_then(|model| with_lengths(task, model));
+    model.map_err(|error| {
+        let placed: Vec<_> = given.values().take(task.names.points.len()).collect();
+        let flat = flat_body::refused(task, statements, &placed, &error);
+        flat.unwrap_or_else(|| task.refuse_geometry(&error))
+    })
+}
+
+/// A model with those lengths.
 fn with_lengths<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,
