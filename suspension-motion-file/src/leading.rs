@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::check;
 use crate::failure::Failure;
 use crate::source::Source;
-use crate::table::Table;
+use crate::table::{Table, in_order};
 
 /// A measure that stands in for a drive.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,55 +35,50 @@ pub fn stand_in<V>(
         has += &format!(", and in place of one may lead {}", measures.join(", "));
     }
     check::known_names(source, table, "drive", &[drives, measures].concat(), &has)?;
-    let entries = table.get_ref();
-    let missing: Vec<usize> = (0..drives.len())
-        .filter(|index| !entries.contains_key(drives[*index]))
-        .collect();
-    let index = |key: &Spanned<String>| measures.iter().position(|name| name == key.get_ref());
-    let mut leading: Vec<_> = entries
-        .keys()
-        .filter_map(|key| Some((key, index(key)?)))
-        .collect();
-    leading.sort_by_key(|(key, _)| key.span().start);
-    match (leading.as_slice(), missing.as_slice()) {
-        ([], []) => Ok(None),
-        ([(key, measure)], [drive]) => Ok(Some(StandIn {
-            key: (*key).clone(),
-            measure: *measure,
-            drive: *drive,
-        })),
+    let missing = (0..drives.len()).filter(|index| !table.get_ref().contains_key(drives[*index]));
+    let missing: Vec<usize> = missing.collect();
+    let number = |key: &Spanned<String>| measures.iter().position(|name| name == key.get_ref());
+    let leading = in_order(table).filter_map(|(key, _)| Some((key, number(key)?)));
+    let leading: Vec<_> = leading.collect();
+    let (place, message) = match (leading.as_slice(), missing.as_slice()) {
+        ([], []) => return Ok(None),
+        ([(key, measure)], [drive]) => {
+            return Ok(Some(StandIn {
+                key: (*key).clone(),
+                measure: *measure,
+                drive: *drive,
+            }));
+        }
         ([], [drive, ..]) => {
             let name = drives[*drive];
             let message = format!(
                 "drive `{name}` is missing; write {name} = its value, or [value, rate, ...], under [drives]"
             );
-            Err(source.refuse(&table.span(), message))
+            (table.span(), message)
         }
         ([(key, _)], []) => {
+            let (name, drives) = (key.get_ref(), drives.join(", "));
             let message = format!(
-                "measure `{}` can lead only in place of a drive; leave out one of {}",
-                key.get_ref(),
-                drives.join(", ")
+                "measure `{name}` can lead only in place of a drive; leave out one of {drives}"
             );
-            Err(source.refuse(&key.span(), message))
+            (key.span(), message)
         }
         ([(key, _)], [_, drive, ..]) => {
+            let (name, drive) = (key.get_ref(), drives[*drive]);
             let message = format!(
-                "drive `{}` is missing; measure `{}` stands in for one drive only",
-                drives[*drive],
-                key.get_ref()
+                "drive `{drive}` is missing; measure `{name}` stands in for one drive only"
             );
-            Err(source.refuse(&table.span(), message))
+            (table.span(), message)
         }
         ([(first, _), (second, _), ..], _) => {
+            let [first, name] = [first, second].map(|key| key.get_ref());
             let message = format!(
-                "measure `{}` cannot lead beside measure `{}`: one may stand in for a drive",
-                second.get_ref(),
-                first.get_ref()
+                "measure `{name}` cannot lead beside measure `{first}`: one may stand in for a drive"
             );
-            Err(source.refuse(&second.span(), message))
+            (second.span(), message)
         }
-    }
+    };
+    Err(source.refuse(&place, message))
 }
 
 #[cfg(test)]
