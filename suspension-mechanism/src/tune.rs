@@ -61,25 +61,16 @@ pub fn tune(
     interrupted: &AtomicBool,
     on_step: impl FnMut(),
 ) -> Result<Tuned, Failure> {
+    let problem = Problem {
+        mechanism,
+        moves,
+        targets,
+    };
     let before = targets.iter().map(|target| target.check(source, mechanism));
     let before = before.collect::<Result<Vec<_>, _>>()?;
-    let boxes = moves.iter().map(|each| Bounds {
-        least: each.by[0],
-        greatest: each.by[1],
-    });
-    let off = |moved: &DVector<f64>| {
-        let mechanism = mechanism.changed(&changes(moves, moved))?;
-        let off = targets.iter().map(|target| target.deviations(&*mechanism));
-        off.collect::<Option<Vec<_>>>()
-    };
-    let trial = |moved: &DVector<f64>| {
-        let off = off(moved)?;
-        let parts = off.iter().zip(targets);
-        let parts = parts.flat_map(|(off, target)| off.iter().map(|off| off / target.within));
-        Some(DVector::from_vec(parts.collect()))
-    };
-    let boxes: Vec<Bounds> = boxes.collect();
-    let Fit { at, is_cut } = fit(&boxes, trial, interrupted, on_step);
+    let boxes = problem.boxes();
+    let residuals = |moved: &DVector<f64>| problem.residuals(moved);
+    let Fit { at, is_cut } = fit(&boxes, residuals, interrupted, on_step);
     let unmoved = || {
         Failure::Solver(format!(
             "{source}: the moves have no place in their boxes at which the mechanism gets to all places of the targets; widen \
@@ -87,20 +78,9 @@ pub fn tune(
         ))
     };
     let at = at.ok_or_else(unmoved)?;
-    let tuned = mechanism
-        .changed(&changes(moves, &at))
-        .ok_or_else(unmoved)?;
-    let after = targets.iter().map(|target| target.deviations(&*tuned));
-    let after = after.collect::<Option<Vec<_>>>().ok_or_else(unmoved)?;
-    let changed = changed(&boxes, targets, off);
-    let [unaffected, idle] = changed.map_or_else(Default::default, |changed| {
-        let is_idle = |each: &usize| !changed[*each].contains(&true);
-        let is_unaffected = |target: &usize| changed.iter().all(|by_move| !by_move[*target]);
-        [
-            (0..targets.len()).filter(is_unaffected).collect(),
-            (0..moves.len()).filter(is_idle).collect(),
-        ]
-    });
+    let tuned = problem.moved(&at).ok_or_else(unmoved)?;
+    let after = problem.deviations(&*tuned).ok_or_else(unmoved)?;
+    let [unaffected, idle] = problem.without_effect(&boxes);
     Ok(Tuned {
         unaffected,
         idle,
@@ -108,40 +88,87 @@ pub fn tune(
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
         drives: tuned.given(&tuned.first_drives()),
-        held: held(mechanism, changes(moves, &at).points),
+        held: held(mechanism, problem.changes(&at).points),
         interrupted: is_cut,
     })
 }
 
-/// All moves together.
-fn changes(moves: &[Move], moved: &DVector<f64>) -> Changes {
-    let each = moves.iter().zip(moved.iter());
-    Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
+/// A mechanism, what may be moved of it, and what is to be reached.
+struct Problem<'a> {
+    mechanism: &'a dyn Kinematics,
+    moves: &'a [Move],
+    targets: &'a [Target],
 }
 
-/// Of each move whether it changes each target, from where the moves begin to next to that; `None` where a trial has no answer.
-fn changed(
-    boxes: &[Bounds],
-    targets: &[Target],
-    off: impl Fn(&DVector<f64>) -> Option<Vec<Deviations>>,
-) -> Option<Vec<Vec<bool>>> {
-    /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
-    const BESIDE: f64 = 1e-3;
-    const SAME: f64 = 1e-6;
-    let start = start(boxes);
-    let here = off(&start)?;
-    let by_move = |(each, bounds): (usize, &Bounds)| {
-        let mut at = start.clone();
-        at[each] += BESIDE * (bounds.farther_end(at[each]) - at[each]);
-        let beside = off(&at)?;
-        let pairs = here.iter().zip(&beside).zip(targets);
-        let changes = pairs.map(|((here, beside), target)| {
-            let mut each = here.iter().zip(beside);
-            each.any(|(here, beside)| (beside - here).abs() > SAME * target.within)
+impl Problem<'_> {
+    fn boxes(&self) -> Vec<Bounds> {
+        let boxes = self.moves.iter().map(|each| Bounds {
+            least: each.by[0],
+            greatest: each.by[1],
         });
-        Some(changes.collect())
-    };
-    boxes.iter().enumerate().map(by_move).collect()
+        boxes.collect()
+    }
+
+    /// All moves together.
+    fn changes(&self, moved: &DVector<f64>) -> Changes {
+        let each = self.moves.iter().zip(moved.iter());
+        Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
+    }
+
+    /// The mechanism with the moves.
+    fn moved(&self, moved: &DVector<f64>) -> Option<Box<dyn Kinematics + '_>> {
+        self.mechanism.changed(&self.changes(moved))
+    }
+
+    /// How far each target is off.
+    fn deviations(&self, mechanism: &dyn Kinematics) -> Option<Vec<Deviations>> {
+        let each = self.targets.iter();
+        each.map(|target| target.deviations(mechanism)).collect()
+    }
+
+    /// The same with the moves, in parts of what is allowed.
+    fn residuals(&self, moved: &DVector<f64>) -> Option<DVector<f64>> {
+        let off = self.deviations(&*self.moved(moved)?)?;
+        let parts = off.iter().zip(self.targets);
+        let parts = parts.flat_map(|(off, target)| off.iter().map(|off| off / target.within));
+        Some(DVector::from_vec(parts.collect()))
+    }
+
+    /// Targets that no move changes, and moves that change no target, next to where the moves begin.
+    fn without_effect(&self, boxes: &[Bounds]) -> [Vec<usize>; 2] {
+        let Some(changed) = self.changed(boxes) else {
+            return Default::default();
+        };
+        let is_unaffected = |target: &usize| changed.iter().all(|by_move| !by_move[*target]);
+        let is_idle = |each: &usize| !changed[*each].contains(&true);
+        let (targets, moves) = (0..self.targets.len(), 0..self.moves.len());
+        [
+            targets.filter(is_unaffected).collect(),
+            moves.filter(is_idle).collect(),
+        ]
+    }
+
+    /// Of each move whether it changes each target, from where the moves begin to next to that; `None` where a trial has no answer.
+    fn changed(&self, boxes: &[Bounds]) -> Option<Vec<Vec<bool>>> {
+        /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
+        const BESIDE: f64 = 1e-3;
+        const SAME: f64 = 1e-6;
+        let off = |moved: &DVector<f64>| self.deviations(&*self.moved(moved)?);
+        let start = start(boxes);
+        let here = off(&start)?;
+        let by_move = |(each, bounds): (usize, &Bounds)| {
+            let mut at = start.clone();
+            at[each] += BESIDE * (bounds.farther_end(at[each]) - at[each]);
+            let beside = off(&at)?;
+            let pairs = here.iter().zip(&beside).zip(self.targets);
+            let changes = pairs.map(|((here, beside), target)| {
+                let mut each = here.iter().zip(beside);
+                each.any(|(here, beside)| (beside - here).abs() > SAME * target.within)
+            });
+            Some(changes.collect())
+        };
+        boxes.iter().enumerate().map(by_move).collect()
+    }
 }
 
 /// The points that are not where they were moved to once the mechanism is assembled.
