@@ -22,49 +22,12 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     /// A case at all places that have an answer.
     pub(super) fn text(&self, found: &Found<'_>) -> String {
-        let Self {
-            mechanism,
-            structure,
-            ..
-        } = self;
-        let (first, names) = (&found.first, &mechanism.names);
-        let mut out = self.heading(found);
-        let mut ranges = found.ranges.iter();
-        let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
+        let [drives, measures, links, joints, moments, on_chassis] = self.lines(found);
         let mut unloaded = Unloaded::of(found);
-        let mut table = |headings, lines: Vec<Line>| out.push_str(&table(headings, &lines));
-        let drives = names.drives.iter();
-        let drives = drives.enumerate().map(|(number, drive)| {
-            let name = with_what_bears(names, found.case, number);
-            line(&name, unit_of(drive))
-        });
-        table(["drive", "bears"], drives.collect());
-        let bearing = first.in_measures.iter().map(|(measure, _)| {
-            let unit = unit_in(&names.measures[*measure]);
-            line(&with_what_acts(names, found.case, *measure), unit)
-        });
-        table(["measure", "bears"], bearing.collect());
-        let links = first.links.iter();
-        let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
-        table(["link", "tension"], unloaded.without(links.collect()));
-        let joints = first.joints.iter().map(|(by, point, force)| {
-            let by = structure.name_of(*by, names);
-            let line = line(&format!("{by} at {}", names.points[*point]), "N");
-            line.of(force, found)
-        });
-        let joints = unloaded.without(joints.collect());
-        let moments = first.moments.iter().map(|(by, part, moment)| {
-            let by = structure.name_of(*by, names);
-            let on = structure.statements[*part].name;
-            line(&format!("{by} on {on}"), "N m").of(moment, found)
-        });
-        let moments = unloaded.without(moments.collect());
-        let on_chassis = first.on_chassis.iter().map(|(point, force)| {
-            let line = line(&self.on_chassis(*point), "N");
-            line.of(force, found)
-        });
-        let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line));
-        let on_chassis: Vec<Line> = on_chassis.collect();
+        let inside = [links, joints, moments].map(|lines| unloaded.without(lines));
+        let [links, joints, moments] = inside;
+        let on_chassis = on_chassis.into_iter();
+        let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line)).collect();
         let [of_forces, of_moments, borne] = match found.places {
             1 => [
                 "force along x, y and z",
@@ -73,12 +36,56 @@ impl Report<'_> {
             ],
             _ => ["size of the force", "size", "bears"],
         };
-        table(["joint", of_forces], joints);
-        table(["moment", of_moments], moments);
-        table(["chassis point", borne], on_chassis);
-        out.push_str(&unloaded.in_words());
-        out.push_str(&self.near_a_lock(found));
-        out
+        let tables = [
+            (["drive", "bears"], drives),
+            (["measure", "bears"], measures),
+            (["link", "tension"], links),
+            (["joint", of_forces], joints),
+            (["moment", of_moments], moments),
+            (["chassis point", borne], on_chassis),
+        ];
+        let tables = tables.map(|(headings, lines)| table(headings, &lines));
+        let notes = [unloaded.in_words(), self.near_a_lock(found)];
+        self.heading(found) + &tables.concat() + &notes.concat()
+    }
+
+    /// What each drive, measure, link and joint bears, the moments about angles, and the forces on chassis points: in the order of
+    /// [`Found::ranges`].
+    fn lines(&self, found: &Found<'_>) -> [Vec<Line>; 6] {
+        let (first, structure) = (&found.first, self.structure);
+        let names = &self.mechanism.names;
+        let mut ranges = found.ranges.iter();
+        let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
+        let drives = names.drives.iter().enumerate().map(|(number, drive)| {
+            let name = with_what_bears(names, found.case, number);
+            line(&name, unit_of(drive))
+        });
+        let drives = drives.collect();
+        let measures = first.in_measures.iter().map(|(measure, _)| {
+            let unit = unit_in(&names.measures[*measure]);
+            line(&with_what_acts(names, found.case, *measure), unit)
+        });
+        let measures = measures.collect();
+        let links = first.links.iter();
+        let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
+        let links = links.collect();
+        let joints = first.joints.iter().map(|(by, point, force)| {
+            let by = structure.name_of(*by, names);
+            let name = format!("{by} at {}", names.points[*point]);
+            line(&name, "N").of(force, found)
+        });
+        let joints = joints.collect();
+        let moments = first.moments.iter().map(|(by, part, moment)| {
+            let by = structure.name_of(*by, names);
+            let name = format!("{by} on {}", structure.statements[*part].name);
+            line(&name, "N m").of(moment, found)
+        });
+        let moments = moments.collect();
+        let on_chassis = first.on_chassis.iter();
+        let on_chassis =
+            on_chassis.map(|(point, force)| line(&self.on_chassis(*point), "N").of(force, found));
+        let on_chassis = on_chassis.collect();
+        [drives, measures, links, joints, moments, on_chassis]
     }
 
     /// The case, its place or how many there are, and what they have in common.
