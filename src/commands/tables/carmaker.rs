@@ -41,33 +41,15 @@ pub(super) fn text(
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),
     );
-    // A wheel on the left that points inboard is turned to the right.
-    let turned = Vector3::new(wheel.about_x, 0.0, -wheel.side * wheel.toe);
-    let steer = wheel.per_steer.as_ref();
-    let mut row = |name: &str, value: f64, of: &dyn Fn(&Rates) -> f64| {
-        let numbers = [value, of(&wheel.per_compression), steer.map_or(0.0, of)];
+    let (lengths, angles) = force_elements(mechanism, wheel);
+    // Writing into a string has no way to fail.
+    for (name, numbers) in position(wheel).into_iter().chain(lengths) {
         let [value, per_compression, per_steer] =
             numbers.map(|number| exact(without_rounding(number)));
-        // Writing into a string has no way to fail.
         let _ = writeln!(
             text,
             "{axle}.Kin.0.L.{name} = {value} {per_compression} {per_steer}"
         );
-    };
-    for (index, name) in ["tx", "ty", "tz"].into_iter().enumerate() {
-        row(name, 0.0, &|rates| rates.velocity[index]);
-    }
-    for (index, name) in ["rx", "ry", "rz"].into_iter().enumerate() {
-        row(name, turned[index], &|rates| rates.angles[index]);
-    }
-    let mut angles = Vec::new();
-    for (name, words) in LENGTHS {
-        let mut of_element = measures_of(mechanism, wheel, (name, words));
-        let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
-        match of_element.clone().find(|(_, measure)| is_length(measure)) {
-            Some((measure, _)) => row(name, 0.0, &|rates| rates.measures[measure]),
-            None => angles.extend(of_element.next().map(|(_, measure)| (name, &measure.name))),
-        }
     }
     for (name, measure) in angles {
         let _ = writeln!(
@@ -76,6 +58,49 @@ pub(super) fn text(
         );
     }
     text
+}
+
+/// A name with a value at the design position, its derivatives with respect to compression and to steering.
+type Row = (&'static str, [f64; 3]);
+
+fn row(name: &'static str, value: f64, wheel: &Wheel, of: impl Fn(&Rates) -> f64) -> Row {
+    let per_steer = wheel.per_steer.as_ref().map_or(0.0, &of);
+    (name, [value, of(&wheel.per_compression), per_steer])
+}
+
+/// The wheel's position and rotation.
+fn position(wheel: &Wheel) -> [Row; 6] {
+    // A wheel on the left that points inboard is turned to the right.
+    let turned = Vector3::new(wheel.about_x, 0.0, -wheel.side * wheel.toe);
+    let along = |name, axis: usize| row(name, 0.0, wheel, |rates| rates.velocity[axis]);
+    let about = |name, axis: usize| row(name, turned[axis], wheel, |rates| rates.angles[axis]);
+    [
+        along("tx", 0),
+        along("ty", 1),
+        along("tz", 2),
+        about("rx", 0),
+        about("ry", 1),
+        about("rz", 2),
+    ]
+}
+
+/// The rows of the lengths of force elements; and those that have an angle alone, with its name.
+fn force_elements<'a>(
+    mechanism: &'a Description,
+    wheel: &'a Wheel,
+) -> (Vec<Row>, Vec<(&'static str, &'a str)>) {
+    let (mut lengths, mut angles) = (Vec::new(), Vec::new());
+    for (name, words) in LENGTHS {
+        let mut of_element = measures_of(mechanism, wheel, (name, words));
+        let is_length = |measure: &Measure| measure.kind == MeasureKind::Length;
+        match of_element.clone().find(|(_, measure)| is_length(measure)) {
+            Some((measure, _)) => {
+                lengths.push(row(name, 0.0, wheel, |rates| rates.measures[measure]));
+            }
+            None => angles.extend(of_element.next().map(|(_, measure)| (name, &*measure.name))),
+        }
+    }
+    (lengths, angles)
 }
 
 /// The measures of a wheel that may be a force element's: those with one of its words, and as springs those of [springs] that are no
