@@ -80,32 +80,13 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     refuse_input(&csv, "--csv")?;
     let [first, last] = loaded.instants().ends();
     let last = wanted.file.as_ref().map_or(LAST_OF_PUBLISHED, |_| last);
-    let steps = (last - first).abs() / wanted.effort.steps[0];
-    if !(1.0..MOST_STEPS).contains(&steps) {
-        return Err(Failure::Input(format!(
-            "{}: a motion from t = {} s to {} s has {} steps of {} s; a chart takes from 1 to {}",
-            source.name(),
-            number(first),
-            number(last),
-            rounded(steps.floor(), 3),
-            number(wanted.effort.steps[0]),
-            number(MOST_STEPS)
-        )));
-    }
+    check_steps(&source, [first, last], wanted.effort.steps[0])?;
     let measuring = Measuring {
         ends: [first, last],
         effort: &wanted.effort,
         interrupted,
     };
-    let survey = match loaded.of_catalogue() {
-        Some("five_link") => measuring.survey::<five_link::Model<f64>, 15>(&loaded),
-        Some("attia2003") => measuring.survey::<attia2003::Model<f64>, 15>(&loaded),
-        _ => Err(Failure::Input(format!(
-            "{}: a chart is measured of the linkages attia2003 and five_link, not of {}",
-            source.name(),
-            loaded.linkage()
-        ))),
-    }?;
+    let survey = measuring.survey_of(&source, &loaded)?;
     let motion = format!(
         "{}, {} of t = {} s to {} s",
         source.name(),
@@ -131,6 +112,23 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
         )));
     }
     Ok(())
+}
+
+/// Refuses a motion of less than a step, and of more than fit into memory.
+fn check_steps(source: &Source, [first, last]: [f64; 2], step: f64) -> Result<(), Failure> {
+    let steps = (last - first).abs() / step;
+    if (1.0..MOST_STEPS).contains(&steps) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{}: a motion from t = {} s to {} s has {} steps of {} s; a chart takes from 1 to {}",
+        source.name(),
+        number(first),
+        number(last),
+        rounded(steps.floor(), 3),
+        number(step),
+        number(MOST_STEPS)
+    )))
 }
 
 /// The published motion.
@@ -168,6 +166,19 @@ struct Measuring<'a> {
 }
 
 impl Measuring<'_> {
+    /// Of the linkage that a file names.
+    fn survey_of(self, source: &Source, loaded: &Loaded<'_>) -> Result<Survey, Failure> {
+        match loaded.of_catalogue() {
+            Some("five_link") => self.survey::<five_link::Model<f64>, 15>(loaded),
+            Some("attia2003") => self.survey::<attia2003::Model<f64>, 15>(loaded),
+            _ => Err(Failure::Input(format!(
+                "{}: a chart is measured of the linkages attia2003 and five_link, not of {}",
+                source.name(),
+                loaded.linkage()
+            ))),
+        }
+    }
+
     /// Lanes and `lu()` of nalgebra are not for every linkage that a program can run.
     fn survey<L, const N: usize>(self, loaded: &Loaded<'_>) -> Result<Survey, Failure>
     where

@@ -67,19 +67,22 @@ pub(crate) fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
 }
 
 impl Panel {
+    /// The least and the greatest value of all curves.
+    fn ends(&self, rows: &[Row]) -> [f64; 2] {
+        let of_row = |row| self.curves.iter().map(move |(_, value)| value(row));
+        let values = || rows.iter().flat_map(of_row);
+        [
+            values().fold(f64::MAX, f64::min),
+            values().fold(f64::MIN, f64::max),
+        ]
+    }
+
     fn draw<'a>(
         &self,
         area: &DrawingArea<SVGBackend<'a>, Shift>,
         rows: &[Row],
     ) -> Result<(), Box<dyn Error + 'a>> {
-        let values = || {
-            rows.iter()
-                .flat_map(|row| self.curves.iter().map(move |curve| curve.1(row)))
-        };
-        let (low, high) = (
-            values().fold(f64::MAX, f64::min),
-            values().fold(f64::MIN, f64::max),
-        );
+        let [low, high] = self.ends(rows);
         let most = rows.iter().map(|row| row.bodies).max().unwrap_or(1) as f64;
         let low = low.max(1e-6);
         // The legend is above the curves.
@@ -105,24 +108,22 @@ impl Panel {
             .label_style(("sans-serif", 14))
             .draw()?;
         for ((name, value), colour) in self.curves.iter().zip(COLOURS) {
-            let points = || {
-                rows.iter()
-                    .map(|row| (row.bodies as f64, value(row).max(low)))
-            };
+            let point = |row: &Row| (row.bodies as f64, value(row).max(low));
+            let points = || rows.iter().map(point);
+            let line = colour.stroke_width(2);
             plane
-                .draw_series(LineSeries::new(points(), colour.stroke_width(2)))?
+                .draw_series(LineSeries::new(points(), line))?
                 .label(*name)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 22, y)], colour.stroke_width(2))
-                });
+                .legend(move |at| stroke(at, line));
             plane.draw_series(points().map(|point| Circle::new(point, 3, colour.filled())))?;
         }
         // Parallel to what grows linearly.
         let linear = [(1.0, low), (most, low * most)];
+        let line = BLACK.mix(0.4).into();
         plane
-            .draw_series(LineSeries::new(linear, BLACK.mix(0.4)))?
+            .draw_series(LineSeries::new(linear, line))?
             .label("linear growth")
-            .legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.4)));
+            .legend(move |at| stroke(at, line));
         plane
             .configure_series_labels()
             .position(SeriesLabelPosition::UpperLeft)
@@ -131,4 +132,9 @@ impl Panel {
             .draw()?;
         Ok(())
     }
+}
+
+/// A line in the legend.
+fn stroke((x, y): (i32, i32), style: ShapeStyle) -> PathElement<(i32, i32)> {
+    PathElement::new([(x, y), (x + 22, y)], style)
 }

@@ -18,6 +18,17 @@ pub struct Mark {
     pub errors: [f64; 4],
 }
 
+impl Mark {
+    /// Its name, with an error of zero, which is not where it is drawn.
+    fn label(&self, quantity: usize) -> String {
+        if self.errors[quantity] > 0.0 {
+            self.name.to_owned()
+        } else {
+            format!("{}: 0", self.name)
+        }
+    }
+}
+
 /// What the errors are.
 pub const QUANTITIES: [&str; 4] = [
     "wheel centre at the same travel, largest error in m",
@@ -44,18 +55,20 @@ pub fn draw(marks: &[Mark], step: &[f64; 4], to: &Path) -> Result<(), Box<dyn Er
     })
 }
 
+/// The left and the right edge of a panel, the largest error being near the right one.
+fn edges(errors: impl Iterator<Item = f64>, step: f64) -> [f64; 2] {
+    let largest = errors.fold(step, f64::max);
+    let right = 10.0_f64.powf(largest.log10().ceil() + 0.3);
+    [right / 10.0_f64.powf(DECADES), right]
+}
+
 fn panel(
     quantity: usize,
     marks: &[Mark],
     step: f64,
     area: &Area<'_>,
 ) -> Result<(), Box<dyn Error>> {
-    let largest = marks
-        .iter()
-        .map(|mark| mark.errors[quantity])
-        .fold(step, f64::max);
-    let right = 10.0_f64.powf(largest.log10().ceil() + 0.3);
-    let left = right / 10.0_f64.powf(DECADES);
+    let [left, right] = edges(marks.iter().map(|mark| mark.errors[quantity]), step);
     let slowest = marks.iter().map(|mark| mark.time).fold(0.0, f64::max);
     let mut plane = ChartBuilder::on(area)
         .margin(10 * FINE)
@@ -84,16 +97,10 @@ fn panel(
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 14 * FINE as i32, y)], dark));
     }
     for (mark, colour) in marks.iter().zip(COLOURS.iter()) {
-        let error = mark.errors[quantity];
-        let name = if error > 0.0 {
-            mark.name.to_owned()
-        } else {
-            format!("{}: 0", mark.name)
-        };
-        let at = (error.max(left), mark.time);
+        let at = (mark.errors[quantity].max(left), mark.time);
         plane
             .draw_series([Circle::new(at, 6 * FINE, colour.filled())])?
-            .label(name)
+            .label(mark.label(quantity))
             .legend(move |(x, y)| Circle::new((x + 7 * FINE as i32, y), 5 * FINE, colour.filled()));
     }
     plane
