@@ -7,6 +7,7 @@
 //! [`surface`]. Curves are written as files that people read ([`source`]).
 
 mod anchors;
+mod baked;
 pub mod certify;
 mod driven;
 mod exact;
@@ -18,10 +19,11 @@ pub mod source;
 pub mod surface;
 pub mod widest;
 
+pub use baked::{Baked, Wanted};
 pub use certify::Reached;
 pub use driven::{Derivatives, Output, Wish};
 pub use exact::{Exact, OutOfReach};
-pub use fit::{Baked, Unmet, Wanted, bake};
+pub use fit::{Unmet, bake};
 pub use led::LedPath;
 pub use path::Path;
 pub use scheme::{Continuity, TERMS};

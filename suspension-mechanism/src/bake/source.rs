@@ -8,8 +8,8 @@ mod surface;
 
 use std::path::Path;
 
+use crate::bake::baked::Baked;
 use crate::bake::driven::Output;
-use crate::bake::fit::Baked;
 use crate::bake::surface::BakedSurface;
 use crate::number::{counted, rounded};
 

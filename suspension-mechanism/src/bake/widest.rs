@@ -3,8 +3,9 @@
 use std::cell::Cell;
 use std::ops::Range;
 
+use crate::bake::baked::Wanted;
 use crate::bake::exact::Exact;
-use crate::bake::fit::{Fit, MOST_SEGMENTS, Met, Wanted};
+use crate::bake::fit::{Fit, MOST_SEGMENTS, Met};
 
 /// Parts of the range, by the ends of which it is searched.
 const PARTS: u32 = 64;

@@ -4,8 +4,8 @@ mod c;
 mod rust;
 mod toml;
 
+use crate::bake::baked::Baked;
 use crate::bake::certify::SAMPLES;
-use crate::bake::fit::Baked;
 use crate::bake::scheme::{Continuity, TERMS};
 use crate::bake::source::about::{Ranged, row};
 use crate::bake::source::{Language, Titled, bound, tolerance};
