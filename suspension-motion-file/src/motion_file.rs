@@ -1,27 +1,23 @@
 //! The motion file: one mechanism, its lengths, the instants and the drives.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use nalgebra::Vector3;
 use serde::Deserialize;
-use serde::de::{
-    self, MapAccess, SeqAccess, Visitor,
-    value::{MapAccessDeserializer, SeqAccessDeserializer},
-};
 use toml::Spanned;
 
+use crate::coefficients::Coefficients;
 use crate::explain::explained;
 use crate::failure::Failure;
 use crate::load::LoadCase;
 use crate::mass::MassTable;
-use crate::number_list::number_list;
-use crate::per_wheel::PerWheel;
+use crate::position::{Offset, Position};
 use crate::source::Source;
 use crate::spring::SpringTable;
 use crate::table::Table;
 use crate::tune::TuneTable;
-use crate::{Angle, Axes, Axle, Length, Torque, Unit};
+use crate::vehicle::VehicleTable;
+use crate::{Angle, Axes, Length, Unit};
 
 /// A motion file as written; names and values are not checked yet.
 #[derive(Clone, Debug, Deserialize)]
@@ -172,60 +168,6 @@ fn no_points() -> Table<Position> {
     Spanned::new(0..0, BTreeMap::new())
 }
 
-/// Coefficients of a polynomial, constant first; in the file a single number is a constant.
-#[derive(Clone, Debug)]
-pub struct Coefficients(pub Vec<f64>);
-
-/// Where a point is.
-#[derive(Clone, Debug)]
-pub enum Position {
-    /// At coordinates x, y, z.
-    At([f64; 3]),
-    /// Off another point, in the configuration of the design.
-    Off(Offset),
-}
-
-/// A marker's place relative to another point.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Offset {
-    /// The other point.
-    pub from: Spanned<String>,
-    /// From there to the marker, along x, y, z.
-    #[serde(deserialize_with = "number_list")]
-    pub offset: [f64; 3],
-}
-
-/// What quantities need beside the linkage.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct VehicleTable {
-    /// From the wheel centre to the ground, in the unit.
-    pub wheel_radius: Option<Spanned<PerWheel<f64>>>,
-    /// The drive that moves each wheel up and down.
-    pub travel: Option<Spanned<PerWheel<String>>>,
-    /// The drive that steers it.
-    pub steer: Option<Spanned<PerWheel<String>>>,
-    /// How far that drive moves in a turn of the steering wheel, in the unit.
-    pub rack_per_turn: Option<Spanned<f64>>,
-    /// Of a drive that is an angle: how far the steering wheel turns for it.
-    pub steering_box_ratio: Option<Spanned<f64>>,
-    /// Which axle the wheels are on, where their names do not tell.
-    pub axle: Option<Axle>,
-    /// From axle to axle, in the unit.
-    pub wheelbase: Option<Spanned<f64>>,
-    /// The height of the centre of gravity above the ground, in the unit.
-    pub cg_height: Option<Spanned<f64>>,
-    /// The axle's share of the brake force, from 0 to 1.
-    pub brake_share: Option<Spanned<PerWheel<f64>>>,
-    /// The axle's share of the drive force, from 0 to 1.
-    pub drive_share: Option<Spanned<PerWheel<f64>>>,
-    /// What bears the torque of the brakes; left out, the carriers.
-    pub brake_torque: Option<Spanned<PerWheel<Torque>>>,
-    /// What bears the torque of the drive; left out, the chassis, or the body that carries both wheels.
-    pub drive_torque: Option<Spanned<PerWheel<Torque>>>,
-}
-
 /// The instants of the motion, in one of two forms.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -238,56 +180,4 @@ pub struct Time {
     pub step: Option<Spanned<f64>>,
     /// The instants one by one, s.
     pub instants: Option<Spanned<Vec<Spanned<f64>>>>,
-}
-
-impl<'de> Deserialize<'de> for Position {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PositionVisitor)
-    }
-}
-
-struct PositionVisitor;
-
-impl<'de> Visitor<'de> for PositionVisitor {
-    type Value = Position;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("[x, y, z] or { from = \"point\", offset = [x, y, z] }")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Position, A::Error> {
-        number_list(SeqAccessDeserializer::new(entries)).map(Position::At)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {
-        Offset::deserialize(MapAccessDeserializer::new(map)).map(Position::Off)
-    }
-}
-
-impl<'de> Deserialize<'de> for Coefficients {
-    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(CoefficientsVisitor)
-    }
-}
-
-struct CoefficientsVisitor;
-
-impl<'de> Visitor<'de> for CoefficientsVisitor {
-    type Value = Coefficients;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, or coefficients of a polynomial of time as [value, rate, ...]")
-    }
-
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Coefficients, E> {
-        Ok(Coefficients(vec![value]))
-    }
-
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Coefficients, E> {
-        Ok(Coefficients(vec![value as f64]))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Coefficients, A::Error> {
-        Vec::deserialize(SeqAccessDeserializer::new(entries)).map(Coefficients)
-    }
 }

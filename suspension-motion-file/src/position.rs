@@ -1,0 +1,56 @@
+//! Where a point is: at coordinates, or off another point.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{
+    self, MapAccess, SeqAccess, Visitor,
+    value::{MapAccessDeserializer, SeqAccessDeserializer},
+};
+use toml::Spanned;
+
+use crate::number_list::number_list;
+
+/// Where a point is.
+#[derive(Clone, Debug)]
+pub enum Position {
+    /// At coordinates x, y, z.
+    At([f64; 3]),
+    /// Off another point, in the configuration of the design.
+    Off(Offset),
+}
+
+/// A marker's place relative to another point.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Offset {
+    /// The other point.
+    pub from: Spanned<String>,
+    /// From there to the marker, along x, y, z.
+    #[serde(deserialize_with = "number_list")]
+    pub offset: [f64; 3],
+}
+
+impl<'de> Deserialize<'de> for Position {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PositionVisitor)
+    }
+}
+
+struct PositionVisitor;
+
+impl<'de> Visitor<'de> for PositionVisitor {
+    type Value = Position;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("[x, y, z] or { from = \"point\", offset = [x, y, z] }")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Position, A::Error> {
+        number_list(SeqAccessDeserializer::new(entries)).map(Position::At)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Position, A::Error> {
+        Offset::deserialize(MapAccessDeserializer::new(map)).map(Position::Off)
+    }
+}
