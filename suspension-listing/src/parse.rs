@@ -1,5 +1,7 @@
 //! From tokens to the listing. A statement that cannot be read is reported and skipped.
 
+mod statement;
+
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::mem;
@@ -7,9 +9,8 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Ident, Token};
+use syn::{Attribute, Ident};
 
-use crate::did_you_mean::did_you_mean;
 use crate::errors::{self, Errors};
 use crate::include::Include;
 use crate::include_source::IncludeSource;
@@ -18,10 +19,9 @@ use crate::lexed::{self, MOST_BYTES};
 use crate::listing::Listing;
 use crate::mistake::Mistake;
 use crate::sides::Sides;
-use crate::statement::STATEMENTS;
 use crate::statement::mirror::{MIRROR, Mirror};
-use crate::statement::operands::{docs, lines};
-use crate::statement::word::{Head, Word};
+use crate::statement::operands::lines;
+use statement::{skip_statement, statement, tokens};
 
 /// How deep listings may be included in listings.
 const DEEPEST_INCLUDED: usize = 4;
@@ -232,87 +232,4 @@ fn is_mirror(text: &[TokenTree]) -> bool {
         _ => None,
     });
     words.next().is_some_and(|word| word == MIRROR.word)
-}
-
-/// The tokens of the next statement, to its semicolon.
-fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
-    let mut tokens = Vec::new();
-    loop {
-        let token: TokenTree = input.parse()?;
-        let is_last = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ';');
-        tokens.push(token);
-        if is_last {
-            return Ok(tokens);
-        }
-    }
-}
-
-fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
-    let docs = docs(input)?;
-    let word: Ident = input.parse().map_err(|error| no_statement(&error))?;
-    let mut statements = STATEMENTS.iter();
-    let Some(statement) = statements.find(|statement| word == statement.word) else {
-        return Err(unknown_statement(&word));
-    };
-    let begin = input.cursor();
-    let read = (statement.read)(Head { docs, word }, input, listing);
-    read.and_then(|()| input.parse::<Token![;]>().map(drop))
-        .map_err(|error| errors::at_its_end(error, begin, input.cursor()))
-        .map_err(|error| with_example(error, statement))
-}
-
-/// Where something stands that begins no statement, a second `;` say.
-fn no_statement(error: &syn::Error) -> syn::Error {
-    let message = format!(
-        "no statement begins like this; remove it, or write one of {}",
-        words()
-    );
-    syn::Error::new(error.span(), message)
-}
-
-/// The words with which statements begin.
-fn words() -> String {
-    let words = STATEMENTS.iter().map(|other| format!("`{}`", other.word));
-    words.collect::<Vec<_>>().join(", ")
-}
-
-fn unknown_statement(word: &Ident) -> syn::Error {
-    let known = STATEMENTS.iter().map(|other| other.word);
-    let hint = did_you_mean(&word.to_string(), known);
-    errors::at(
-        word,
-        format!("unknown statement `{word}`; write one of {}{hint}", words()),
-    )
-}
-
-/// What the parser expected, and how the statement is written.
-fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
-    let message = error.to_string();
-    if let Some(message) = errors::keyword_as_name(&message) {
-        return syn::Error::new(error.span(), message);
-    }
-    if !errors::is_of_the_parser(&message) {
-        return error;
-    }
-    let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        "an"
-    } else {
-        "a"
-    };
-    syn::Error::new(
-        error.span(),
-        format!("{message}; {article} `{word}` is written `{syntax}`"),
-    )
-}
-
-/// Skips to behind the next semicolon.
-fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
-    while !input.is_empty() {
-        if let TokenTree::Punct(punct) = input.parse()?
-            && punct.as_char() == ';'
-        {
-            break;
-        }
-    }
-    Ok(())
 }

@@ -3,16 +3,22 @@
 
 mod bodies;
 mod lengths;
+mod names;
 mod places;
+mod positions;
 
-use crate::form::{Equations, Form};
+use crate::form::Form;
 use crate::kind::Kind;
 use crate::name::{Name, Named};
 use crate::vector::Vector;
 
 pub use crate::site::{Site, SiteMotion};
 pub use lengths::Length;
+pub use names::{
+    carried_name, coordinate_name, distance_name, frame_name, length_name, pair_name, turn_name,
+};
 pub use places::{Place, Substituted};
+pub use positions::Positions;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -128,41 +134,6 @@ pub struct Wheel {
     pub kingpin: Option<[Name; 2]>,
 }
 
-/// The name of the frame of three points.
-pub fn frame_name(owner: &Name) -> Name {
-    Name::made(format!("{owner}_frame"))
-}
-
-/// The name of the constants of a carried point.
-pub fn carried_name(body: &Name, point: &Name) -> Name {
-    Name::made(format!("{body}_{point}"))
-}
-
-/// The name of the length between two points of a body.
-pub fn pair_name(body: &Name, a: &Name, b: &Name) -> Name {
-    Name::made(format!("{body}_{a}_{b}"))
-}
-
-/// The name of the length that a drive prescribes.
-pub fn length_name(drive: &Name) -> Name {
-    Name::made(format!("{drive}_length"))
-}
-
-/// The name of the distance from the first point of a plane towards another.
-pub fn distance_name(plane: &Name, towards: &Name) -> Name {
-    Name::made(format!("{plane}_{towards}"))
-}
-
-/// The name of a part of the equations of an angle about an axis.
-pub fn turn_name(drive: &Name, part: &str) -> Name {
-    Name::made(format!("{drive}_{part}"))
-}
-
-/// The name of a coordinate of a vector.
-pub fn coordinate_name(vector: &Name, axis: usize) -> Name {
-    Name::made(format!("{vector}_{}", AXES[axis]))
-}
-
 /// The equation that keeps the distance of two points.
 pub fn distance_between<'a>(equations: &'a [Equation], a: &Name, b: &Name) -> Option<&'a Name> {
     let mut equations = equations.iter();
@@ -229,58 +200,5 @@ impl System {
             .map(|point| &point.named.name)
             .chain(markers)
             .collect()
-    }
-
-    /// The design position, where the listing states all of it.
-    pub fn design(&self) -> Option<Positions> {
-        let stated =
-            |points: &[Point]| -> Option<Vec<Vector>> { points.iter().map(|p| p.at).collect() };
-        Some(self.positions(stated(&self.fixed)?, stated(&self.free)?))
-    }
-
-    /// Where the points are, and the scalars with them.
-    pub fn positions(&self, fixed: Vec<Vector>, free: Vec<Vector>) -> Positions {
-        let mut positions = Positions {
-            fixed,
-            free,
-            scalars: vec![0.0; self.scalars.len()],
-        };
-        for equation in &self.equations {
-            let form = equation.form.equations();
-            let indices = form.scalars().into_iter();
-            let indices: Vec<usize> = indices.filter_map(|(name, _)| self.scalar(name)).collect();
-            let known: Vec<f64> = indices
-                .iter()
-                .map(|&index| positions.scalars[index])
-                .collect();
-            let values = form.scalars_at(&positions.of_sites(form), &known);
-            for (index, value) in indices.into_iter().zip(values.into_iter().flatten()) {
-                positions.scalars[index] = value;
-            }
-        }
-        positions
-    }
-}
-
-/// Values of the points' coordinates and of the other unknowns.
-#[derive(Clone, Debug)]
-pub struct Positions {
-    pub fixed: Vec<Vector>,
-    pub free: Vec<Vector>,
-    pub scalars: Vec<f64>,
-}
-
-impl Positions {
-    /// Of the sites of an equation.
-    pub fn of_sites(&self, form: &dyn Equations) -> Vec<Vector> {
-        form.sites().into_iter().map(|site| self.of(site)).collect()
-    }
-
-    pub fn of(&self, site: &Site) -> Vector {
-        if site.is_free() {
-            self.free[site.index]
-        } else {
-            self.fixed[site.index]
-        }
     }
 }
