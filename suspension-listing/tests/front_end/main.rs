@@ -5,8 +5,10 @@ mod catalogue;
 mod did_you_mean;
 mod elimination;
 mod include;
+mod limits;
 mod lowering;
 mod mirror;
+mod remedies;
 mod sampling;
 mod texts;
 
