@@ -1,0 +1,78 @@
+//! What can be wrong with the geometry of a linkage.
+
+use super::{Cause, Explain, Facts};
+use crate::listing::Part;
+
+/// Why a linkage cannot be built. Numbers are those of the listing's points and lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GeometryError {
+    /// A coordinate of the point is NaN or infinite.
+    NotFinite {
+        /// The point.
+        point: usize,
+    },
+    /// The length is zero, negative or NaN, or too large or too small to compute with.
+    BadLength {
+        /// The length.
+        length: usize,
+    },
+    /// The three points that should carry the point lie in line.
+    Collinear {
+        /// The point carried, or the last of the three.
+        point: usize,
+    },
+    /// The point lies in the plane of the three that links join it to, or too near to tell its sides
+    /// apart: the distances are singular there. A `body` is not.
+    Flat {
+        /// The point.
+        point: usize,
+    },
+    /// The ends of a line on which a point slides, or of a length that is driven, coincide, or are too far
+    /// apart to compute with.
+    NoLine {
+        /// The end of the line.
+        point: usize,
+    },
+    /// No rigid body has the given lengths: they break the triangle inequality, or its like in
+    /// space, at this point.
+    NotClosed {
+        /// The point.
+        point: usize,
+    },
+    /// The fixed order of elimination has too small a pivot at these points, where partial pivoting has
+    /// none: see [`Build::check_pivots`](crate::Build::check_pivots).
+    SmallPivot {
+        /// The equation of the pivot.
+        equation: usize,
+    },
+}
+
+impl GeometryError {
+    /// The point, length or equation concerned.
+    pub fn part(&self) -> Part {
+        match *self {
+            Self::NotFinite { point }
+            | Self::Collinear { point }
+            | Self::Flat { point }
+            | Self::NoLine { point }
+            | Self::NotClosed { point } => Part::Point(point),
+            Self::BadLength { length } => Part::Length(length),
+            Self::SmallPivot { equation } => Part::Equation(equation),
+        }
+    }
+}
+
+impl Explain for GeometryError {
+    fn facts(&self) -> Facts {
+        let cause = match self {
+            Self::NotFinite { .. } => Cause::PointNotFinite,
+            Self::BadLength { .. } => Cause::BadLength,
+            Self::Collinear { .. } => Cause::Collinear,
+            Self::Flat { .. } => Cause::Flat,
+            Self::NotClosed { .. } => Cause::NotClosed,
+            Self::NoLine { .. } => Cause::NoLine,
+            Self::SmallPivot { .. } => Cause::SmallPivot,
+        };
+        Facts::of(cause, Some(self.part()))
+    }
+}

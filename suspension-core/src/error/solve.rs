@@ -1,0 +1,189 @@
+//! What can go wrong in solving for a configuration.
+
+use super::{Cause, Compared, Explain, Facts};
+use crate::arithmetic::scalar::Real;
+use crate::listing::Part;
+
+/// Why no configuration was found. The state that was passed in is unchanged.
+///
+/// The part is an equation or an unknown; on a [`Curve`](crate::path::Curve) it may be the free drive, for
+/// its coordinate and for the quantity that leads in its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SolveError<T> {
+    /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
+    /// step, or it is too large for the number type.
+    NotFinite {
+        /// The equation whose residual it is.
+        part: Part,
+    },
+    /// A correction, velocity or acceleration is NaN or infinite: so is a rate of an input, or it
+    /// is too large for the number type.
+    Overflow {
+        /// The unknown whose change it is.
+        part: Part,
+    },
+    /// The determinant of the Jacobian has another sign than at the last good motion: a
+    /// singularity lies between, and the root belongs to another assembly.
+    CrossedSingularity {
+        /// The unknown that moved farthest.
+        part: Part,
+    },
+    /// `pivot <= threshold`: to rounding, the equations do not determine this unknown.
+    Singular {
+        /// The unknown whose column has no usable pivot.
+        part: Part,
+        /// The largest candidate for a pivot.
+        pivot: T,
+        /// What it had to exceed.
+        threshold: T,
+    },
+    /// The point stands on the wrong side of the three that links join it to: the lengths are kept,
+    /// and the part that they make is the mirror image of the model's.
+    Mirrored {
+        /// The point, one of [`Linkage::linked`](crate::linkage::Linkage::linked).
+        part: Part,
+    },
+    /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
+    /// the root, if any, might belong to another assembly.
+    Diverging {
+        /// The unknown with the largest correction.
+        part: Part,
+        /// Its size, in units of length; of a bounded step the norm of all.
+        step: T,
+        /// What it had to stay within.
+        bound: T,
+    },
+    /// `change > bound`: over the step the Jacobian changes so much that singularities may lie
+    /// between, an even number of them too.
+    TooFar {
+        /// The unknown with the largest change.
+        part: Part,
+        /// Its size, in units of length.
+        change: T,
+        /// What it had to stay within: the size of the step.
+        bound: T,
+    },
+    /// `step > bound`, both in the unit of time: the series of the motion, of which this unknown has
+    /// the largest last term, is not good for so long a step.
+    StepTooLong {
+        /// The unknown.
+        part: Part,
+        /// The length of the step.
+        step: T,
+        /// What it had to stay within.
+        bound: T,
+    },
+    /// The quantity that leads the motion turns before it meets its target: beyond its extreme
+    /// value there is no configuration on this branch.
+    TurningPoint {
+        /// The unknown that moves most there.
+        part: Part,
+        /// The target, in the quantity's unit.
+        asked: T,
+        /// The quantity's extreme value.
+        extreme: T,
+    },
+    /// A drive is an angle beyond its range: the equations have the sine or cosine of another angle there.
+    OutOfRange {
+        /// The drive.
+        part: Part,
+        /// The angle, radians.
+        asked: T,
+        /// The end of the range.
+        end: T,
+    },
+    /// `residual > tolerance` after all iterations that were allowed.
+    NotConverged {
+        /// The equation with the largest residual.
+        part: Part,
+        /// Its size, in units of length; of a bounded step the norm of all.
+        residual: T,
+        /// What it had to reach.
+        tolerance: T,
+        /// Corrections that were made.
+        iterations: usize,
+    },
+}
+
+impl<T> SolveError<T> {
+    /// [`NotFinite`](Self::NotFinite) of an equation.
+    pub(crate) fn not_finite(equation: usize) -> Self {
+        let part = Part::Equation(equation);
+        Self::NotFinite { part }
+    }
+
+    /// [`Overflow`](Self::Overflow) of an unknown.
+    pub(crate) fn overflow(unknown: usize) -> Self {
+        let part = Part::Unknown(unknown);
+        Self::Overflow { part }
+    }
+
+    /// The equation, unknown, point or drive concerned.
+    pub fn part(&self) -> Part {
+        match *self {
+            Self::NotFinite { part }
+            | Self::Overflow { part }
+            | Self::CrossedSingularity { part }
+            | Self::Singular { part, .. }
+            | Self::Mirrored { part }
+            | Self::Diverging { part, .. }
+            | Self::TooFar { part, .. }
+            | Self::StepTooLong { part, .. }
+            | Self::TurningPoint { part, .. }
+            | Self::OutOfRange { part, .. }
+            | Self::NotConverged { part, .. } => part,
+        }
+    }
+}
+
+impl<T: Real> Explain for SolveError<T> {
+    fn facts(&self) -> Facts {
+        let (cause, compared) = match *self {
+            Self::NotFinite { .. } => (Cause::NotFinite, None),
+            Self::Overflow { .. } => (Cause::Overflow, None),
+            Self::CrossedSingularity { .. } => (Cause::CrossedSingularity, None),
+            Self::Mirrored { .. } => (Cause::Mirrored, None),
+            Self::Singular {
+                pivot, threshold, ..
+            } => (
+                Cause::Singular,
+                Some(("pivot", pivot, "needed more than", threshold)),
+            ),
+            Self::Diverging { step, bound, .. } => (
+                Cause::Diverging,
+                Some(("correction", step, "allowed", bound)),
+            ),
+            Self::TooFar { change, bound, .. } => {
+                (Cause::TooFar, Some(("change", change, "allowed", bound)))
+            }
+            Self::StepTooLong { step, bound, .. } => {
+                (Cause::StepTooLong, Some(("step", step, "allowed", bound)))
+            }
+            Self::TurningPoint { asked, extreme, .. } => (
+                Cause::TurningPoint,
+                Some(("target", asked, "extreme value", extreme)),
+            ),
+            Self::OutOfRange { asked, end, .. } => (
+                Cause::AngleOutOfRange,
+                Some(("angle", asked, "end of its range", end)),
+            ),
+            Self::NotConverged {
+                residual,
+                tolerance,
+                ..
+            } => (
+                Cause::NotConverged,
+                Some(("residual", residual, "tolerance", tolerance)),
+            ),
+        };
+        Facts {
+            compared: compared.map(|(what, value, relation, bound)| Compared {
+                what,
+                value: value.to_subset_unchecked(),
+                relation,
+                bound: bound.to_subset_unchecked(),
+            }),
+            ..Facts::of(cause, Some(self.part()))
+        }
+    }
+}

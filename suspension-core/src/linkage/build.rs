@@ -1,0 +1,84 @@
+//! What builds a linkage: positions of points, or lengths.
+
+use nalgebra::SVector;
+
+use super::{Linkage, Values};
+use crate::error::GeometryError;
+
+/// A linkage that can be built from the positions or the lengths of its parts.
+pub trait Build<const N: usize>: Linkage<N> + Sized {
+    /// The lengths of links and bodies.
+    type Lengths: Values<Self::Scalar>;
+
+    /// The linkage of a listing whose lengths are those of the points as they stand, whether or not the
+    /// fixed order of elimination suits them: see [`check_pivots`](Self::check_pivots).
+    ///
+    /// # Errors
+    ///
+    /// Where a coordinate is not finite, a length is zero, a body's first three points are in line,
+    /// or one of [`linked`](Linkage::linked) lies in the plane of the points that hold it.
+    fn of(listing: Self::Listing, design: &Self::Points) -> Result<Self, GeometryError>;
+
+    /// [`of`](Self::of) a listing that `linkage!` has written, where the fixed order of elimination suits the
+    /// points.
+    ///
+    /// # Errors
+    ///
+    /// As [`of`](Self::of), and [`check_pivots`](Self::check_pivots).
+    fn new(design: &Self::Points) -> Result<Self, GeometryError>
+    where
+        Self::Listing: Default,
+    {
+        let linkage = Self::of(Self::Listing::default(), design)?;
+        linkage.check_pivots(design)?;
+        Ok(linkage)
+    }
+
+    /// Checks that the fixed order of elimination suits a position, the design as a rule: a
+    /// [bounded attempt](crate::Bounded::attempt) is refused where it does not. Whatever else solves for
+    /// a motion goes on there with partial pivoting, which takes longer, and so may a linkage that was
+    /// built with [`of`](Self::of).
+    ///
+    /// # Errors
+    ///
+    /// [`GeometryError::SmallPivot`] where the [pivots](Factors::growth_squared) of the fixed order are
+    /// too small and those of partial pivoting are not. Near a singularity of the mechanism both are,
+    /// and there is no error.
+    fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError>;
+
+    /// The same linkage with other lengths; each body keeps its handedness, and so does each
+    /// cluster of links that is as rigid.
+    ///
+    /// # Errors
+    ///
+    /// Where a length is not positive and finite, or no rigid body has the lengths.
+    fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError>;
+
+    /// The same linkage with its markers attached as they stand in `points`.
+    ///
+    /// # Errors
+    ///
+    /// Where a coordinate is not finite or a carrier's points are in line.
+    fn with_markers(self, points: &Self::Points) -> Result<Self, GeometryError>;
+
+    /// The lengths.
+    fn lengths(&self) -> Self::Lengths;
+
+    /// The drives' values in a configuration.
+    fn drives_at(&self, points: &Self::Points) -> Self::Drives;
+
+    /// Each body of the guess `q`, and each cluster of links that is as rigid, replaced by the rigid
+    /// body that fits it best.
+    fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
+}
+
+/// A linkage whose listing states where every point is in the design (`at [x, y, z]`).
+#[diagnostic::on_unimplemented(
+    message = "the listing does not state where each of its points is in the design",
+    label = "needs `at [x, y, z]` behind every chassis point, free point and marker",
+    note = "state the missing positions, or start from the program's own: `Corner::new(&Points {{ ... }})`"
+)]
+pub trait Designed<const N: usize>: Build<N> {
+    /// Where the points are.
+    fn design() -> Self::Points;
+}
