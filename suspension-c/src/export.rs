@@ -1,10 +1,13 @@
 //! C functions of a listing.
 
-/// Defines C functions and describes them.
+/// Defines C functions and describes them, in a table of that name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions {
-    ($prefix:literal: $(
+    ($prefix:literal: $($functions:tt)*) => {
+        $crate::functions! { $prefix, FUNCTIONS: $($functions)* }
+    };
+    ($prefix:literal, $table:ident: $(
         $(#[doc = $doc:literal])*
         fn $name:ident($($argument:ident: $kind:ident $(<$of:ident>)?),* $(,)?) -> $answer:ident $body:block
     )*) => {
@@ -14,7 +17,7 @@ macro_rules! functions {
             pub extern "C" fn $name($($argument: $kind $(<'_, $of>)?),*) -> $answer $body
         )*
 
-        pub(super) const FUNCTIONS: &[$crate::private::Function] = &[$(
+        pub(super) const $table: &[$crate::private::Function] = &[$(
             $crate::private::Function {
                 name: stringify!($name),
                 docs: &[$($doc),*],
@@ -87,7 +90,11 @@ macro_rules! export {
             };
 
             $crate::helpers_of_a_linkage!();
-            $crate::functions_of_a_linkage!($prefix);
+            $crate::functions_of_making!($prefix);
+            $crate::functions_of_stepping!($prefix);
+            $crate::functions_of_reading!($prefix);
+            $crate::functions_of_moving!($prefix);
+            $crate::functions_of_naming!($prefix);
 
             $(
                 #[doc(hidden)]
@@ -103,7 +110,7 @@ macro_rules! export {
                 number: stringify!($number),
                 docs: &[$($doc),*],
                 structures: &[STRUCTURES],
-                functions: &[FUNCTIONS $(, $part::FUNCTIONS)*],
+                functions: &[MAKING, STEPPING, READING, MOVING, NAMING $(, $part::FUNCTIONS)*],
             };
         }
     };

@@ -1,0 +1,50 @@
+//! Functions for a chassis that moves.
+
+/// Of every listing.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! functions_of_moving {
+    ($prefix:literal) => { $crate::functions! { $prefix, MOVING:
+        /// Points that were found in chassis axes, carried into the world with a chassis that moves:
+        /// cheaper than to solve with chassis points that move.
+        fn carry(chassis: In<RigidMotion>, points: In<PointRates>, carried: Out<PointRates>) -> Status {
+            answer(|| {
+                let (chassis, points, carried) = (chassis.get()?, points.get()?, carried.get()?);
+                carried.write(points.carried(chassis)?);
+                Ok(())
+            })
+        }
+
+        /// The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
+        /// the `moving_` functions take.
+        fn move_chassis(model: In<Model>, chassis: In<RigidMotion>, points: Out<ChassisRates>) -> Status {
+            answer(|| {
+                let (model, chassis, points) = (model.object()?, chassis.get()?, points.get()?);
+                let moving = chassis.body()?.anchors(solver::Linkage::fixed(model));
+                points.write(Rates::from_signal(&moving, values_of_points));
+                Ok(())
+            })
+        }
+
+        /// `step` with chassis points that move. Drives prescribe coordinates in the axes of these.
+        fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                tracked(model, inputs, dt, motion, report)
+            })
+        }
+
+        /// `bounded_step` with chassis points that move.
+        fn moving_bounded_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
+            respond(failure, &NAMES, || {
+                let inputs = moving(chassis.get()?, inputs.get()?);
+                bounded::<_, 1>(model, inputs, outputs, dt, motion, report)
+            })
+        }
+
+        /// `read_points` with chassis points that move.
+        fn moving_read_points(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
+            answer(|| located(model, moving(chassis.get()?, inputs.get()?), motion, points))
+        }
+    } };
+}
