@@ -222,16 +222,17 @@ fn what_has_no_direction_is_told() {
 }
 
 /// A turn about the vertical does not change what the drive, an angle from it, prescribes.
+const CHASSIS: RigidMotion = RigidMotion {
+    rotation: [0.8, 0.0, 0.0, 0.6],
+    position: [3.0, -2.0, 1.0],
+    velocity: [1.0, 2.0, -0.5],
+    acceleration: [0.1, -0.2, 0.3],
+    omega: [0.0, 0.0, 0.7],
+    alpha: [0.0, 0.0, -0.4],
+};
+
 #[test]
 fn solved_in_the_world_it_moves_as_carried_there() {
-    let chassis = RigidMotion {
-        rotation: [0.8, 0.0, 0.0, 0.6],
-        position: [3.0, -2.0, 1.0],
-        velocity: [1.0, 2.0, -0.5],
-        acceleration: [0.1, -0.2, 0.3],
-        omega: [0.0, 0.0, 0.7],
-        alpha: [0.0, 0.0, -0.4],
-    };
     let model = model();
     let mut motion = at_rest();
     let inputs = step_from_rest(&model, &mut motion);
@@ -240,69 +241,54 @@ fn solved_in_the_world_it_moves_as_carried_there() {
     })
     .expect("points");
     let carried: PointRates =
-        made(|carried| five_link_f32::carry((&chassis).into(), (&points).into(), carried))
+        made(|carried| five_link_f32::carry((&CHASSIS).into(), (&points).into(), carried))
             .expect("carried");
-    let anchors: ChassisRates =
-        made(|anchors| five_link_f32::move_chassis((&model).into(), (&chassis).into(), anchors))
-            .expect("anchors");
-    let mut motion: Motion = made(|motion| {
-        let size = size_of::<Motion>();
-        five_link_f32::motion_at_rest((&model).into(), motion, size, (&carried.value).into())
-    })
-    .expect("a motion");
-    for step in 0..2 {
-        let (model, anchors, inputs) = ((&model).into(), (&anchors).into(), (&inputs).into());
-        let motion = (&mut motion).into();
-        let status = match step {
-            0 => five_link_f32::moving_step(
-                model,
-                anchors,
-                inputs,
-                0.0,
-                motion,
-                None.into(),
-                None.into(),
-            ),
-            _ => {
-                let outputs = 2;
-                let none = None.into();
-                five_link_f32::moving_bounded_step(
-                    model,
-                    anchors,
-                    inputs,
-                    outputs,
-                    0.0,
-                    motion,
-                    none,
-                    None.into(),
-                )
-            }
-        };
-        assert_eq!(status, Status::Ok);
-    }
-    let solved: PointRates = made(|points| {
-        let (model, anchors) = ((&model).into(), (&anchors).into());
-        five_link_f32::moving_read_points(
-            model,
-            anchors,
-            (&inputs).into(),
-            (&motion).into(),
-            points,
-        )
-    })
-    .expect("points");
+    let solved = solved_in_the_world(&model, &inputs, &carried.value);
     for (solved, carried, allowed) in [
         (solved.value, carried.value, 2e-6),
         (solved.rate, carried.rate, 2e-5),
         (solved.second_rate, carried.second_rate, 2e-4),
     ] {
-        let pairs = solved
-            .values
-            .as_flattened()
-            .iter()
-            .zip(carried.values.as_flattened());
-        for (solved, carried) in pairs {
+        let solved = solved.values.as_flattened().iter();
+        for (solved, carried) in solved.zip(carried.values.as_flattened()) {
             assert!((solved - carried).abs() < allowed, "{solved} {carried}");
         }
     }
+}
+
+/// With chassis points that move, from rest at a position: by a step to tolerance and one of fixed cost.
+fn solved_in_the_world(model: &Model, inputs: &Inputs, start: &Points) -> PointRates {
+    let anchors: ChassisRates =
+        made(|anchors| five_link_f32::move_chassis(model.into(), (&CHASSIS).into(), anchors))
+            .expect("anchors");
+    let mut motion: Motion = made(|motion| {
+        five_link_f32::motion_at_rest(model.into(), motion, size_of::<Motion>(), start.into())
+    })
+    .expect("a motion");
+    let stepped = five_link_f32::moving_step(
+        model.into(),
+        (&anchors).into(),
+        inputs.into(),
+        0.0,
+        (&mut motion).into(),
+        None.into(),
+        None.into(),
+    );
+    assert_eq!(stepped, Status::Ok);
+    let stepped = five_link_f32::moving_bounded_step(
+        model.into(),
+        (&anchors).into(),
+        inputs.into(),
+        2,
+        0.0,
+        (&mut motion).into(),
+        None.into(),
+        None.into(),
+    );
+    assert_eq!(stepped, Status::Ok);
+    made(|points| {
+        let (model, anchors, motion) = (model.into(), (&anchors).into(), (&motion).into());
+        five_link_f32::moving_read_points(model, anchors, inputs.into(), motion, points)
+    })
+    .expect("points")
 }
