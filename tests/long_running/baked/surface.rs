@@ -5,15 +5,40 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Vector3;
 use suspension::bake::{WantedSurface, Wish, bake_surface};
 use suspension_core::baked::Surface;
-use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Tracker};
+use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Still, Tracker};
 
 use super::mixed;
 use crate::double_wishbone::design;
-use crate::double_wishbone::listing::{Drives, Model};
+use crate::double_wishbone::listing::{Drives, Model, Points};
 
 /// Travel of 80 mm and steering of 40 mm at the rack, either way, from the design.
 const TRAVEL: f64 = 0.08;
 const RACK: f64 = 0.04;
+
+/// The rates at which the drives arrive.
+const RATES: Drives<f64> = Drives {
+    bump: 0.3,
+    steer: -0.2,
+};
+const SECOND_RATES: Drives<f64> = Drives {
+    bump: 2.0,
+    steer: 1.0,
+};
+
+/// Of travel either way, and all of the rack's.
+fn wanted(held: Drives<f64>, travel: f64, (tolerance, smooth): (f64, bool)) -> WantedSurface {
+    WantedSurface {
+        drives: [0, 1],
+        ranges: [
+            [held.bump - travel, held.bump + travel],
+            [held.steer - RACK, held.steer + RACK],
+        ],
+        tolerance,
+        metre: 1.0,
+        smooth,
+        wish: Wish::Wheel,
+    }
+}
 
 fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
     const SEED: u64 = 5;
@@ -21,18 +46,8 @@ fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
     let model = Model::new(&design).expect("a double wishbone");
     let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
-    let ranges = [
-        [held.bump - TRAVEL, held.bump + TRAVEL],
-        [held.steer - RACK, held.steer + RACK],
-    ];
-    let wanted = WantedSurface {
-        drives: [0, 1],
-        ranges,
-        tolerance,
-        metre: 1.0,
-        smooth,
-        wish: Wish::Wheel,
-    };
+    let wanted = wanted(held, TRAVEL, (tolerance, smooth));
+    let ranges = wanted.ranges;
     let baked = bake_surface(&model, &at_rest, held, &wanted, &AtomicBool::new(false))
         .expect("within the tolerance");
     assert!(baked.reached <= tolerance);
@@ -45,77 +60,68 @@ fn check_surface(tolerance: f64, smooth: bool, velocity_within: f64) {
     };
     let mut motion = at_rest;
     let mut worst = [0.0_f64; 3];
-    let numbers: Vec<f64> = mixed(SEED).take(4000).collect();
     let mut last = held;
-    for pair in numbers.chunks_exact(2) {
-        let [bump, steer] = [0, 1].map(|way| {
-            let [from, to] = ranges[way];
-            (from + (to - from) * pair[way]).min(to)
-        });
-        let drives = Drives { bump, steer };
-        let inputs = |part: f64| {
-            let rate = |from: f64, to: f64| to - from;
-            Inputs::still(Signal {
-                value: Drives {
-                    bump: last.bump + rate(last.bump, bump) * part,
-                    steer: last.steer + rate(last.steer, steer) * part,
-                },
-                rate: Drives {
-                    bump: 0.3,
-                    steer: -0.2,
-                },
-                second_rate: Drives {
-                    bump: 2.0,
-                    steer: 1.0,
-                },
-            })
-        };
-        let still = Motion::at_rest(motion.position);
-        motion = still;
+    for drives in places(ranges, SEED) {
+        let inputs = |part: f64| on_the_way(last, drives, part);
+        motion = Motion::at_rest(motion.position);
         Tracker::default()
             .advance(&model, inputs, 0.0, 1.0, &mut motion)
             .expect("regular");
         let points = motion.points(&model, &inputs(1.0));
-        let found = surface.at([bump, steer]).expect("inside");
-        let found = found.acceleration([0.3, -0.2], [2.0, 1.0]);
-        for (order, exact) in [&points.value, &points.rate, &points.second_rate]
-            .into_iter()
-            .enumerate()
-        {
-            let axis = (exact.axle_outer - exact.axle_inner) / 0.1;
-            let exact = [exact.axle_outer, axis];
-            for (found, exact) in points_of(&found[order]).iter().zip(&exact) {
-                worst[order] = worst[order].max((found - exact).norm());
-            }
+        let found = surface.at([drives.bump, drives.steer]).expect("inside");
+        let found = found.acceleration(
+            [RATES.bump, RATES.steer],
+            [SECOND_RATES.bump, SECOND_RATES.steer],
+        );
+        let exact = [&points.value, &points.rate, &points.second_rate];
+        for (worst, (found, exact)) in worst.iter_mut().zip(found.iter().zip(exact)) {
+            *worst = worst.max(difference(found, exact));
         }
         last = drives;
     }
+    let (reached, counts) = (baked.reached, baked.counts);
+    assert!(worst[0] <= reached, "seed {SEED}: {worst:?} > {reached:e}");
     assert!(
-        worst[0] <= baked.reached,
-        "seed {SEED}: {worst:?} > {:e}",
-        baked.reached
+        worst[0] > 0.2 * reached,
+        "{worst:?} is far less than {reached:e}"
     );
-    assert!(
-        worst[0] > 0.2 * baked.reached,
-        "{worst:?} is far less than {:e}",
-        baked.reached
-    );
-    assert!(
-        worst[1] <= velocity_within,
-        "{worst:?}, {:?} patches",
-        baked.counts
-    );
+    assert!(worst[1] <= velocity_within, "{worst:?}, {counts:?} patches");
     assert!(surface.at([ranges[0][0] - 1e-9, held.steer]).is_err());
-    let outside = surface
-        .at([held.bump, ranges[1][1] + 1e-9])
-        .expect_err("outside");
-    assert_eq!(outside.nearest, ranges[1][1]);
-    eprintln!("{:?} patches, worst {worst:?}", baked.counts);
+    let outside = surface.at([held.bump, ranges[1][1] + 1e-9]);
+    assert_eq!(outside.expect_err("outside").nearest, ranges[1][1]);
+    eprintln!("{counts:?} patches, worst {worst:?}");
 }
 
-fn points_of(numbers: &[f64; 6]) -> [Vector3<f64>; 2] {
-    let [a, b, c, d, e, f] = *numbers;
-    [Vector3::new(a, b, c), Vector3::new(d, e, f)]
+/// Two thousand places.
+fn places(ranges: [[f64; 2]; 2], seed: u64) -> impl Iterator<Item = Drives<f64>> {
+    let numbers: Vec<f64> = mixed(seed).take(4000).collect();
+    (0..numbers.len() / 2).map(move |place| {
+        let [bump, steer] = [0, 1].map(|way| {
+            let [from, to] = ranges[way];
+            (from + (to - from) * numbers[2 * place + way]).min(to)
+        });
+        Drives { bump, steer }
+    })
+}
+
+/// A part of the straight way from one place to another.
+fn on_the_way(from: Drives<f64>, to: Drives<f64>, part: f64) -> Inputs<Still, Drives<f64>> {
+    Inputs::still(Signal {
+        value: Drives {
+            bump: from.bump + (to.bump - from.bump) * part,
+            steer: from.steer + (to.steer - from.steer) * part,
+        },
+        rate: RATES,
+        second_rate: SECOND_RATES,
+    })
+}
+
+/// How far the wheel centre or the spin axis is off.
+fn difference(found: &[f64; 6], exact: &Points<f64>) -> f64 {
+    let [a, b, c, d, e, f] = *found;
+    let centre = Vector3::new(a, b, c) - exact.axle_outer;
+    let axis = Vector3::new(d, e, f) - (exact.axle_outer - exact.axle_inner) / 0.1;
+    centre.norm().max(axis.norm())
 }
 
 #[test]
@@ -132,17 +138,7 @@ fn a_surface_beyond_the_mechanism_is_refused() {
     let model = Model::new(&design).expect("a double wishbone");
     let at_rest = Motion::at_rest(model.unknowns(&design));
     let held = model.drives_at(&design);
-    let wanted = WantedSurface {
-        drives: [0, 1],
-        ranges: [
-            [held.bump - 1.0, held.bump + 1.0],
-            [held.steer - RACK, held.steer + RACK],
-        ],
-        tolerance: 1e-4,
-        metre: 1.0,
-        smooth: true,
-        wish: Wish::Wheel,
-    };
+    let wanted = wanted(held, 1.0, (1e-4, true));
     let refused = bake_surface(&model, &at_rest, held, &wanted, &AtomicBool::new(false))
         .expect_err("out of reach");
     let message = refused.to_string();
