@@ -1,9 +1,11 @@
 //! Weight and inertia of the parts of a mechanism.
 
+mod mistakes;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::loads::{force, swept, table};
-use super::program::{Rows, folder, rows, run, text};
+use super::program::{Rows, folder, rows, run};
 
 /// A corner that moves up and down and steers, with masses and a load case.
 fn corner(masses: &str, case: &str) -> String {
@@ -183,71 +185,6 @@ fn millimetres_do_not_matter() {
     }
 }
 
-#[test]
-fn what_is_no_mass_is_refused_with_its_place() {
-    for (masses, case, expected) in [
-        (
-            "uprigth = 3.0",
-            "",
-            "unknown moving part `uprigth`; known are ",
-        ),
-        ("upright = 3.0", "", "`upright` is a body: write { mass"),
-        (
-            "tie_rod = -1.0",
-            "",
-            "the mass of `tie_rod` is not a number of kg from zero on",
-        ),
-        (
-            "tie_rod = { mass = 1.0, centre = \"rack\" }",
-            "",
-            "`tie_rod` is no body",
-        ),
-        (
-            "lower_front = 1.0",
-            "",
-            "unknown moving part `lower_front`; known are ",
-        ),
-        (
-            "upright = { mass = 1.0, centre = \"hub\" }",
-            "",
-            "`hub` is no point of the listing",
-        ),
-        (
-            "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = [1.0, 1.0, 3.0] }",
-            "",
-            "no principal one negative or larger",
-        ),
-        (
-            "upright = { mass = 1.0, centre = [nan, 1.0, 2.0] }",
-            "",
-            "the centre of mass of `upright` is not finite",
-        ),
-        (
-            "tie_rod = 1.0",
-            "gravity = 9.81",
-            "`gravity` is [x, y, z] in m/s^2",
-        ),
-        ("tie_rod = \"heavy\"", "", "expected a mass in kg"),
-    ] {
-        let folder = folder();
-        std::fs::write(folder.path().join("a.toml"), corner(masses, case)).expect("written");
-        let output = run(folder.path(), &["loads", "a.toml"]);
-        assert_eq!(output.status.code(), Some(2), "{masses}: {output:?}");
-        assert!(
-            text(&output.stderr).contains(expected),
-            "{expected}: {output:?}"
-        );
-    }
-    let folder = folder();
-    let file = corner("", "acceleration = [1.0, 0.0, 0.0]").replace("[masses]\n", "");
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(folder.path(), &["loads", "a.toml"]);
-    assert!(
-        text(&output.stderr).contains("acts on masses: state them in [masses]"),
-        "{output:?}"
-    );
-}
-
 /// A centre of mass that is stated by a point moves with it: what is tuned is what the file that is written has.
 #[test]
 fn a_centre_moves_with_the_point_that_it_is_stated_by() {
@@ -335,29 +272,4 @@ fn grid(file: &str, drives: &[&str]) -> Rows {
     let output = run(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     rows(&output.stdout)
-}
-
-/// Of a part that both sides have, a mass on one side alone is likely to be forgotten on the other.
-#[test]
-fn masses_of_one_side_alone_are_noted() {
-    let said = |masses: &str| {
-        let folder = folder();
-        let file = format!(
-            "linkage = \"steered_axle\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n\
-             drives = {{ bump_left = 0.3, bump_right = 0.3, steer = 0.34 }}\n[masses]\n{masses}\n"
-        );
-        std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        text(&run(folder.path(), &["motion", "a.toml"]).stderr).to_owned()
-    };
-    let one = "left_wheel_centre = 20.0\nrack = 4.0\n";
-    assert_eq!(
-        said(one),
-        "note: a.toml: [masses] has `left_wheel_centre`, and `right_wheel_centre` of the other side has no mass; state it too\n"
-    );
-    assert_eq!(
-        said(&format!("{one}right_tie_rod = 0.9\n")),
-        "note: a.toml: [masses] has `left_wheel_centre` and `right_tie_rod`, and `right_wheel_centre` and `left_tie_rod` of the other side have no \
-         mass; state them too\n"
-    );
-    assert_eq!(said(&format!("{one}right_wheel_centre = 20.0\n")), "");
 }
