@@ -7,6 +7,7 @@ use suspension_listing::did_you_mean::did_you_mean;
 use crate::characteristics::{not_of_this, of_wheels, zero_at_design};
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
+use crate::quantities::{TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
 use crate::tolerances::{Deviations, Sampled};
 
@@ -154,18 +155,19 @@ impl Report<'_> {
     pub(super) fn text(&self, of: &[String], largest: usize) -> String {
         let (per, _) = self.per();
         let axes = self.mechanism.axes.in_words();
-        let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n{}",
-            self.file,
-            self.of_tie_rod()
-        );
         let is_wanted = |number: &Number| {
             of.is_empty()
                 || of
                     .iter()
                     .any(|wanted| number.title.starts_with(wanted.as_str()))
         };
-        for number in self.numbers().filter(is_wanted) {
+        let numbers: Vec<Number> = self.numbers().filter(is_wanted).collect();
+        let mut out = format!(
+            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n{}",
+            self.file,
+            self.of_tie_rod(&numbers)
+        );
+        for number in numbers {
             let value = self.found.values[number.column][number.number] * number.scale;
             let value = without_rounding(value);
             let (title, symbol) = (&number.title, &number.symbol);
@@ -179,12 +181,18 @@ impl Report<'_> {
         out
     }
 
-    /// Why an end of a tie rod does not change the toe at the design position; empty without such a rod.
-    fn of_tie_rod(&self) -> String {
+    /// Why an end of a tie rod does not change the toe at the design position; empty where no toe is among the numbers, and without
+    /// such a rod.
+    fn of_tie_rod(&self, numbers: &[Number]) -> String {
         const NAMES: [&str; 3] = ["tie_rod", "track_rod", "toe_link"];
+        let is_of_toe = |number: &Number| {
+            let column = &self.found.columns[number.column];
+            column.is(&TOE) || column.is(&TOTAL_TOE)
+        };
         let changes = self.found.each.iter();
         let mut links = changes.filter_map(|each| each.change.name.strip_prefix("length "));
         let rod = links.find(|link| NAMES.iter().any(|name| link.contains(name)));
+        let rod = rod.filter(|_| numbers.iter().any(is_of_toe));
         rod.map_or_else(String::new, |rod| {
             format!(
                 "A point is moved with its links built anew to it: an end of `{rod}` changes slopes, as bump steer, and not the toe at the \
