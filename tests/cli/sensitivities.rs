@@ -204,8 +204,7 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
         ),
         (
             "steering_ratio",
-            "there is no `steering_ratio` of this mechanism: it needs rack_per_turn or steering_box_ratio under [vehicle], see suspension \
-             motion --help\n",
+            "there is no `steering_ratio` of this mechanism: it needs rack_per_turn under [vehicle], see suspension motion --help\n",
         ),
     ] {
         let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);

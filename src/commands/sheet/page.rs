@@ -225,10 +225,12 @@ fn definition(quantity: &Quantity) -> Markup {
         definition,
         sign,
         source,
+        vehicle,
         ..
     } = quantity;
     html! {
         @if !name.is_empty() { code { (name) } ": " }
-        (definition) @if !sign.is_empty() { "; " (sign) } " (" (source) ")"
+        (definition) @if !sign.is_empty() { "; " (sign) } " (" (source)
+        @if !vehicle.is_empty() { "; " (vehicle) " of [vehicle]" } ")"
     }
 }

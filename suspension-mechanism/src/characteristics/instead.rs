@@ -1,7 +1,7 @@
 //! What can be named in place of a quantity that a design does not have under that name.
 
 use crate::characteristics::parameters::columns;
-use crate::mechanism::Description;
+use crate::mechanism::{Description, Names, SteeringWheel};
 use crate::quantities::{
     Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
     STEERING_WHEEL_ANGLE, TRACK, TRACK_CHANGE, WHEEL_TRAVEL, WHEELBASE_CHANGE, catalogue,
@@ -51,15 +51,33 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
     }
     let mut axle = of_axles();
     let is_of_axle = axle.any(|other| std::ptr::eq(other, quantity));
-    let needs = match quantity.line_needed() {
+    let needs = match lines_needed(quantity, &mechanism.names) {
         _ if is_of_axle && mechanism.names.wheels.len() < 2 => {
             "it is a quantity of an axle, with two wheels".to_owned()
         }
-        Some(line) => format!("it needs {line} under [vehicle], see suspension motion --help"),
-        None => "suspension motion --help says what it needs, the wheel's name before it, an axis behind it, or a line under [vehicle]"
+        "" => "suspension motion --help says what it needs, the wheel's name before it, an axis behind it, or a line under [vehicle]"
             .to_owned(),
+        lines => format!("it needs {lines} under [vehicle], see suspension motion --help"),
     };
     Some(format!("there is no `{wanted}` of this mechanism: {needs}"))
+}
+
+/// The lines of `[vehicle]` that a quantity needs: of the steering wheel that of the drives that steer, a rack's or a steering box's.
+fn lines_needed(quantity: &Quantity, names: &Names) -> &'static str {
+    let mut of_steering_wheel = [&STEERING_RATIO, &STEERING_WHEEL_ANGLE].into_iter();
+    if of_steering_wheel.all(|other| !std::ptr::eq(other, quantity)) {
+        return quantity.vehicle;
+    }
+    let drives = names.vehicle.steer.iter();
+    let mut are_angles: Vec<bool> = drives
+        .map(|drive| names.drives[*drive].kind.is_angle())
+        .collect();
+    are_angles.dedup();
+    match *are_angles {
+        [false] => SteeringWheel::RACK,
+        [true] => SteeringWheel::BOX,
+        _ => quantity.vehicle,
+    }
 }
 
 /// What engineers call the derivative of a quantity with respect to the travel of the wheel.

@@ -13,9 +13,8 @@ use crate::load::usual_drives::{turn_rate, turns};
 use crate::load::vehicle::{checked, is_positive, length};
 use crate::mechanism::{Names, SteeringWheel, Suspension};
 
-/// The keys of a file: of a rack, and of a steering box, whose drive is an angle.
-const RACK: &str = "rack_per_turn";
-const BOX: &str = "steering_box_ratio";
+const RACK: &str = SteeringWheel::RACK;
+const BOX: &str = SteeringWheel::BOX;
 
 /// What a file states of a steering wheel.
 struct Gear<'a> {

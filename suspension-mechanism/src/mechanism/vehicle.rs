@@ -51,6 +51,11 @@ pub struct SteeringWheel {
 }
 
 impl SteeringWheel {
+    /// The line of a motion file that says how far it moves a rack.
+    pub const RACK: &str = "rack_per_turn";
+    /// The same of a steering box, whose drive is an angle.
+    pub const BOX: &str = "steering_box_ratio";
+
     /// How far it is turned for a unit of the drive, in radians, positive to the left.
     pub fn per_drive(&self) -> f64 {
         TAU / self.per_turn

@@ -11,6 +11,7 @@ macro_rules! catalogue {
         sign: $sign:literal,
         definition: $definition:literal,
         source: $source:literal,
+        $(vehicle: $vehicle:literal,)?
         shown: $shown:expr,
         read: $read:expr,
     })+) => {
@@ -22,6 +23,7 @@ macro_rules! catalogue {
                 sign: $sign,
                 definition: $definition,
                 source: $source,
+                vehicle: concat!($($vehicle)?),
                 shown: $shown,
                 read: crate::quantities::formulas::Formulas {
                     along: $read,

@@ -20,18 +20,12 @@ pub struct Quantity {
     pub definition: &'static str,
     /// Where the definition is from.
     pub source: &'static str,
+    /// The lines of `[vehicle]` without which a mechanism does not have it, in words; empty where the linkage alone decides.
+    pub vehicle: &'static str,
     /// Where it is shown.
     pub shown: Shown,
     /// Its numbers; none where the linkage has no such thing.
     pub(super) read: Formulas,
-}
-
-impl Quantity {
-    /// The line of `[vehicle]` without which a mechanism does not have it, where its source names one.
-    pub fn line_needed(&self) -> Option<&'static str> {
-        let (_, needed) = self.source.rsplit_once("; ")?;
-        needed.strip_suffix(" of [vehicle]")
-    }
 }
 
 /// Where a quantity is shown.

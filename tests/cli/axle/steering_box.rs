@@ -40,6 +40,25 @@ fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
         .replace("steer = 90.0", "steer = 0.0")
 }
 
+/// The line that a steering ratio needs is that of the drive's kind: an angle of the arm has no rack.
+#[test]
+fn a_steering_ratio_needs_the_line_of_a_steering_box() {
+    let folder = folder();
+    let file = on_a_steering_box("wheel_radius = 0.3");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    for quantity in ["steering_ratio", "steering_wheel_angle"] {
+        let output = run(
+            folder.path(),
+            &["sensitivities", "a.toml", "--of", quantity],
+        );
+        let expected = format!(
+            "there is no `{quantity}` of this mechanism: it needs steering_box_ratio under [vehicle], see suspension motion --help\n"
+        );
+        assert_eq!(text(&output.stderr), expected);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+    }
+}
+
 /// Values that are no angles of the arm: metres of a rack, or a change from the design position.
 #[test]
 fn values_of_a_steering_box_that_seem_to_count_from_its_design_are_noted() {

@@ -51,7 +51,8 @@ catalogue! {
         sign: "100 where the normals of both wheels meet on the line of the rear axle, 0 where they are parallel",
         definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track / \
                      wheelbase; none where they are less than a degree on average",
-        source: "given the outer wheel, as in the reports of Simscape Multibody; wheelbase of [vehicle]",
+        source: "given the outer wheel, as in the reports of Simscape Multibody",
+        vehicle: "wheelbase",
         shown: Shown::InTables,
         read: |names| of_turn(names, Dimension::Percent, |turn, wheelbase, track| {
             turn.ackermann(wheelbase, track) * Number::still(100.0)
@@ -63,6 +64,7 @@ catalogue! {
         definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where they are \
                      less than a degree on average",
         source: "as ackermann",
+        vehicle: "wheelbase",
         shown: Shown::InTables,
         read: |names| of_turn(names, Dimension::Angle, |turn, wheelbase, track| {
             turn.inner - turn.ideal_inner(wheelbase, track)
@@ -73,7 +75,8 @@ catalogue! {
         sign: "",
         definition: "kerb to kerb, of the outer contact point about a centre on the line of the rear axle, wheelbase / \
                      sin(outer); none where the steer angles are less than a degree on average, or the outer wheel is turned the other way",
-        source: "half the turning circle; wheelbase of [vehicle]",
+        source: "half the turning circle",
+        vehicle: "wheelbase",
         shown: Shown::InTables,
         read: |names| of_turn(names, Dimension::Length, |turn, wheelbase, _| turn.radius(wheelbase)),
     }

@@ -38,7 +38,8 @@ catalogue! {
         sign: "positive where the wheel moves away from the other axle",
         definition: "how far the contact point is from where it is at the design position, along x: what the wheel adds to the \
                      wheelbase of its side",
-        source: "as wheel_travel; `axle` of [vehicle]",
+        source: "as wheel_travel",
+        vehicle: "`axle`",
         shown: Shown::InTables,
         read: |names| of_moved_from_other_axle(names, |now, design| now.contact.x - design.contact.x),
     }

@@ -68,7 +68,8 @@ catalogue! {
                      steering_box_ratio times the angle by which it turns. It has no columns of derivatives, which are the same at all \
                      places: with respect to that drive a turn by rack_per_turn, or steering_box_ratio, with its sign, and zero with \
                      respect to the others",
-        source: "ISO 8855; rack_per_turn or steering_box_ratio of [vehicle]",
+        source: "ISO 8855",
+        vehicle: "rack_per_turn or steering_box_ratio",
         shown: Shown::InTables,
         read: steering_wheel::of_angle,
     }
@@ -76,7 +77,8 @@ catalogue! {
         name: "steering_ratio",
         sign: "positive where the wheel turns the way of the steering wheel",
         definition: "the derivative of steering_wheel_angle with respect to the steer angle of the wheel, the other drives held",
-        source: "Milliken 1995, chapter 19; rack_per_turn or steering_box_ratio of [vehicle]",
+        source: "Milliken 1995, chapter 19",
+        vehicle: "rack_per_turn or steering_box_ratio",
         shown: Shown::InTables,
         read: steering_wheel::of_ratio,
     }

@@ -108,7 +108,8 @@ catalogue! {
         sign: "positive where braking pushes the front wheels down",
         definition: "of a front axle, 100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
                      drive_angle with brake_torque = 'chassis'",
-        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        source: "Gillespie 1992, chapter 7",
+        vehicle: "brake_share, wheelbase and cg_height",
         shown: Shown::InTables,
         read: |names| of_support(names, Axle::Front, Force::Brakes, 1.0),
     }
@@ -117,7 +118,8 @@ catalogue! {
         sign: "positive where braking pulls the rear wheels up",
         definition: "of a rear axle, -100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
                      drive_angle with brake_torque = 'chassis'",
-        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        source: "Gillespie 1992, chapter 7",
+        vehicle: "brake_share, wheelbase and cg_height",
         shown: Shown::InTables,
         read: |names| of_support(names, Axle::Rear, Force::Brakes, -1.0),
     }
@@ -127,7 +129,8 @@ catalogue! {
         definition: "of a rear axle, -100 tan(angle) drive_share wheelbase / cg_height; angle is drive_angle where the \
                      chassis bears the drive_torque, brake_angle where the carrier does, as an axle with the differential \
                      in it",
-        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        source: "Gillespie 1992, chapter 7",
+        vehicle: "drive_share, wheelbase and cg_height",
         shown: Shown::InTables,
         read: |names| of_support(names, Axle::Rear, Force::Drive, -1.0),
     }
@@ -135,7 +138,8 @@ catalogue! {
         name: "anti_lift_in_drive",
         sign: "positive where driving pulls the front wheels up",
         definition: "of a front axle, 100 tan(angle) drive_share wheelbase / cg_height; angle as in anti_squat",
-        source: "Gillespie 1992, chapter 7; shares and heights of [vehicle]",
+        source: "Gillespie 1992, chapter 7",
+        vehicle: "drive_share, wheelbase and cg_height",
         shown: Shown::InTables,
         read: |names| of_support(names, Axle::Front, Force::Drive, 1.0),
     }
