@@ -1,6 +1,7 @@
 //! What a user of the command line orders, carried out on a mechanism.
 
 mod curve;
+mod doubt;
 mod measure;
 mod possible;
 mod surface;
@@ -10,11 +11,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
-use crate::file::{Dimension, tell};
-use crate::grid::doubt;
+use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Angle, Description, From, Unit};
-use crate::number::{exact, rounded};
+use crate::mechanism::{Angle, Description, Unit};
+use crate::number::exact;
 
 pub use measure::WishedMeasure;
 
@@ -168,11 +168,23 @@ impl Ordered<'_> {
         let drive = drive.map_err(|message| self.refuse(&message))?;
         let range = self.range(drive, wished)?;
         let offset = self.mechanism.drive_offsets[drive];
-        Ok(Along {
+        let along = Along {
             drive,
             range,
             local: range.map(|end| end - offset),
-        })
+        };
+        if let [Some(from), Some(to)] = wished.range {
+            self.check_doubt(&along, [from, to])?;
+        }
+        let Description { names, unit, .. } = &**self.mechanism;
+        let kind = names.drives[drive].kind;
+        let mut ends = range.into_iter();
+        match ends.find_map(|end| unit.angle.bounds_exceeded(kind, end)) {
+            Some(bounds) => {
+                Err(self.refuse(&format!("{}: {bounds}", self.range_in_words(drive, range))))
+            }
+            None => Ok(along),
+        }
     }
 
     /// A drive's range in the file's coordinates.
@@ -183,11 +195,10 @@ impl Ordered<'_> {
             (low.min(value), high.max(value))
         });
         let Description { names, unit, .. } = &**self.mechanism;
-        let (kind, angle) = (names.drives[drive].kind, unit.angle);
+        let kind = names.drives[drive].kind;
         let inside = |end: f64| end / Dimension::from(kind).in_file(*unit);
         let [from, to] = wished.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
-        let in_words = range.map(|end| self.in_words(drive, end)).join(" to ");
         if low == high && wished.range == [None, None] {
             let name = &names.drives[drive].name;
             return Err(self.refuse(&format!(
@@ -195,30 +206,12 @@ impl Ordered<'_> {
             )));
         }
         if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
+            let in_words = self.range_in_words(drive, range);
             return Err(self.refuse(&format!(
                 "{in_words} is no range; --from must be less than --to"
             )));
         }
-        if let [Some(from), Some(to)] = wished.range {
-            self.note_doubt(drive, [from, to]);
-        }
-        let mut bounds = range.into_iter();
-        if let Some(bounds) = bounds.find_map(|end| angle.bounds_exceeded(kind, end)) {
-            return Err(self.refuse(&format!("{in_words}: {bounds}")));
-        }
         Ok(range)
-    }
-
-    /// Says where a range seems to count from the design position, as those of other commands do.
-    fn note_doubt(&self, drive: usize, range: [f64; 2]) {
-        let Description { names, unit, .. } = &**self.mechanism;
-        let scale = Dimension::from(names.drives[drive].kind).in_file(*unit);
-        let design = self.mechanism.design[drive] * scale;
-        let [from, to] = range.map(|end| rounded(design + end, DIGITS));
-        let way = format!("; changes from there are --from {from} --to {to}");
-        if let Some(doubt) = doubt(self.mechanism, drive, range, From::Zero, &way) {
-            tell(format_args!("note: {}: {doubt}", self.file));
-        }
     }
 
     /// A drive's value in the file's coordinates, from a local one.
@@ -238,6 +231,10 @@ impl Ordered<'_> {
     fn in_words(&self, drive: usize, value: f64) -> String {
         let Description { names, unit, .. } = &**self.mechanism;
         names.drive_in_words(drive, value, *unit)
+    }
+
+    fn range_in_words(&self, drive: usize, range: [f64; 2]) -> String {
+        range.map(|end| self.in_words(drive, end)).join(" to ")
     }
 
     fn refuse(&self, message: &str) -> Failure {

@@ -121,9 +121,10 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
     );
 }
 
-/// Other commands count from the design position.
+/// Other commands count from the design position. Where no part of the range is within reach that is the whole message, without a part
+/// that is possible.
 #[test]
-fn a_range_that_seems_to_count_from_the_design_is_noted_with_the_one_that_does() {
+fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
@@ -134,10 +135,17 @@ fn a_range_that_seems_to_count_from_the_design_is_noted_with_the_one_that_does()
         let output = run(folder.path(), &["bake", "a.toml", "--drive", range]);
         text(&output.stderr).to_owned()
     };
+    let own = "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design position; changes \
+               from there are --drive bump=";
     let said = bake("bump=-0.03:0.03");
-    let expected = "note: a.toml: `bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at \
-                    the design position; changes from there are --from 0.27 --to 0.33\n";
-    assert!(said.starts_with(expected), "{said}");
+    let expected = format!("a.toml: bump cannot be baked from -0.03 to 0.03: {own}0.27:0.33\n");
+    assert_eq!(said, expected);
+    let said = bake("bump=0.01:0.2");
+    assert!(
+        said.starts_with(&format!("note: a.toml: {own}0.31:0.5\n")),
+        "{said}"
+    );
+    assert!(said.contains("possible is --from 0.1"), "{said}");
     let said = bake("bump=0.27:0.33");
     assert!(!said.contains("note:"), "{said}");
 }

@@ -70,7 +70,7 @@ impl Ordered<'_> {
     }
 
     /// The part of a range through which the drive leads the mechanism, and in words what is in the way of either end.
-    fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], [Option<String>; 2]) {
+    pub(super) fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], [Option<String>; 2]) {
         let mut locks = [None, None];
         let now = self.first(drive);
         let [from, to] = range;

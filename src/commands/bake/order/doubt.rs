@@ -1,0 +1,42 @@
+//! A range that seems to count from the design position.
+
+use crate::commands::bake::order::{Along, DIGITS, Ordered};
+use crate::failure::Failure;
+use crate::file::{Dimension, tell};
+use crate::grid::doubt;
+use crate::mechanism::{Description, Drive, From};
+use crate::number::{number, rounded};
+
+impl Ordered<'_> {
+    /// Says where a range, `stated` in the file's units, seems to count from the design position, as those of other commands do.
+    ///
+    /// # Errors
+    ///
+    /// The same, where no part of the range is within reach.
+    pub(super) fn check_doubt(&self, along: &Along, stated: [f64; 2]) -> Result<(), Failure> {
+        let Description { names, unit, .. } = &**self.mechanism;
+        let Drive { name, kind } = &names.drives[along.drive];
+        let design = self.mechanism.design[along.drive] * Dimension::from(*kind).in_file(*unit);
+        let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
+        let way = format!("; changes from there are --drive {name}={from}:{to}");
+        let Some(doubt) = doubt(self.mechanism, along.drive, stated, From::Zero, &way) else {
+            return Ok(());
+        };
+        if self.is_out_of_reach(along) {
+            let [from, to] = stated.map(number);
+            return Err(Failure::Solver(format!(
+                "{}: {name} cannot be baked from {from} to {to}: {doubt}",
+                self.file
+            )));
+        }
+        tell(format_args!("note: {}: {doubt}", self.file));
+        Ok(())
+    }
+
+    /// Whether the drive leads the mechanism to no part of its range.
+    fn is_out_of_reach(&self, along: &Along) -> bool {
+        let ([low, high], _) = self.reach(along.drive, along.local);
+        let [from, to] = along.local;
+        high <= from || low >= to
+    }
+}
