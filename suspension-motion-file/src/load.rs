@@ -8,7 +8,7 @@ use serde::de::{
     self, MapAccess, SeqAccess, Visitor,
     value::{MapAccessDeserializer, SeqAccessDeserializer},
 };
-use toml::Spanned;
+use toml::{Spanned, Value};
 
 use crate::number_list::number_list;
 
@@ -21,6 +21,8 @@ pub enum Load {
     At(Wrench),
     /// A drive bears nothing: the measure of this name does.
     By(String),
+    /// Several names where one may stand.
+    BySeveral(Vec<String>),
 }
 
 /// What stands in the table of a load case, by the names of places, measures and drives.
@@ -45,7 +47,7 @@ impl Load {
         match self {
             Self::Along(force) => vec![*force],
             Self::At(Wrench { force, moment }) => [*force, *moment].concat(),
-            Self::By(_) => Vec::new(),
+            Self::By(_) | Self::BySeveral(_) => Vec::new(),
         }
     }
 }
@@ -105,11 +107,18 @@ impl<'de> Visitor<'de> for LoadVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<Load, A::Error> {
-        let force =
-            number_list(SeqAccessDeserializer::new(entries)).map_err(|error: A::Error| {
-                let mistake = error.to_string();
-                de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
-            })?;
+        let entries = Vec::<Value>::deserialize(SeqAccessDeserializer::new(entries))?;
+        let names = entries
+            .iter()
+            .map(|entry| entry.as_str().map(str::to_owned));
+        let names: Option<Vec<String>> = names.collect();
+        if let Some(names) = names.filter(|names| !names.is_empty()) {
+            return Ok(Load::BySeveral(names));
+        }
+        let force = number_list(Value::Array(entries)).map_err(|error| {
+            let mistake = error.to_string();
+            de::Error::custom(format!("{}; {WRITTEN}", mistake.trim_end()))
+        })?;
         Ok(Load::At(Wrench {
             force,
             ..Wrench::default()

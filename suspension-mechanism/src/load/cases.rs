@@ -92,14 +92,17 @@ impl Reader<'_> {
                 Err(message) => return refuse(message),
             },
             (Load::Along(along), Some(measure)) => case.along.push((measure, *along)),
-            (Load::At(_), Some(_)) => {
+            (Load::BySeveral(by), None) if self.drive(name).is_some() => {
+                return refuse(self.one_bears(&case.name, name, by));
+            }
+            (Load::At(_) | Load::BySeveral(_), Some(_)) => {
                 return refuse(format!(
                     "`{name}` is {}: write one number, positive where it makes the measure larger",
                     self.kind_of_measure(name)
                 ));
             }
             (_, None) if self.drive(name).is_some() => return refuse(self.no_load_of_drive(name)),
-            (Load::Along(_), None) => {
+            (Load::Along(_) | Load::BySeveral(_), None) => {
                 self.site(place, false)?;
                 return refuse(format!("`{name}` is a place: write a force [x, y, z] in N"));
             }

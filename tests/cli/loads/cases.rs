@@ -57,6 +57,23 @@ fn what_is_no_load_is_refused_with_its_place() {
              another spring or measure for `steer`",
         ),
         (
+            "[loads.a]\nbump = [\"damper\", \"bar_arm\"]\n",
+            "a.toml:9:8: `bump` of load case `a` has a list of names, and one measure or spring bears the load of a drive; write bump = \
+             \"damper\", and where another acts beside it the force in that, NAME = 500.0\n",
+        ),
+        (
+            "[loads.a]\nbump = [\"damper\", \"bra_arm\"]\n",
+            "unknown measure or spring `bra_arm`; known are damper, bar_arm; did you mean `bar_arm`?",
+        ),
+        (
+            "[loads.a]\ncontact = [\"damper\"]\n",
+            "`contact` is a place: write a force [x, y, z] in N",
+        ),
+        (
+            "[loads.a]\ndamper = [\"bump\"]\n",
+            "`damper` is a measure: write one number",
+        ),
+        (
             "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
             "the name of a load case is part of names of files and columns; leave out `/`",
         ),

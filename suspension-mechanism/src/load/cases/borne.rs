@@ -66,6 +66,19 @@ impl Reader<'_> {
         )
     }
 
+    /// What to write where a drive of a case has several names, `by`.
+    pub(super) fn one_bears(&self, case: &str, drive: &str, by: &[String]) -> String {
+        let mut names = by.iter();
+        if let Some(other) = names.find(|name| self.measure(name).is_none()) {
+            return unknown("measure or spring", other, &self.bearing());
+        }
+        let one = by.first().map_or("", String::as_str);
+        format!(
+            "`{drive}` of load case `{case}` has a list of names, and one measure or spring bears the load of a drive; write \
+             {drive} = \"{one}\", and where another acts beside it the force in that, NAME = 500.0"
+        )
+    }
+
     /// What to write where what is to bear a load stands before the drive, or something else does.
     fn no_drive(&self, name: &str, by: &str) -> String {
         let names = &self.mechanism.names;
