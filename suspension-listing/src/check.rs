@@ -2,6 +2,7 @@
 
 mod determined;
 mod generated;
+mod held;
 mod lengths;
 mod mirrored;
 mod reserved;

@@ -3,14 +3,14 @@
 use proc_macro2::Span;
 use syn::{Error, Ident};
 
+use crate::check::held::turning;
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::listing::Listing;
 use crate::matching::augment;
 use crate::name::Name;
 use crate::sides::Sides;
-use crate::system::{AXES, Body, Equation, Site, System};
-use crate::vector::{Vector, are_in_line};
+use crate::system::{AXES, Equation, System};
 
 /// Checks that there are as many equations as unknowns, and that each equation can be given an unknown
 /// of its own (structural rank).
@@ -42,11 +42,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     let (equations, unknowns) = (system.rows().len(), system.size());
     let remedy = if equations < unknowns {
         let missing = unknowns - equations;
-        let mut bodies = system.bodies.iter();
-        let spinning =
-            bodies.find_map(|body| in_line(system, body).or_else(|| on_two(system, body)));
-        let spinning = spinning.unwrap_or_default();
-        format!("{missing} more needed: add a link, a drive, or list a point in its body{spinning}")
+        let turning = turning(system);
+        format!("{missing} more needed: add a link, a drive, or list a point in its body{turning}")
     } else {
         let excess = equations - unknowns;
         let mirrored = listing.sides.first();
@@ -119,50 +116,6 @@ fn in_both(listing: &Listing, sides: &Sides) -> Option<String> {
     Some(format!(
         "`{point}` joins body `{body}` to its image `{image}`: name it `{stated}_{point}`, and each side has its own, or remove a link or \
          a drive"
-    ))
-}
-
-/// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.
-fn in_line(system: &System, body: &Body) -> Option<String> {
-    let stated = |site: &Site| {
-        let points = if site.is_free() {
-            &system.free
-        } else {
-            &system.fixed
-        };
-        points.get(site.index)?.at
-    };
-    let places: Option<Vec<Vector>> = body.points().map(stated).collect();
-    let [a, b, c] = &body.frame.each_ref().map(|site| &site.name);
-    are_in_line(&places?).then(|| {
-        format!(
-            "; the points of body `{}` lie in line, about which it spins: in its place write `link NAME: {a} -> {b};`, unless \
-             another body keeps these, and for each other point `slide NAME: {c} on {a} -> {b};` and `link NAME: {a} -> {c};`",
-            body.name
-        )
-    })
-}
-
-/// A hint for a body that other statements or the chassis hold at two points alone; `None` for others, and on the chassis, where it
-/// is meant to turn.
-fn on_two(system: &System, body: &Body) -> Option<String> {
-    let equations = system.equations.iter();
-    let others = equations.filter(|equation| equation.origin.statement != body.name);
-    let held: Vec<&Name> = others
-        .flat_map(|equation| equation.form.equations().sites())
-        .map(|site| &site.name)
-        .collect();
-    let points = body.points();
-    let attached = points.filter(|site| !site.is_free() || held.contains(&&site.name));
-    let [first, second] = attached.collect::<Vec<_>>()[..] else {
-        return None;
-    };
-    if !first.is_free() && !second.is_free() {
-        return None;
-    }
-    Some(format!(
-        "; body `{}` is held at `{}` and `{}` alone and spins about the line through them: an `angle` or a third attachment stops it",
-        body.name, first.name, second.name
     ))
 }
 

@@ -1,4 +1,4 @@
-//! Bodies with too few points.
+//! Bodies with too few points, or held too little.
 
 use suspension_listing::include_source::NoIncludes;
 use suspension_listing::text;
@@ -98,4 +98,27 @@ fn a_link_in_place_of_a_hinge_is_proposed_where_there_are_equations_too_many_and
     let said = only_message(text);
     let expected = "2 too many: remove a drive, or write a `link`, which is one equation, in place of a `hinge`, which is two for its first point";
     assert!(said.ends_with(expected), "{said}");
+}
+
+/// A carriage that should slide without turning has three equations more than one point of it on the line.
+#[test]
+fn a_body_on_one_slide_is_said_to_turn_where_equations_are_missing() {
+    let with = |slides: &str| {
+        format!(
+            "fixed: low at [0, 0, 0], high at [0, 0, 1], side at [0, 1, 0];\n\
+             free: a at [0, 0, 0.4], b at [0, 0, 0.6], hub at [0, 0.3, 0.5];\nbody carriage: a, b, hub;\n\
+             slide guide: a on low -> high;\ndrive bump: hub.z;\n{slides}"
+        )
+    };
+    let said = only_message(&with("measure far: length(hub -> side);"));
+    let expected = "3 more needed: add a link, a drive, or list a point in its body; slide `guide` alone holds body `carriage`, which turns all \
+                    ways about what slides: a second `slide` on the line leaves the turn about the line, and a `plane` for a third point stops \
+                    that too";
+    assert!(said.ends_with(expected), "{said}");
+    let second = "slide upper: b on low -> high;\n";
+    let said = only_message(&with(&format!("{second}measure far: length(hub -> side);")));
+    assert!(!said.contains("alone holds"), "{said}");
+    let stopped = with(&format!("{second}plane slot: hub on low, high, side;"));
+    let read = text::parse(&stopped, "corner.linkage", &NoIncludes);
+    assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
 }
