@@ -12,6 +12,7 @@ mod listing;
 mod loaded;
 mod masses;
 mod missing_travel;
+mod neither_side;
 mod notes;
 mod one_sided;
 mod outlier;

@@ -61,6 +61,8 @@ pub use state::{Moved, Movement, State};
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
 pub use through::OnState;
 pub use under::Borne;
-pub use vehicle::{Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, on_other_side};
+pub use vehicle::{
+    Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, on_other_side, side_of,
+};
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::advice;

@@ -1,6 +1,7 @@
 //! What the program remarks on a file that runs.
 
 mod doubtful;
+mod sides;
 mod steering;
 mod travel;
 

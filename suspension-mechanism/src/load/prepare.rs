@@ -13,7 +13,8 @@ use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
 use crate::load::usual_drives::in_effect;
 use crate::load::{
-    columns, led, missing_travel, one_sided, said_of_drives, said_of_wheels, start, wrong_side,
+    columns, led, missing_travel, neither_side, one_sided, said_of_drives, said_of_wheels, start,
+    wrong_side,
 };
 use crate::mechanism::{
     Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
@@ -104,6 +105,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(&task, design, listing));
         notes.extend(one_sided::note(&task, listing));
+        notes.extend(neither_side::notes(&task, listing, given));
     }
     notes.extend(said_of_wheels::notes(&task, design, couplings));
     notes.extend(missing_travel::note(&task, names));

@@ -235,6 +235,12 @@ impl Pair {
     }
 }
 
+/// The side of the vehicle that a name has, where it has one.
+pub fn side_of(name: &str) -> Option<&'static str> {
+    let mut words = name.split('_');
+    words.find_map(|word| SIDES.into_iter().find(|side| *side == word))
+}
+
 /// The name that has the other side in place of its own; `None` of a name that has none.
 pub fn on_other_side(name: &str) -> Option<String> {
     let [left, right] = SIDES;

@@ -1,0 +1,51 @@
+//! A point that is named for neither side of the vehicle, and joined from both.
+
+use nalgebra::Vector3;
+use suspension_core::Values;
+use suspension_runtime::{Listing, Statement};
+
+use crate::load::task::Task;
+use crate::mechanism::{on_other_side, side_of};
+use crate::number::rounded;
+
+/// How near to the middle of the vehicle a point is in it, as a part of the distance of the one that is farthest from it.
+const MIDDLE: f64 = 1e-6;
+
+/// Notes on points off the middle of the vehicle that a part of one side joins and the same part of the other side too, which reaches across
+/// the vehicle for it.
+pub(super) fn notes<P: Values<Vector3<f64>>>(
+    task: &Task<'_>,
+    listing: &Listing,
+    given: &P,
+) -> Vec<String> {
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let y: Vec<f64> = given.values().map(|point| point.y + task.middle).collect();
+    let off = y.iter().fold(0.0, |off: f64, y| off.max(y.abs())) * MIDDLE;
+    let parts: Vec<Statement<'_>> = listing.parts().collect();
+    let points = task.names.points.iter().zip(y).enumerate();
+    let notes = points.filter_map(|(point, (name, y))| {
+        let is_of_neither = side_of(name).is_none() && y.abs() > off;
+        let [part, other] = is_of_neither.then(|| on_both_sides(&parts, point)).flatten()?;
+        let side = side_of(part.name)?;
+        let (part, other) = (part.name, other.name);
+        let (file, unit, y) = (task.source.name(), task.file.unit().symbol(), rounded(y.abs(), 4));
+        Some(format!(
+            "{file}: `{name}` is named for neither side and lies {y} {unit} off the middle of the vehicle: `{part}` and `{other}` both join it, \
+             one of them across the vehicle; name it `{side}_{name}` where each side has its own"
+        ))
+    });
+    notes.collect()
+}
+
+/// The parts of the same name but for their sides that join a point.
+fn on_both_sides<'a, 'l>(
+    parts: &'a [Statement<'l>],
+    point: usize,
+) -> Option<[&'a Statement<'l>; 2]> {
+    let joining = || parts.iter().filter(|part| part.points.contains(&point));
+    joining().find_map(|part| {
+        let image = on_other_side(part.name)?;
+        let other = joining().find(|other| other.name == image)?;
+        Some([part, other])
+    })
+}

@@ -1,0 +1,34 @@
+//! Notes on points that are named for neither side of the vehicle.
+
+use super::notes;
+
+/// An axle of trailing arms, on `arms`, with more statements.
+fn axle(arms: &str, statements: &str) -> String {
+    format!(
+        "unit = 'm'\ntime = {{ instants = [0.0] }}\ndrives = {{ left_bump = 0.3, right_bump = 0.3 }}\nstatements = '''\n\
+         mirror: left -> right;\nfixed: {arms};\nfree: left_wheel_centre at [0.0, 0.7, 0.3];\n\
+         {statements}\ndrive left_bump: left_wheel_centre.z;\n'''\n"
+    )
+}
+
+/// A chassis point adds no unknowns, so that equations and unknowns are as many with one as with two.
+#[test]
+fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
+    let hinge = "hinge left_arm: OUTER, left_inner -> left_wheel_centre;";
+    let links = "link left_fore: OUTER -> left_wheel_centre;\nlink left_aft: left_inner -> left_wheel_centre;";
+    for (statements, part) in [(hinge, "arm"), (links, "fore")] {
+        let named = |outer: &str, y: &str| {
+            let points = format!("{outer} at [0.4, {y}, 0.3], left_inner at [0.3, 0.35, 0.3]");
+            notes(&axle(&points, &statements.replace("OUTER", outer)))
+        };
+        assert_eq!(
+            named("outer", "0.65"),
+            format!(
+                "note: a.toml: `outer` is named for neither side and lies 0.65 m off the middle of the vehicle: `left_{part}` and `right_{part}` \
+                 both join it, one of them across the vehicle; name it `left_outer` where each side has its own\n"
+            )
+        );
+        assert_eq!(named("left_outer", "0.65"), "");
+        assert_eq!(named("outer", "0.0"), "");
+    }
+}
