@@ -5,6 +5,7 @@ mod generated;
 mod held;
 mod lengths;
 mod mirrored;
+mod neither_side;
 mod reserved;
 mod uses;
 
@@ -20,6 +21,7 @@ use crate::name::Name;
 pub(crate) use determined::determined;
 pub(crate) use generated::generated_names;
 pub(crate) use mirrored::told_of_one_side;
+use neither_side::same_again;
 use reserved::{constant, is_reserved};
 pub(crate) use uses::chassis_points;
 
@@ -32,7 +34,10 @@ pub(crate) fn names(listing: &Listing, errors: &mut Errors) {
     };
     check.declarations();
     for (index, statement) in listing.statements.iter().enumerate() {
-        statement.check(&mut check, &listing.statements[..index]);
+        match same_again(listing, statement.as_ref()) {
+            Some(error) => check.report(error),
+            None => statement.check(&mut check, &listing.statements[..index]),
+        }
     }
 }
 

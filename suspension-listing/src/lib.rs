@@ -53,7 +53,7 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
         check::generated_names(listing, &system, &mut errors);
         check::determined(listing, &system, &mut errors);
     }
-    let errors = check::told_of_one_side(&listing.sides, errors);
+    let errors = check::told_of_one_side(listing, errors);
     (system, errors.into_result())
 }
 

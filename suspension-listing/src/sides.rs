@@ -11,6 +11,12 @@ impl Sides {
         name.split('_').any(|word| word == stated)
     }
 
+    /// Whether a name is of either side.
+    pub(crate) fn is_named(&self, name: &str) -> bool {
+        name.split('_')
+            .any(|word| self.0.iter().any(|side| word == side))
+    }
+
     /// How what has an image is named, and what has none, in words.
     pub(crate) fn how_named(&self) -> String {
         let [one, other] = &self.0;

@@ -4,6 +4,7 @@ use proc_macro2::Span;
 use syn::{Error, Ident};
 
 use crate::check::held::turning;
+use crate::check::neither_side::{WithoutImage, in_both};
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::listing::Listing;
@@ -67,13 +68,18 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
         1 => " + 1 other unknown".to_owned(),
         count => format!(" + {count} other unknowns"),
     };
-    Error::new(
+    let error = Error::new(
         listing.free_span,
         format!(
             "{equations} equations for {unknowns} unknowns: {by_kind}, against 3 x {points} free \
              points{scalars}; {remedy}{note}"
         ),
-    )
+    );
+    let mut causes = WithoutImage::all(listing).filter(|_| equations < unknowns);
+    match causes.find(WithoutImage::has_equations) {
+        Some(cause) => cause.before(&error),
+        None => error,
+    }
 }
 
 /// What to do about equations too many.
@@ -94,29 +100,6 @@ fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.how_named();
     format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
-}
-
-/// A hint for a point that a body shares with its image.
-fn in_both(listing: &Listing, sides: &Sides) -> Option<String> {
-    let [stated, _] = &sides.0;
-    let bodies: Vec<(String, &[Ident])> = listing
-        .bodies()
-        .map(|(name, points)| (name.to_string(), points))
-        .collect();
-    let mut pairs = bodies
-        .iter()
-        .filter(|(name, _)| sides.is_stated(name))
-        .filter_map(|(name, points)| {
-            let image = sides.exchanged(name);
-            let (_, of_image) = bodies.iter().find(|(other, _)| *other == image)?;
-            let shared = points.iter().find(|point| of_image.contains(point))?;
-            Some((name, image, shared))
-        });
-    let (body, image, point) = pairs.next()?;
-    Some(format!(
-        "`{point}` joins body `{body}` to its image `{image}`: name it `{stated}_{point}`, and each side has its own, or remove a link or \
-         a drive"
-    ))
 }
 
 /// How many equations are of the statements of each kind.

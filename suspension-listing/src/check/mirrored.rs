@@ -3,12 +3,17 @@
 use proc_macro2::Span;
 use syn::Error;
 
+use crate::check::neither_side::WithoutImage;
 use crate::errors::Errors;
+use crate::listing::Listing;
 use crate::sides::Sides;
 
 /// The errors without those of images whose originals have the same one. The others say what the image is of.
-pub(crate) fn told_of_one_side(sides: &[Sides], errors: Errors) -> Errors {
+pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
+    let sides = &listing.sides;
     let mut told: Vec<(Span, String)> = Vec::new();
+    let mut causes: Vec<Span> = Vec::new();
+    let is_told_at = |causes: &[Span], place| causes.iter().any(|cause| is_same(*cause, place));
     let mut of_one_side = Errors::default();
     for error in errors.all() {
         let (place, message) = (error.span(), error.to_string());
@@ -20,6 +25,17 @@ pub(crate) fn told_of_one_side(sides: &[Sides], errors: Errors) -> Errors {
         if sides.iter().any(is_told) {
             continue;
         }
+        if let Some(cause) = cause(listing, &message) {
+            if !is_told_at(&causes, cause.place()) {
+                causes.push(cause.place());
+                of_one_side.push(cause.before(&error));
+            }
+            continue;
+        }
+        // The cause of equations that are missing may be told already.
+        if is_told_at(&causes, place) {
+            continue;
+        }
         let mut sides = sides.iter();
         let image = sides.find_map(|sides| image_at(sides, place, &message));
         of_one_side.push(image.map_or(error, |image| {
@@ -29,6 +45,13 @@ pub(crate) fn told_of_one_side(sides: &[Sides], errors: Errors) -> Errors {
         told.push((place, message));
     }
     of_one_side
+}
+
+/// What has no image and should, of a message about an image.
+fn cause<'a>(listing: &'a Listing, message: &str) -> Option<WithoutImage<'a>> {
+    let mut images = listing.images.iter();
+    let is_of_image = images.any(|image| message.contains(&format!("`{image}`")));
+    WithoutImage::all(listing).find(|cause| is_of_image && cause.is_in(message))
 }
 
 /// Whether two places are the same: images have those of their originals.

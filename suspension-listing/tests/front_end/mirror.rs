@@ -1,6 +1,7 @@
 //! A mirrored listing is the one that states both sides.
 
 mod mistakes;
+mod neither_side;
 
 use std::collections::BTreeMap;
 

@@ -5,12 +5,12 @@ use suspension_listing::text::{self, Mistake};
 
 use super::HALF;
 
-fn mistakes(text: &str) -> Vec<Mistake> {
+pub(super) fn mistakes(text: &str) -> Vec<Mistake> {
     let read = text::parse(text, "axle", &NoIncludes);
     read.expect_err("no axle").mistakes
 }
 
-fn only_mistake(text: &str) -> Mistake {
+pub(super) fn only_mistake(text: &str) -> Mistake {
     let mistakes = mistakes(text);
     let [mistake] = mistakes.as_slice() else {
         panic!("{mistakes:?}")

@@ -1,0 +1,130 @@
+//! What is said of names for neither side that are of one.
+
+use super::mistakes::{mistakes, only_mistake};
+
+/// A corner of two wishbones, all of it named `left`.
+const CORNER: &str = "mirror: left -> right;
+fixed: left_low_front, left_low_rear, left_up_front, left_up_rear, left_rack;
+free: left_low, left_up, left_tie, left_centre;
+hinge left_low_arm: left_low_front, left_low_rear -> left_low;
+hinge left_up_arm: left_up_front, left_up_rear -> left_up;
+link left_tie_rod: left_rack -> left_tie;
+body left_upright: left_low, left_up, left_tie, left_centre;
+point left_axle: left_upright;
+drive left_bump: left_centre.z;
+wheel left: left_axle -> left_centre;";
+
+/// One message begins with what has no image, at its place.
+#[test]
+fn a_statement_without_an_image_is_the_cause_of_what_its_image_lacks() {
+    for (name, kind, beside, line, symptom) in [
+        (
+            "left_upright",
+            "body",
+            "left_low",
+            7,
+            "no body carries both `right_axle` and `right_centre`; ",
+        ),
+        (
+            "left_axle",
+            "marker",
+            "left_upright",
+            8,
+            "no body carries both `axle` and `right_centre`; ",
+        ),
+        (
+            "left_up_arm",
+            "hinge",
+            "left_up_front",
+            5,
+            "nothing depends on chassis point `right_up_front`; ",
+        ),
+        (
+            "left_tie_rod",
+            "link",
+            "left_rack",
+            6,
+            "nothing depends on chassis point `right_rack`; ",
+        ),
+        (
+            "left_bump",
+            "drive",
+            "left_centre",
+            9,
+            "23 equations for 24 unknowns: ",
+        ),
+    ] {
+        let neither = name.replace("left_", "");
+        let of = |name: &str| CORNER.replace(name, &neither);
+        let mistake = only_mistake(&of(name));
+        let expected = format!(
+            "{kind} `{neither}` is named for neither side, and `mirror` makes no image of it: name it `{name}`, as `{beside}` is; as it is, \
+             {symptom}"
+        );
+        assert!(
+            mistake.message.starts_with(&expected),
+            "{}",
+            mistake.message
+        );
+        assert_eq!(mistake.line, line, "{}", mistake.message);
+    }
+}
+
+/// An image of the same points does the same again.
+#[test]
+fn a_statement_that_is_its_own_image_is_told_which_points_are_of_neither_side() {
+    for (points, expected, line) in [
+        (
+            &["left_rack"][..],
+            "drive `left_steer` and its image `right_steer` are of the same point, `rack`, which is named for neither side: name it \
+             `left_rack`, and each side has its own, or the drive without `left`, and both sides have one",
+            11,
+        ),
+        (
+            &["left_low", "left_up", "left_tie"],
+            "body `left_upright` and its image `right_upright` are of the same points, `low`, `up`, `tie`, which are named for neither side: \
+             name them as `left_low`, and each side has its own, or the body without `left`, and both sides have one",
+            7,
+        ),
+        (
+            &["left_rack", "left_tie"],
+            "link `left_tie_rod` and its image `right_tie_rod` are of the same points, `rack`, `tie`, which are named for neither side: name \
+             them as `left_rack`, and each side has its own, or the link without `left`, and both sides have one",
+            6,
+        ),
+    ] {
+        let text = format!("{CORNER}\ndrive left_steer: left_rack.y;");
+        let words = |text: &str, point: &str| {
+            let neither = point.replace("left_", "");
+            let ends = [",", ";", ":", " ", "."];
+            let named = ends.iter().fold(text.to_owned(), |text, end| {
+                text.replace(&format!(" {point}{end}"), &format!(" {neither}{end}"))
+            });
+            named.replace(&format!(" {point}.y"), &format!(" {neither}.y"))
+        };
+        let text = points.iter().fold(text, |text, point| words(&text, point));
+        let told = mistakes(&text);
+        let mistake = told.iter().find(|mistake| mistake.message == expected);
+        assert_eq!(mistake.map(|mistake| mistake.line), Some(line), "{told:#?}");
+    }
+}
+
+/// The ends of a link across the vehicle are of a side each.
+#[test]
+fn a_link_from_side_to_side_is_not_said_to_be_of_neither() {
+    let told = mistakes(&format!("{CORNER}\nlink left_bar: left_tie -> right_tie;"));
+    let messages: Vec<&str> = told
+        .iter()
+        .map(|mistake| mistake.message.as_str())
+        .collect();
+    assert!(
+        messages
+            .iter()
+            .all(|message| !message.contains("neither side:")),
+        "{messages:#?}"
+    );
+    assert!(
+        messages[0].starts_with("`left_bar` joins two points whose distance"),
+        "{messages:#?}"
+    );
+}
