@@ -146,8 +146,8 @@ curve closes or another curve crosses; with --drive those alone that it names. P
                          and what ends them: a turning point, where the mechanism locks and
                          velocities grow without bound, with the link that is too long or too short to go
                          on, or else the body that reaches no further on its hinge or joint;
-                         0 or pi, where an angle itself ends; a bifurcation, where the mechanism can
-                         go either way
+                         0 or pi, where an angle itself ends; a length of zero, where its points meet; a
+                         bifurcation, where the mechanism can go either way
   motion                 when the file's motion is at an end, where it moves no other drive
   poor                   where the transmission is poor: for a unit of the drive the free points
                          move (root of the sum of squares) more than five times as far as where in

@@ -33,6 +33,7 @@ mod under;
 mod vehicle;
 mod visit;
 mod words;
+mod zero_length;
 
 pub use changing::{Changing, Expansion};
 pub use description::Description;
@@ -66,3 +67,4 @@ pub use vehicle::{
 };
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::advice;
+pub use zero_length::DrivenLength;

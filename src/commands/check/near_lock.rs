@@ -39,5 +39,8 @@ pub(super) fn notes(
 
 /// Not the end of an angle, at which a design may well stand.
 fn is_lock(end: &RangeEnd) -> bool {
-    matches!(end.limit, Limit::Locks { .. } | Limit::Bifurcation(_))
+    matches!(
+        end.limit,
+        Limit::Locks { .. } | Limit::ZeroLength(_) | Limit::Bifurcation(_)
+    )
 }

@@ -11,6 +11,7 @@ use crate::mechanism::end_of_angle::EndOfAngle;
 use crate::mechanism::hinge::Hinge;
 use crate::mechanism::misfit::{Misfit, strained_hinge};
 use crate::mechanism::names::{Names, Suspension};
+use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
@@ -27,6 +28,8 @@ pub struct Lock {
     near: Option<String>,
     /// The driven angle that is at the end of its range.
     end_of_angle: Option<EndOfAngle>,
+    /// The driven length that is zero.
+    at_zero: Option<DrivenLength>,
     cause: Option<SolveError<f64>>,
 }
 
@@ -46,7 +49,9 @@ impl Lock {
         let cause = stopped.refused.map(|(_, cause)| cause);
         let drives = given(&there.drives.value);
         let end_of_angle = EndOfAngle::of(names, cause.as_ref(), &drives);
-        let locks = end_of_angle.is_none();
+        let lengths = &names.driven_lengths;
+        let at_zero = DrivenLength::at_zero(lengths, &drives, model.size()).cloned();
+        let locks = end_of_angle.is_none() && at_zero.is_none();
         let reached = stopped.reached;
         let misfit = |asked| Misfit::between(model, names, laws, [reached, asked], q);
         let just_beyond = || {
@@ -62,6 +67,7 @@ impl Lock {
             misfit: at_asked,
             near,
             end_of_angle,
+            at_zero,
             cause,
         }
     }
@@ -76,6 +82,10 @@ impl Lock {
     pub fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
         if let Some(end) = &self.end_of_angle {
             return end.in_words(names, unit);
+        }
+        if let Some(length) = &self.at_zero {
+            let drive = &names.drives[length.drive].name;
+            return format!("the drive `{drive}` ends: {}", length.fault());
         }
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {

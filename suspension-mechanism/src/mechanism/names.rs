@@ -10,6 +10,7 @@ use crate::mechanism::hinge::Hinge;
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Coupling, Vehicle, Wheel};
+use crate::mechanism::zero_length::DrivenLength;
 
 /// A linkage that this program can run.
 pub trait Suspension<const N: usize>:
@@ -43,6 +44,8 @@ pub struct Names {
     pub hinges: Vec<Hinge>,
     /// Lines on the chassis on which points slide; likewise.
     pub guides: Vec<Guide>,
+    /// Lengths that drives prescribe; likewise.
+    pub driven_lengths: Vec<DrivenLength>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
@@ -95,6 +98,7 @@ impl Names {
             angled_links: Vec::new(),
             hinges: Vec::new(),
             guides: Vec::new(),
+            driven_lengths: Vec::new(),
             drives: (0..)
                 .zip(drives)
                 .map(|(drive, name)| Drive {
@@ -130,6 +134,7 @@ impl Names {
         self.angled_links = angled.filter_map(|(part, _)| number(part.name)).collect();
         self.hinges = Hinge::all(listing, self.chassis);
         self.guides = Guide::all(listing, self.chassis);
+        self.driven_lengths = DrivenLength::all(listing, self.drives.len());
         self
     }
 

@@ -7,7 +7,7 @@ use suspension_core::path::{Continuation, Curve, End, Place, Stretch};
 use suspension_core::{Signal, Values};
 
 use crate::failure::Failure;
-use crate::mechanism::{Mechanism, State, Suspension};
+use crate::mechanism::{DrivenLength, Mechanism, State, Suspension};
 use crate::reach::limit::{Limit, RangeEnd, fault_beyond};
 use crate::reach::station::Station;
 
@@ -214,7 +214,7 @@ impl Run {
             Some((_, false)) => Limit::Locks {
                 fault: fault_beyond(mechanism, drive, value),
             },
-            None => self.limit.clone(),
+            None => zero_length(mechanism, drive, value).unwrap_or_else(|| self.limit.clone()),
         };
         RangeEnd { value, limit }
     }
@@ -224,6 +224,19 @@ impl Run {
         let first = self.turns.first();
         first.map_or(&self.stations, |(place, _)| &self.stations[..=*place])
     }
+}
+
+/// That the drive's value is a length of zero.
+fn zero_length<L: Suspension<N>, const N: usize>(
+    mechanism: &Mechanism<L, N>,
+    drive: usize,
+    value: f64,
+) -> Option<Limit> {
+    let mut drives = mechanism.given(&mechanism.first_drives());
+    drives[drive] = value;
+    let lengths = &mechanism.names.driven_lengths;
+    let length = DrivenLength::at_zero(lengths, &drives, mechanism.model.size())?;
+    (length.drive == drive).then(|| Limit::ZeroLength(length.fault()))
 }
 
 impl DriveRange {

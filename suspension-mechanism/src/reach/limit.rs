@@ -22,6 +22,8 @@ pub enum Limit {
     },
     /// The angle itself is 0 or pi.
     EndOfAngle,
+    /// The driven length is zero, in words.
+    ZeroLength(String),
     /// Another curve crosses within so much of the value, in the unit of length.
     Bifurcation(f64),
     /// The search was cut short: all steps were made, or the user interrupted.
@@ -42,6 +44,7 @@ impl Limit {
             Self::EndOfAngle => {
                 "the end of the angle, beyond it the same positions come again".to_owned()
             }
+            Self::ZeroLength(fault) => fault.clone(),
             Self::Bifurcation(accuracy) => format!(
                 "bifurcation within {} {} along the curve, the mechanism can go either way",
                 rounded(*accuracy, 2),

@@ -161,3 +161,48 @@ drives = { steer = 0.0, bump = 0.155 }
     let fault = ": `arm` on its hinge `inner`, `outer` reaches no further";
     assert_eq!(text(&output.stdout).matches(fault).count(), 2, "{output:?}");
 }
+
+/// An actuator that is driven to length zero: its points meet, and no direction is left in which it could grow.
+#[test]
+fn a_length_of_zero_is_told_by_the_points_that_meet() {
+    let folder = folder();
+    for (anchor, free) in [
+        (
+            "anchor at [0.0, 0.3, 0.4]",
+            "hinge rocker: front, rear -> push;",
+        ),
+        (
+            "anchor at [-0.1, 0.0, 0.0]",
+            "slide guide: push on rear -> front;",
+        ),
+    ] {
+        let at = if free.starts_with("hinge") {
+            "[0.0, 0.5, 0.0]"
+        } else {
+            "[0.3, 0.0, 0.0]"
+        };
+        let file = format!(
+            "unit = \"m\"\ntime = {{ start = 0.0, stop = 1.0, step = 0.1 }}\ndrives = {{ actuator = [0.4, -0.4] }}\nstatements = '''\n\
+             fixed: front at [0.1, 0.0, 0.0], rear at [-0.1, 0.0, 0.0], {anchor};\nfree: push at {at};\n{free}\n\
+             drive actuator: length(anchor -> push);\n'''\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let [motion, check, range] =
+            ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
+        let meet = "the length is zero, where `anchor` and `push` meet, and none is less";
+        let said = text(&motion.stderr);
+        assert!(
+            said.contains(&format!("the drive `actuator` ends: {meet}")),
+            "{said}"
+        );
+        for said in [line(&check, "actuator "), line(&range, "  lower end")] {
+            assert!(said.contains(&format!(": {meet}")), "{said}");
+        }
+        let said = [&motion.stderr, &check.stdout, &range.stdout].map(|said| text(said));
+        let said = said.concat();
+        assert!(
+            !said.contains("bifurcation") && !said.contains("pivot, "),
+            "{said}"
+        );
+    }
+}

@@ -1,0 +1,37 @@
+//! A driven length at zero, where its points meet.
+
+use suspension_runtime::Listing;
+
+/// A length that a drive prescribes, as of an actuator.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DrivenLength {
+    /// The number of the drive.
+    pub drive: usize,
+    /// The points between which it is.
+    pub ends: [String; 2],
+}
+
+impl DrivenLength {
+    /// Those of a listing with so many drives.
+    pub(crate) fn all(listing: &Listing, drives: usize) -> Vec<Self> {
+        let lengths = (0..drives).filter_map(|drive| {
+            let ends = listing.driven_length(drive)?.map(str::to_owned);
+            Some(Self { drive, ends })
+        });
+        lengths.collect()
+    }
+
+    /// The one that is zero to rounding, of a mechanism of a size at drives in the file's coordinates.
+    pub(crate) fn at_zero<'a>(all: &'a [Self], drives: &[f64], size: f64) -> Option<&'a Self> {
+        /// How near zero, as a part of the size, the directions of the length are lost in rounding.
+        const NEAR: f64 = 1e-6;
+        let mut lengths = all.iter();
+        lengths.find(|length| drives[length.drive].abs() < NEAR * size)
+    }
+
+    /// That it is zero, in words.
+    pub(crate) fn fault(&self) -> String {
+        let [from, to] = &self.ends;
+        format!("the length is zero, where `{from}` and `{to}` meet, and none is less")
+    }
+}
