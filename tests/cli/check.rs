@@ -88,7 +88,8 @@ fn a_link_that_is_named_after_its_points_is_named_as_what_locks() {
     let links = arm("[0.0, 0.4, 0.0]").replace("fore", "arm_front_tip");
     let output = check(&links.replace("aft", "arm_rear_tip"), &[]);
     let travel = line(&output, "bump");
-    assert!(travel.ends_with("_tip` is too short"), "{travel}");
+    let both = "`arm_front_tip` and `arm_rear_tip` are too short";
+    assert!(travel.ends_with(both), "{travel}");
 }
 
 #[test]

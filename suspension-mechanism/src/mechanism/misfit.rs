@@ -11,10 +11,11 @@ use crate::mechanism::names::{Names, Suspension};
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
-/// A link whose length does not allow a configuration.
+/// A link whose length does not allow a configuration, or several of which each one does not, as the two of a wishbone.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Misfit {
-    name: String,
+    /// First the one whose lengths are known.
+    names: Vec<String>,
     /// The length that it has.
     has: f64,
     /// The nearest to it with which there is a configuration.
@@ -36,9 +37,11 @@ const LONGEST: f64 = 0.1;
 /// How far other equations may be off at the end, as a part of it.
 const CLOSED: f64 = 1e-6;
 
-/// Of the force that a mechanism at its lock bears within itself, the part that a link or a hinge must bear to be
-/// the one that ends the motion.
-const BEARS: f64 = 0.1;
+/// Of what turns a drive at its lock, the part that a link or a hinge must have to be the one that ends the motion.
+const TURNS: f64 = 0.1;
+
+/// Of the share of the link that is named, the least with which another is named beside it.
+const BESIDE: f64 = 0.5;
 
 impl Misfit {
     /// The link that ends a motion between two times, of which the mechanism has a configuration, `q`, at the
@@ -51,10 +54,11 @@ impl Misfit {
         q: &SVector<f64, N>,
     ) -> Option<Self> {
         let place = Place::at(model, drives, reached);
-        let [forces, mut along] = place.strained(q)?;
+        let Turning { shares, mut along } = place.turning(q)?;
         // A line of an angle that is driven or held would have another angle if it were longer.
-        let is_link = |row: usize| names.is_free_link(&names.equations[row]);
-        let equation = bearing(names, &forces, is_link)?;
+        let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
+        let links = || (0..names.equations.len()).filter(is_link);
+        let equation = greatest(links().map(|row| (row, shares[row])))?;
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
@@ -66,12 +70,17 @@ impl Misfit {
         if (0..N).any(|row| row != equation && off[row].abs() > closed) {
             return None;
         }
-        let name = names.equations[equation].clone();
-        let length = names.link(&name)?;
+        let is_beside = |row: &usize| *row != equation && shares[*row] / shares[equation] > BESIDE;
+        let named = [equation].into_iter().chain(links().filter(is_beside));
+        let length = names.link(&names.equations[equation])?;
         let has = model.lengths().values().nth(length)?;
         // The equation of a distance is (d^2 - L^2) / (2 L).
         let needs = (has * (has + 2.0 * off[equation])).sqrt();
-        Some(Self { name, has, needs })
+        Some(Self {
+            names: named.map(|row| names.equations[row].clone()).collect(),
+            has,
+            needs,
+        })
     }
 
     /// Whether it is too long or too short, in words.
@@ -81,7 +90,9 @@ impl Misfit {
         } else {
             "short"
         };
-        format!("`{}` is too {fault}", self.name)
+        let names: Vec<String> = self.names.iter().map(|name| format!("`{name}`")).collect();
+        let are = if names.len() == 1 { "is" } else { "are" };
+        format!("{} {are} too {fault}", names.join(" and "))
     }
 
     /// The fault, and the lengths where the digits shown differ.
@@ -92,37 +103,48 @@ impl Misfit {
         if has == needs {
             return fault;
         }
+        let it = match self.names.as_slice() {
+            [first, _, ..] => format!("`{first}`"),
+            _ => "it".to_owned(),
+        };
         format!(
-            "{fault}: it has {has} {symbol} and would need {needs} {symbol} at the place asked for"
+            "{fault}: {it} has {has} {symbol} and would need {needs} {symbol} at the place asked for"
         )
     }
 }
 
-/// The hinge that bears most of all that move where the mechanism can move though its drives are held, at the last configuration, `q`, of a motion that
-/// ends at the time `reached`; `None` where none bears much.
-pub(crate) fn strained_hinge<'n, L: Suspension<N>, const N: usize>(
+/// The hinge that turns the drive most at the last configuration, `q`, of a motion that ends at the time `reached`; `None` where none does
+/// much.
+pub(crate) fn turning_hinge<'n, L: Suspension<N>, const N: usize>(
     model: &L,
     names: &'n Names,
     drives: &DriveLaws,
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let [forces, motion] = Place::at(model, drives, reached).strained(q)?;
-    let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&motion));
-    let hinges: Vec<&Hinge> = hinges.collect();
-    let hinge = |row: usize| hinges.iter().find(|hinge| hinge.has(row)).copied();
-    hinge(bearing(names, &forces, |row| hinge(row).is_some())?)
+    let Turning { shares, along } = Place::at(model, drives, reached).turning(q)?;
+    let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
+    let share = |hinge: &Hinge| {
+        let rows = (0..N).filter(|row| hinge.has(*row));
+        rows.map(|row| shares[row]).sum()
+    };
+    greatest(hinges.map(|hinge| (hinge, share(hinge))))
 }
 
-/// Of the equations that are asked for, the one that bears most, where it bears much.
-fn bearing<const N: usize>(
-    names: &Names,
-    forces: &SVector<f64, N>,
-    is_asked_for: impl Fn(usize) -> bool,
-) -> Option<usize> {
-    let asked = (0..names.equations.len()).filter(|row| is_asked_for(*row));
-    let bearing = asked.max_by(|a, b| forces[*a].abs().total_cmp(&forces[*b].abs()))?;
-    (forces[bearing].abs() > BEARS * forces.amax()).then_some(bearing)
+/// The part with the greatest share, of either sign, where that is large.
+fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
+    let greatest = shares.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let (part, _) = greatest.filter(|(_, share)| share.abs() > TURNS)?;
+    Some(part)
+}
+
+/// How a mechanism turns where it locks.
+struct Turning<const N: usize> {
+    /// The share of each equation in turning the drive: the force that it bears there times what the motion changes it by to the second
+    /// order. The sum of all is one; that of a link which folds onto what it turns is below zero.
+    shares: SVector<f64, N>,
+    /// The motion that the drive, held there, leaves to the mechanism.
+    along: SVector<f64, N>,
 }
 
 /// A model at an instant.
@@ -147,17 +169,20 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
-    /// What the equations bear where the mechanism locks: there the rows of the Jacobian depend on each other, with forces that
-    /// balance within the mechanism as factors. Beside it the motion that changes no equation there.
-    fn strained(&self, q: &SVector<f64, N>) -> Option<[SVector<f64, N>; 2]> {
+    /// Where a mechanism locks the rows of its Jacobian depend on each other, with forces that balance within the mechanism as factors, and a
+    /// motion changes no equation to the first order.
+    fn turning(&self, q: &SVector<f64, N>) -> Option<Turning<N>> {
+        let still = L::Fixed::default();
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);
-        let mut motion = forces;
+        let mut along = forces;
         for _ in 0..3 {
-            motion = factors.solve(&forces).normalize();
-            forces = factors.solve_transposed(&motion).normalize();
+            along = factors.solve(&forces).normalize();
+            forces = factors.solve_transposed(&along).normalize();
         }
-        Some([forces, motion])
+        let bend = self.model.curvature(&along, &still, &along, &still);
+        let shares = forces.component_mul(&bend) / forces.dot(&bend);
+        Some(Turning { shares, along })
     }
 
     /// Where all equations but that of a link hold and this is off as little as can be. The configurations that the others

@@ -206,3 +206,53 @@ fn a_length_of_zero_is_told_by_the_points_that_meet() {
         );
     }
 }
+
+/// The wishbones bear what the tie rod at its lock does, and more; but it is the tie rod, or the upper wishbone, whose turning turns the drive
+/// there. Links and hinges are told alike.
+#[test]
+fn the_link_that_turns_the_drive_is_named_and_not_the_one_that_bears_most() {
+    let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
+    let links =
+        "link upper_fore: upper_front -> upper_ball;\nlink upper_aft: upper_rear -> upper_ball;\n";
+    let hinges = "hinge upper: upper_front, upper_rear -> upper_ball;\n";
+    let without = |begins: [&str; 2]| {
+        let lines = listing.lines();
+        let others = lines.filter(|line| !begins.iter().any(|begin| line.starts_with(begin)));
+        others.collect::<Vec<_>>().join("\n")
+    };
+    let statements = without(["link upper_fore", "link upper_aft"]);
+    let upper = "`upper` on its hinge `upper_front`, `upper_rear` reaches no further";
+    for (rack, upper_wishbone, ends) in [
+        (
+            "[0.11, 0.34, 0.20]",
+            links,
+            ["`upper_aft` and `upper_fore` are too short"; 2],
+        ),
+        ("[0.11, 0.34, 0.20]", hinges, [upper; 2]),
+        (
+            "[0.11, 0.50, 0.35]",
+            links,
+            ["`tie_rod` is too short", "`tie_rod` is too long"],
+        ),
+        (
+            "[0.11, 0.50, 0.35]",
+            hinges,
+            ["`tie_rod` is too short", "`tie_rod` is too long"],
+        ),
+    ] {
+        let at = "[0.11, 0.34, 0.20]";
+        assert!(statements.contains(at), "{statements}");
+        let steer = if rack == at { "0.34" } else { "0.50" };
+        let file = format!(
+            "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3, steer = {steer} }}\nstatements = '''\n{}\n{upper_wishbone}'''\n",
+            statements.replace(at, rack)
+        );
+        let output = check(&file, &[]);
+        let report = text(&output.stdout);
+        let lines = report.lines().skip_while(|line| !line.starts_with("bump "));
+        for (line, end) in lines.zip(ends) {
+            assert!(line.ends_with(&format!(": {end}")), "{rack}: {line}");
+        }
+        assert!(report.contains("\nbump "), "{report}");
+    }
+}
