@@ -38,6 +38,7 @@ pub(crate) fn example(name: &str) -> String {
         "published_five_link.toml" => include_str!("../data/published_five_link.toml"),
         "five_link_height.toml" => include_str!("../../examples/five_link_height.toml"),
         "double_wishbone.toml" => include_str!("../../examples/double_wishbone.toml"),
+        "live_axle_panhard.toml" => include_str!("../../examples/live_axle_panhard.toml"),
         other => panic!("no example {other}"),
     }
     .to_owned()

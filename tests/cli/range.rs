@@ -235,6 +235,23 @@ fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
     assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
 }
 
+/// Of several wheels the plot has the one that the drive moves up and down, else the first.
+#[test]
+fn a_plot_says_which_wheel_it_is_of() {
+    let folder = folder();
+    let axle = example("live_axle_panhard.toml");
+    std::fs::write(folder.path().join("a.toml"), axle).expect("written");
+    let output = run(folder.path(), &["range", "a.toml", "--plots", "."]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    for side in ["left", "right"] {
+        let path = folder.path().join(format!("a_range_bump_{side}.svg"));
+        let plot = std::fs::read_to_string(path).expect("a plot");
+        let title =
+            format!("Height of the {side} wheel centre over the whole curve of bump_{side}");
+        assert!(plot.contains(&title), "{plot}");
+    }
+}
+
 /// Of a drive that is named the report, the table and the plot are those that it has among all.
 #[test]
 fn one_drive_of_several_is_looked_at_alone() {

@@ -17,9 +17,11 @@ pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart
         let drive = wheel.travel.and_then(|drive| names.drives.get(drive));
         drive.is_some_and(|drive| drive.name == range.name)
     });
+    let number = moved.unwrap_or_default();
+    let wheel = names.wheels.get(number)?;
     let centre = columns([&CENTRE], names).into_iter();
     let mut heights = centre.filter(|column| column.axis == Some(Axis::Z));
-    let height = heights.nth(moved.unwrap_or_default())?;
+    let height = heights.nth(number)?;
     let line = |stations: &[Station]| -> Vec<(f64, f64)> {
         let points = stations.iter();
         let point =
@@ -31,7 +33,8 @@ pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart
     Some(Chart {
         title: format!(
             "Height of the {} over the whole curve of {}",
-            CENTRE.title, range.name
+            wheel.title(CENTRE.title),
+            range.name
         ),
         across: format!("{} ({symbol})", range.name),
         quantity,
