@@ -120,10 +120,13 @@ impl Ordered<'_> {
                 )
             })
             .collect::<Vec<_>>();
+        let wheel = names.wheels.first();
+        let wheel = wheel.map(|wheel| wheel.title("wheel"));
         let sheet = Sheet {
             about: About {
                 file: self.file.to_owned(),
                 linkage: linkage.clone(),
+                wheel: wheel.unwrap_or_default(),
                 arguments,
                 unit: unit.symbol(),
                 axes: self.mechanism.axes.meaning(),

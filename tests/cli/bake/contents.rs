@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::super::program::{example, folder, run};
-use super::{RANGE, baked};
+use super::{RANGE, baked, baked_of};
 
 /// Whatever a file is called, what is in it has a name that compilers take.
 #[test]
@@ -73,6 +73,14 @@ fn the_header_of_points_says_nothing_of_a_spin_axis() {
         assert_eq!(file.contains(said), is_said, "{}", &file[..900]);
         assert_eq!(file.contains("spin axis"), is_said);
     }
+}
+
+#[test]
+fn the_header_says_which_of_several_wheels_was_baked() {
+    let range = ["--drive", "bump_left=0.28:0.34"];
+    let file = baked_of("live_axle_panhard.toml", folder().path(), &range);
+    let expected = "// The left wheel centre and spin axis (unit length, outboard) of live_axle_panhard as a function of";
+    assert!(file.contains(expected), "{}", &file[..400]);
 }
 
 /// What the firmware looks up is written by the program, not by hand.

@@ -12,6 +12,8 @@ pub struct About {
     pub file: String,
     /// The linkage's name.
     pub linkage: String,
+    /// What its wheel is called, of several the first.
+    pub wheel: String,
     /// The drives that the outputs are functions of, or a measure.
     pub arguments: Vec<Ranged>,
     /// The unit of lengths.
@@ -92,7 +94,10 @@ impl About {
     pub(super) fn header(&self, outputs: &[Output]) -> Vec<String> {
         let what = match outputs.first() {
             Some(Output::Point(_)) => counted(outputs.len(), "point"),
-            _ => "wheel centre and spin axis (unit length, outboard)".to_owned(),
+            _ => format!(
+                "{} centre and spin axis (unit length, outboard)",
+                self.wheel
+            ),
         };
         let kind = match self.arguments.as_slice() {
             [argument] => argument.kind(),
