@@ -20,7 +20,7 @@ use crate::file::Source;
 use crate::grid::Swept;
 use crate::load::load;
 use crate::loads::{Structure, contact_of};
-use crate::mechanism::Names;
+use crate::mechanism::{Names, Place};
 use crate::output::beside::{in_out, name_of};
 use crate::output::rows::Forms;
 use crate::output::target::Target;
@@ -76,10 +76,12 @@ impl Arguments {
         };
         let mechanism = &*mechanism;
         let cases = loaded.load_cases(mechanism)?;
-        if cases.is_empty() {
-            return Err(source.refuse(&(0..0), no_case(&mechanism.names)));
-        }
         let structure = Structure::of(loaded.listing());
+        if cases.is_empty() {
+            let mut sprung = |place: &dyn Place| structure.sprung(mechanism, &place.state());
+            let sprung = mechanism.at_start(interrupted, &mut sprung).flatten();
+            return Err(source.refuse(&(0..0), no_case(&mechanism.names, sprung)));
+        }
         let run = Run {
             source: source.name(),
             mechanism,
@@ -173,12 +175,11 @@ some cases no answer, 130 interrupted.
 Example:
   suspension loads examples/double_wishbone_rocker.toml --drive bump=-0.05:0.05:21";
 
-/// What to write in a file without a load case, with a spring of the file that bears the load of a drive of travel.
-fn no_case(names: &Names) -> String {
-    let vehicle = &names.vehicle;
-    let borne = vehicle.travel.first().zip(vehicle.springs.first());
-    let borne = borne.map(|(drive, spring)| {
-        let (drive, spring) = (&names.drives[*drive].name, &spring.name);
+/// What to write in a file without a load case, with a drive of travel and a spring of the file that bears its load.
+fn no_case(names: &Names, sprung: Option<(usize, usize)>) -> String {
+    let borne = sprung.map(|(drive, spring)| {
+        let drive = &names.drives[drive].name;
+        let spring = &names.vehicle.springs[spring].name;
         format!(", and {drive} = \"{spring}\" for the spring to bear what the drive would")
     });
     let place = names.wheels.first().map(contact_of);

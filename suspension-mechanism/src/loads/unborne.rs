@@ -48,13 +48,7 @@ impl Structure<'_> {
         if bearing.is_empty() {
             return Unborne::default();
         }
-        let measures = 0..mechanism.names.measures.len();
-        let moved = measures.map(|measure| self.ratios(mechanism, state, measure));
-        let moved = Moved {
-            mechanism,
-            ratios: moved.collect(),
-            travel: &travel,
-        };
+        let moved = self.moved(mechanism, state, &travel);
         let mut unborne = Unborne::default();
         for drive in bearing {
             let is_taken = |spring: usize| {
@@ -70,6 +64,29 @@ impl Structure<'_> {
             }
         }
         unborne
+    }
+
+    /// The first drive of travel with which a spring of the file moves, and that spring.
+    pub fn sprung(&self, mechanism: &dyn Kinematics, state: &State) -> Option<(usize, usize)> {
+        let travel = travel(mechanism);
+        let moved = self.moved(mechanism, state, &travel);
+        let spring = |drive: &usize| Some((*drive, moved.spring(*drive, &|_| false)?));
+        travel.iter().find_map(spring)
+    }
+
+    fn moved<'a>(
+        &self,
+        mechanism: &'a dyn Kinematics,
+        state: &State,
+        travel: &'a [usize],
+    ) -> Moved<'a> {
+        let measures = 0..mechanism.names.measures.len();
+        let ratios = measures.map(|measure| self.ratios(mechanism, state, measure));
+        Moved {
+            mechanism,
+            ratios: ratios.collect(),
+            travel,
+        }
     }
 
     /// What a measure changes by per unit of each drive: the work of a force of 1 N in it.

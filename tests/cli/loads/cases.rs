@@ -1,7 +1,24 @@
 //! What load cases may state, and several of them in one file.
 
-use super::super::program::{folder, rows, run, text};
+use super::super::program::{example, folder, rows, run, text};
 use super::{GRID, loaded, table};
+
+/// A bar is no spring that carries a wheel, wherever its name stands among those of the file.
+#[test]
+fn an_example_of_a_case_has_the_spring_that_the_wheel_moves() {
+    let springs = "[springs.bar]\nalong = \"roll_travel\"\nrate = 9000.0\n\
+                   [springs.coil]\nalong = \"damper_left\"\nrate = 30000.0\nload = 3000.0\n";
+    let folder = folder();
+    let file = example("live_axle_panhard.toml") + springs;
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["loads", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("and bump_left = \"coil\" for the spring to bear"),
+        "{message}"
+    );
+}
 
 #[test]
 fn what_is_no_load_is_refused_with_its_place() {
