@@ -104,7 +104,10 @@ fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    std::fs::create_dir_all(folder)?;
+    std::fs::create_dir_all(folder).map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
+        _ => error,
+    })?;
     let (file, temporary) = beside(folder, replaced)?.into_parts();
     Ok((file, Some(temporary)))
 }

@@ -24,7 +24,7 @@ fn an_unwritable_result_is_exit_code_1() {
     let message = text(&output.stderr);
     assert_eq!(message.lines().count(), 1);
     assert!(
-        message.starts_with("file/a.csv: cannot be written"),
+        message.starts_with("file/a.csv: cannot be written: not a directory"),
         "{message}"
     );
 }
