@@ -1,6 +1,7 @@
 //! Forces under load cases.
 
 mod cases;
+mod drawings;
 mod measures;
 mod moments;
 mod moments_of_measures;

@@ -1,5 +1,6 @@
 //! The picture of a load case.
 
+use nalgebra::Vector3;
 use suspension_runtime::Listing;
 
 use crate::kinematics::Kinematics;
@@ -27,6 +28,7 @@ pub(super) fn drawing(
         })
     });
     let acting = structure.acting(mechanism, case, first).into_iter();
+    let acting = acting.filter(|[_, force]| *force != Vector3::zeros());
     let acting = acting.map(|[at, force]| Acting {
         at: at.into(),
         force: force.into(),

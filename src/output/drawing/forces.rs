@@ -16,7 +16,7 @@ pub struct InLink {
     pub tension: f64,
 }
 
-/// A force that acts.
+/// A force that acts, not zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Acting {
     /// Where.
@@ -59,8 +59,7 @@ impl Drawing {
             let tip = |axis: usize| acting.at[axis] + scale * acting.force[axis];
             [acting.at, [0, 1, 2].map(tip)]
         };
-        let acting = forces.acting.iter().filter(|acting| size(acting) > 0.0);
-        acting.map(arrow).collect()
+        forces.acting.iter().map(arrow).collect()
     }
 
     /// The largest distance of points along an axis.
@@ -96,7 +95,7 @@ impl Drawing {
         for link in &forces.links {
             let [a, b] = link.ends.map(|end| pixels(view.of(self.points[end].1)));
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
-            let text = format!("{:.0} N", link.tension);
+            let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
             put(area, labels, &text, (middle, colour(link.tension)))?;
         }
         for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
