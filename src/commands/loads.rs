@@ -50,7 +50,7 @@ pub struct Arguments {
     /// grid to out/NAME_loads.csv, of a motion to out/NAME_loads_motion.csv, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
-    /// Draw each case at the first place, with the forces along the links, as PATH/NAME_CASE.svg, NAME being the motion file's.
+    /// Draw each case at the first place, with the forces along links, springs and other lengths in which something acts, as PATH/NAME_CASE.svg, NAME being the motion file's.
     #[arg(long, value_name = "PATH")]
     drawings: Option<PathBuf>,
     /// Write the rows as JSON to PATH, or to standard output for `-`.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_runtime::Listing;
 
 use crate::kinematics::Kinematics;
-use crate::loads::{Case, Outcome, Structure};
+use crate::loads::{By, Case, Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::drawing::{Acting, Drawing, Forces, InLink, drawing_of};
 
@@ -27,6 +27,9 @@ pub(super) fn drawing(
             tension: *tension,
         })
     });
+    let lengths = drawing.lengths.iter();
+    let lengths = lengths.filter_map(|ends| in_length(outcome?, first, *ends));
+    let links = links.chain(lengths).collect();
     let acting = structure.acting(mechanism, case, first).into_iter();
     let acting = acting.filter(|[_, force]| *force != Vector3::zeros());
     let acting = acting.map(|[at, force]| Acting {
@@ -35,11 +38,30 @@ pub(super) fn drawing(
     });
     drawing.forces = Some(Forces {
         title: format!(
-            "load case {}: links in tension blue, in compression red",
+            "load case {}: in tension blue, in compression red",
             case.name
         ),
-        links: links.collect(),
+        links,
         acting: acting.collect(),
     });
     drawing
+}
+
+/// What acts along a measured length, a spring's force say; `None` where nothing does.
+fn in_length(outcome: &Outcome, first: &State, [from, to]: [usize; 2]) -> Option<InLink> {
+    let along = (first.position(to) - first.position(from)).normalize();
+    let at = |end: usize| {
+        let joints = outcome.joints.iter();
+        joints.filter(move |(by, point, _)| matches!(by, By::Measure(_)) && *point == end)
+    };
+    // Not what acts in an angle of the same line.
+    let pressing = at(to).filter_map(|(by, _, force)| {
+        let is_along = force.cross(&along).norm() <= 1e-9 * force.norm();
+        let is_of_both = at(from).any(|(other, ..)| other == by);
+        (is_along && is_of_both).then_some(force.dot(&along))
+    });
+    Some(InLink {
+        ends: [from, to],
+        tension: -pressing.reduce(|sum, force| sum + force)?,
+    })
 }

@@ -7,7 +7,7 @@ use super::labels::{Boxed, Labels};
 use super::view::View;
 use super::{Area, CHASSIS, Drawing, Drawn, FINE, LINK, pixels};
 
-/// The force in a link.
+/// The force in a link, or along a measured length.
 #[derive(Clone, Debug)]
 pub struct InLink {
     /// Its ends, by their indices.
@@ -30,7 +30,7 @@ pub struct Acting {
 pub struct Forces {
     /// Above the drawing.
     pub title: String,
-    /// Along links.
+    /// Along links and measured lengths.
     pub links: Vec<InLink>,
     /// From outside.
     pub acting: Vec<Acting>,

@@ -1,7 +1,7 @@
 //! Pictures of load cases.
 
 use super::super::program::{folder, run};
-use super::loaded;
+use super::{loaded, table};
 
 /// The picture of a load case a.
 fn picture(case: &str) -> String {
@@ -29,4 +29,16 @@ fn a_load_that_is_rounded_to_zero_has_no_sign() {
         picture.contains("\n0 N\n") && !picture.contains("-0 N"),
         "{picture}"
     );
+}
+
+/// A spring that carries the wheel is pressed; a force that makes its measure smaller pulls.
+#[test]
+fn springs_have_their_forces() {
+    let carried = "wheel_centre = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n";
+    let row = &table(&loaded(&format!("[loads.a]\n{carried}")), &[])[0];
+    let pressed = format!("\n-{:.0} N\n", row["a_damper_N"]);
+    for (case, expected) in [(carried, &*pressed), ("damper = -1500.0\n", "\n1500 N\n")] {
+        let picture = picture(case);
+        assert!(picture.contains(expected), "{expected}{picture}");
+    }
 }
