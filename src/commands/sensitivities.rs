@@ -2,7 +2,6 @@
 
 mod report;
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -35,14 +34,15 @@ pub struct Arguments {
         long,
         value_name = "COUNT",
         default_value = "5",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = count::<1>
     )]
-    largest: NonZeroUsize,
+    largest: usize,
     /// How many suspensions are built with random changes, of a file with [tolerances]; without it 1000.
-    #[arg(long, value_name = "COUNT", value_parser = samples)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = count::<2>)]
     samples: Option<usize>,
     /// What the random changes begin with, of a file with [tolerances]: the same number gives the same ones; without it 1.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = seed)]
     seed: Option<u64>,
     /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]
@@ -98,7 +98,7 @@ impl Arguments {
             ..report
         };
         if csv != Some(Target::Stdout) {
-            print(&report.text(&self.of, self.largest.get()))?;
+            print(&report.text(&self.of, self.largest))?;
         }
         if let Some(target) = &csv {
             write(&report, &found, target)?;
@@ -164,9 +164,14 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
 const SAMPLES: usize = 1000;
 const SEED: u64 = 1;
 
-fn samples(text: &str) -> Result<usize, String> {
-    let count = text.parse().ok().filter(|count| *count > 1);
-    count.ok_or_else(|| "COUNT is a whole number, at least 2".to_owned())
+fn count<const LEAST: usize>(text: &str) -> Result<usize, String> {
+    let count = text.parse().ok().filter(|count| *count >= LEAST);
+    count.ok_or_else(|| format!("COUNT is a whole number, at least {LEAST}"))
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    let seed = text.parse().ok();
+    seed.ok_or_else(|| "NUMBER is a whole number, at least 0".to_owned())
 }
 
 const NOTES: &str = "\

@@ -169,6 +169,23 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
 }
 
 #[test]
+fn counts_that_are_none_are_refused_with_what_is_wanted() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
+    for (option, value, wanted) in [
+        ("--largest", "0", "COUNT is a whole number, at least 1"),
+        ("--largest", "few", "COUNT is a whole number, at least 1"),
+        ("--samples", "1", "COUNT is a whole number, at least 2"),
+        ("--samples", "-5", "COUNT is a whole number, at least 2"),
+        ("--seed", "-1", "NUMBER is a whole number, at least 0"),
+    ] {
+        let output = run(folder.path(), &["sensitivities", "a.toml", option, value]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(wanted), "{output:?}");
+    }
+}
+
+#[test]
 fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
     let folder = folder();
     let text_of =
