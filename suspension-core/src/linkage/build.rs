@@ -41,7 +41,7 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     ///
     /// # Errors
     ///
-    /// [`GeometryError::SmallPivot`] where the [pivots](Factors::growth_squared) of the fixed order are
+    /// [`GeometryError::SmallPivot`] where the [pivots](super::Factors::growth_squared) of the fixed order are
     /// too small and those of partial pivoting are not. Near a singularity of the mechanism both are,
     /// and there is no error.
     fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError>;
