@@ -150,6 +150,7 @@ fn the_c_header_compiles_and_reads_the_same_digits() {
     }
     let [[r0, r1], [s0, s1]] = RATES;
     let header = baked(folder.path(), &["--as", "c"]);
+    is_as_kept(&header, "wheel_by_bump_and_steer.h");
     std::fs::write(folder.path().join("wheel.h"), header).expect("written");
     let program = format!(
         r#"#include "wheel.h"

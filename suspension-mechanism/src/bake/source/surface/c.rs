@@ -100,8 +100,7 @@ static inline int {name}(const {name}_number drives[2], const {name}_number rate
 /// Its loop over the outputs.
 fn outputs(name: &str, width: usize) -> String {
     format!(
-        "\
-    for (int i = 0; i < {width}; i++) {{
+        "    for (int i = 0; i < {width}; i++) {{
         {name}_number across[3][{TERMS}], by[3][3];
         for (int power = 0; power < {TERMS}; power++) {{
             {name}_number terms[{TERMS}], orders[3];
