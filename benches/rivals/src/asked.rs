@@ -1,10 +1,10 @@
 //! What the general multibody engines are asked beside a step, of ours: the forces of four rods under a
 //! load at rest, and what is said past the lock.
 
-use suspension_core::step::bounded::Bounded;
 use suspension_core::linkages::attia2003::Points;
 use suspension_core::nalgebra::Vector3;
 use suspension_core::statics::{Loads, spread};
+use suspension_core::step::bounded::Bounded;
 use suspension_core::{Linkage, SolveError, Tracker};
 
 use crate::mechanism::inputs;

@@ -2,8 +2,8 @@
 
 use suspension_core::linkage::Named;
 use suspension_core::linkages::attia2003::{Drives, Lengths, Model, Points};
-use suspension_core::solve::motion::Prescribed;
 use suspension_core::nalgebra::{SMatrix, SVector, Vector3};
+use suspension_core::solve::motion::Prescribed;
 use suspension_core::{
     Build, Linkage, Motion as MotionOf, Newton, Signal, Still, Tracker, assemble,
 };

@@ -1,9 +1,9 @@
 //! Our solver, as the macro writes it: iterated to a tolerance, and in a fixed number of
 //! operations.
 
-use suspension_core::step::bounded::{Bounded, Outputs};
-use suspension_core::solve::factored::with_factors;
 use suspension_core::linkages::attia2003::Listing;
+use suspension_core::solve::factored::with_factors;
+use suspension_core::step::bounded::{Bounded, Outputs};
 use suspension_core::{Linkage, Newton, Tracker};
 use suspension_lanes::Lanes;
 
