@@ -162,7 +162,10 @@ fn a_tolerance_in_another_unit_is_remarked() {
         let folder = folder();
         let file = format!("{CORNER}[tolerances]\ntie_rod = {stated}\n");
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        let output = run(folder.path(), &["sensitivities", "a.toml"]);
+        let output = run(
+            folder.path(),
+            &["sensitivities", "a.toml", "--samples", "10"],
+        );
         let said = text(&output.stderr);
         let note = said.lines().find(|line| line.starts_with("note: "));
         assert_eq!(note, expected, "{said}");
