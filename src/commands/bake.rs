@@ -34,17 +34,18 @@ pub struct Arguments {
     along: Option<WishedMeasure>,
     /// The drive's first value, its own, as the file's [drives] have it, not a change from the design, in the
     /// file's units. Without it the least that it has in the file's motion.
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = own_value::<'X'>)]
     from: Option<f64>,
     /// The drive's last value, its own too; without it the greatest that it has in the file's motion.
-    #[arg(long, value_name = "Y", allow_negative_numbers = true)]
+    #[arg(long, value_name = "Y", allow_negative_numbers = true, value_parser = own_value::<'Y'>)]
     to: Option<f64>,
     /// How far a point may be off, in metres whatever the file's unit.
     #[arg(
         long,
         value_name = "M",
         default_value = "1e-6",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = metres
     )]
     tolerance: f64,
     /// How many derivatives do not jump where segments join: as many as are read.
@@ -179,6 +180,18 @@ impl FromStr for Wished {
             range: range.map(Some),
         })
     }
+}
+
+fn own_value<const CALLED: char>(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok();
+    value.ok_or_else(|| {
+        format!("{CALLED} is a number, the drive's own value in the file's units, as 0.30")
+    })
+}
+
+fn metres(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok();
+    value.ok_or_else(|| "M is a number of metres, as 1e-6".to_owned())
 }
 
 /// From where to where, not from the design position as elsewhere.

@@ -22,7 +22,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// The wheel's radius, in the unit of the file; without it that of the file, or
     /// else 0.3 m.
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = length)]
     wheel_radius: Option<f64>,
 }
 
@@ -52,4 +52,9 @@ impl Arguments {
         announce(out.path());
         Ok(())
     }
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse().ok();
+    length.ok_or_else(|| "LENGTH is a number in the unit of the file, as 0.3".to_owned())
 }

@@ -48,3 +48,12 @@ fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
         "{said}"
     );
 }
+
+#[test]
+fn a_radius_that_is_no_number_is_refused_with_what_is_wanted() {
+    let folder = folder();
+    let output = run(folder.path(), &["draw", "a.toml", "--wheel-radius", "x"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let wanted = "LENGTH is a number in the unit of the file, as 0.3";
+    assert!(text(&output.stderr).contains(wanted), "{output:?}");
+}

@@ -149,3 +149,25 @@ fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
     let said = bake("bump=0.27:0.33");
     assert!(!said.contains("note:"), "{said}");
 }
+
+#[test]
+fn a_value_that_is_no_number_is_refused_with_what_is_wanted() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for (option, wanted) in [
+        (
+            "--from",
+            "X is a number, the drive's own value in the file's units, as 0.30",
+        ),
+        (
+            "--to",
+            "Y is a number, the drive's own value in the file's units, as 0.30",
+        ),
+        ("--tolerance", "M is a number of metres, as 1e-6"),
+    ] {
+        let output = run(folder.path(), &["bake", "a.toml", option, "x"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let said = text(&output.stderr);
+        assert!(said.contains(option) && said.contains(wanted), "{said}");
+    }
+}
