@@ -347,3 +347,34 @@ fn the_end_of_a_rack_takes_its_line_with_it() {
     );
     assert!(along["right_toe_rad"].abs() < 1e-9);
 }
+
+/// The line that is missing is that of each wheel's quantity too; a name that is a wheel's by mistake is not one.
+#[test]
+fn of_a_wheel_the_line_that_is_missing_is_named_too() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    let refusal = |of: &str| {
+        let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        text(&output.stderr).to_owned()
+    };
+    let needs =
+        "of this mechanism: it needs rack_per_turn under [vehicle], see suspension motion --help\n";
+    for name in ["left_steering_ratio", "right_steering_wheel_angle"] {
+        assert_eq!(refusal(name), format!("there is no `{name}` {needs}"));
+    }
+    let unknown = refusal("middle_steering_ratio");
+    assert!(unknown.starts_with("no quantity begins with"), "{unknown}");
+    let target = format!(
+        "{axle}[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
+         [tune.targets.wanted]\nof = \"left_steering_ratio\"\nvalue = 15.0\nwithin = 0.1\n"
+    );
+    std::fs::write(folder.path().join("tuned.toml"), target).expect("written");
+    let output = run(folder.path(), &["tune", "tuned.toml"]);
+    let said = text(&output.stderr);
+    assert!(
+        said.ends_with(&format!("there is no `left_steering_ratio` {needs}")),
+        "{said}"
+    );
+}

@@ -44,7 +44,8 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
             "`{wanted}` is the derivative of {names} with respect to a drive of travel; name {names} in its place"
         ));
     }
-    let quantity = catalogue().find(|quantity| quantity.name == wanted)?;
+    let of_wheel = without_wheel(wanted, &mechanism.names);
+    let quantity = catalogue().find(|quantity| quantity.name == of_wheel)?;
     let is_known = |column: &Column| column.title() == wanted;
     if columns(mechanism).iter().any(is_known) {
         return None;
@@ -60,6 +61,13 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
         lines => format!("it needs {lines} under [vehicle], see suspension motion --help"),
     };
     Some(format!("there is no `{wanted}` of this mechanism: {needs}"))
+}
+
+/// The name of a quantity behind that of a wheel of the mechanism: `camber` of `left_camber`; any other name as it is.
+fn without_wheel<'a>(wanted: &'a str, names: &Names) -> &'a str {
+    let mut wheels = names.wheels.iter();
+    let of_wheel = wheels.find_map(|wheel| wanted.strip_prefix(&*wheel.name)?.strip_prefix('_'));
+    of_wheel.unwrap_or(wanted)
 }
 
 /// The lines of `[vehicle]` that a quantity needs: of the steering wheel that of the drives that steer, a rack's or a steering box's.
