@@ -1,6 +1,8 @@
 //! `suspension sensitivities`: what moving each hardpoint does to the quantities of a design.
 
+mod number;
 mod report;
+mod scatter;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,7 +20,8 @@ use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::sensitivities::{Sensitivities, sensitivities};
 use crate::tolerances::{Tolerance, first_order, sampled};
-use report::{Report, Scatter};
+use report::Report;
+use scatter::Scatter;
 
 /// What `suspension sensitivities` is given.
 #[derive(Args, Clone, Debug)]

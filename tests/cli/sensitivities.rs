@@ -348,6 +348,31 @@ fn the_end_of_a_rack_takes_its_line_with_it() {
     assert!(along["right_toe_rad"].abs() < 1e-9);
 }
 
+/// Each wheel of an axle is moved by its own drive: most derivatives along that of the other one are zero.
+#[test]
+fn what_is_zero_and_unchanged_is_gathered_in_one_line() {
+    let folder = folder();
+    let axle = include_str!("../../examples/steered_axle.toml");
+    std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
+    let report = |of: &str| {
+        let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        text(&output.stdout).to_owned()
+    };
+    let toe = report("left_toe");
+    let gathered = "\n0, and nothing changes it: left_toe per bump_right\n";
+    assert!(toe.ends_with(gathered), "{toe}");
+    assert!(!toe.contains("left_toe per bump_right: 0"), "{toe}");
+    assert!(toe.contains("\nleft_toe per bump_left: "), "{toe}");
+    // Another value that nothing changes is shown.
+    let height = report("left_centre_z");
+    let shown = "\nleft_centre_z per bump_left: 1 m/m\n  nothing changes it\n";
+    assert!(height.contains(shown), "{height}");
+    let gathered =
+        "\n0, and nothing changes them: left_centre_z per steer, left_centre_z per bump_right\n";
+    assert!(height.ends_with(gathered), "{height}");
+}
+
 /// The line that is missing is that of each wheel's quantity too; a name that is a wheel's by mistake is not one.
 #[test]
 fn of_a_wheel_the_line_that_is_missing_is_named_too() {

@@ -5,14 +5,15 @@ use std::fmt::Write;
 use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::characteristics::{not_of_this, of_wheels, zero_at_design};
+use crate::commands::sensitivities::number::{DIGITS, Number};
+use crate::commands::sensitivities::scatter::Scatter;
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::quantities::{TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
-use crate::tolerances::{Deviations, Sampled};
 
-/// Digits of a sensitivity.
-const DIGITS: usize = 4;
+/// Differences of what does not change leave rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What the text is about.
 pub(super) struct Report<'a> {
@@ -20,61 +21,6 @@ pub(super) struct Report<'a> {
     pub(super) mechanism: &'a Description,
     pub(super) found: &'a Sensitivities,
     pub(super) scatter: Option<&'a Scatter>,
-}
-
-/// How quantities scatter.
-pub(super) struct Scatter {
-    pub(super) first_order: Deviations,
-    /// `None` where fewer than two suspensions can be built.
-    pub(super) sampled: Option<Sampled>,
-    /// How many were asked for, and with which seed.
-    pub(super) drawn: (usize, u64),
-}
-
-impl Scatter {
-    /// Under their names in tables.
-    pub(super) fn rows(&self) -> impl Iterator<Item = (&'static str, &Deviations)> {
-        let sampled = self.sampled.iter();
-        let sampled = sampled.map(|sampled| ("standard_deviation_of_samples", &sampled.deviations));
-        [("standard_deviation", &self.first_order)]
-            .into_iter()
-            .chain(sampled)
-    }
-
-    fn in_words(&self, at: &Number) -> String {
-        let of = |deviations: &Deviations| {
-            let deviation = deviations[at.column][at.number] * at.scale.abs();
-            rounded(without_rounding(deviation), DIGITS)
-        };
-        let (count, seed) = self.drawn;
-        let sampled = match &self.sampled {
-            None => "no two samples can be built".to_owned(),
-            Some(sampled) => {
-                let built = match count - sampled.built {
-                    0 => String::new(),
-                    failed => format!(", {failed} of which cannot be built"),
-                };
-                let deviation = of(&sampled.deviations);
-                format!("of {count} samples (seed {seed}{built}) {deviation}")
-            }
-        };
-        let (first, symbol) = (of(&self.first_order), &at.symbol);
-        format!("standard deviation {first} {symbol}; {sampled}")
-    }
-}
-
-/// A number of a quantity: its value, or a derivative with respect to a drive.
-pub(super) struct Number {
-    pub(super) column: usize,
-    /// 0, or 1 more than the number of the drive.
-    pub(super) number: usize,
-    pub(super) csv_name: String,
-    /// What a number inside is multiplied with for that in the file.
-    pub(super) in_file: f64,
-    title: String,
-    /// The same for what people read.
-    scale: f64,
-    symbol: String,
 }
 
 impl Report<'_> {
@@ -167,9 +113,11 @@ impl Report<'_> {
             self.file,
             self.of_tie_rod(&numbers)
         );
-        for number in numbers {
-            let value = self.found.values[number.column][number.number] * number.scale;
-            let value = without_rounding(value);
+        let (zero, others): (Vec<Number>, Vec<Number>) = numbers
+            .into_iter()
+            .partition(|number| self.stays_zero(number));
+        for number in others {
+            let value = self.value(&number);
             let (title, symbol) = (&number.title, &number.symbol);
             // Writing into a string has no way to fail.
             let _ = writeln!(out, "\n{title}: {} {symbol}", rounded(value, DIGITS));
@@ -178,6 +126,13 @@ impl Report<'_> {
                 let _ = writeln!(out, "  {}", scatter.in_words(&number));
             }
         }
+        let zero: Vec<&str> = zero.iter().map(|number| number.title.as_str()).collect();
+        let them = match zero.len() {
+            0 => return out,
+            1 => "it",
+            _ => "them",
+        };
+        let _ = writeln!(out, "\n0, and nothing changes {them}: {}", zero.join(", "));
         out
     }
 
@@ -209,30 +164,51 @@ impl Report<'_> {
         }
     }
 
-    fn largest(&self, at: &Number, count: usize) -> String {
-        let numbers = self.found.each.iter();
+    fn value(&self, at: &Number) -> f64 {
+        without_rounding(self.found.values[at.column][at.number] * at.scale)
+    }
+
+    /// What each change does to a number, where that is known.
+    fn effects(&self, at: &Number) -> Vec<(&str, f64)> {
         let scale = at.scale * self.per().1;
-        let numbers =
-            numbers.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
-        let mut numbers: Vec<(&str, f64)> = numbers.filter(|(_, by)| by.is_finite()).collect();
-        if numbers.is_empty() && !self.found.each.is_empty() {
+        let each = self.found.each.iter();
+        let each = each.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
+        each.filter(|(_, by)| by.is_finite()).collect()
+    }
+
+    /// Whether a number is zero whatever is changed, and does not scatter either.
+    fn stays_zero(&self, at: &Number) -> bool {
+        let effects = self.effects(at);
+        let is_known = effects.is_empty() == self.found.each.is_empty();
+        let is_unchanged = is_known && greatest(&effects) < ROUNDING;
+        let scatters = self.scatter.is_some_and(|scatter| scatter.changes(at));
+        self.value(at) == 0.0 && is_unchanged && !scatters
+    }
+
+    fn largest(&self, at: &Number, count: usize) -> String {
+        let mut effects = self.effects(at);
+        if effects.is_empty() && !self.found.each.is_empty() {
             return "it has no derivatives here, as an angle between parallel lines has none"
                 .to_owned();
         }
-        // What is equal but for rounding stays in the file's order.
-        let size = |by: f64| by.abs() as f32;
-        numbers.sort_by(|(_, a), (_, b)| size(*b).total_cmp(&size(*a)));
-        let greatest = numbers.first().map_or(0.0, |(_, by)| by.abs());
-        // Differences of what does not change leave rounding.
-        const ROUNDING: f64 = 1e-9;
-        numbers.retain(|(_, by)| by.abs() > ROUNDING * greatest);
+        let greatest = greatest(&effects);
         if greatest < ROUNDING {
             return "nothing changes it".to_owned();
         }
-        let each = numbers.iter().take(count);
+        // What is equal but for rounding stays in the file's order.
+        let size = |by: f64| by.abs() as f32;
+        effects.sort_by(|(_, a), (_, b)| size(*b).total_cmp(&size(*a)));
+        effects.retain(|(_, by)| by.abs() > ROUNDING * greatest);
+        let each = effects.iter().take(count);
         let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
         let each = each.collect::<Vec<_>>().join(", ");
         let unit = format!("{} per {}", at.symbol, self.per().0);
         format!("{}: {each}", unit.trim_start())
     }
+}
+
+/// The largest size of what changes do.
+fn greatest(effects: &[(&str, f64)]) -> f64 {
+    let sizes = effects.iter().map(|(_, by)| by.abs());
+    sizes.fold(0.0, f64::max)
 }

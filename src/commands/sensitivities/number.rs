@@ -1,0 +1,18 @@
+//! A number whose sensitivities are told.
+
+/// Digits of a sensitivity.
+pub(super) const DIGITS: usize = 4;
+
+/// A number of a quantity: its value, or a derivative with respect to a drive.
+pub(super) struct Number {
+    pub(super) column: usize,
+    /// 0, or 1 more than the number of the drive.
+    pub(super) number: usize,
+    pub(super) csv_name: String,
+    /// What a number inside is multiplied with for that in the file.
+    pub(super) in_file: f64,
+    pub(super) title: String,
+    /// The same for what people read.
+    pub(super) scale: f64,
+    pub(super) symbol: String,
+}
