@@ -14,7 +14,7 @@ use crate::kinematics::{Kinematics, changing};
 use crate::load::points::points;
 use crate::load::prepare::prepare;
 use crate::load::request::Request;
-use crate::load::{included, unstated};
+use crate::load::{included, said_of_points};
 use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.
@@ -25,7 +25,7 @@ pub(super) struct Chosen {
     /// Its statements.
     pub(super) listing: Listing,
     /// What is said of points that the file does not state.
-    said: Option<String>,
+    said: Vec<String>,
 }
 
 impl Chosen {
@@ -51,10 +51,10 @@ impl Chosen {
             Some(_) => file.axes,
             None => Axes::Iso,
         };
-        let said = unstated::note(&listing, file, &name, axes);
+        let said = said_of_points::notes((&listing, &name), source, file, axes);
         let listing = with_points(source, listing, file, place, axes);
         Ok(Self {
-            said: said.map(|said| format!("{}: {said}", source.name())),
+            said,
             name,
             listing,
         })

@@ -32,3 +32,39 @@ fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
         assert_eq!(named("outer", "0.0"), "");
     }
 }
+
+/// The image of a point is where the listing has it, though the file moves the point.
+#[test]
+fn a_point_that_is_moved_without_its_image_is_remarked() {
+    let statements = "hinge left_arm: left_outer, left_inner -> left_wheel_centre;";
+    let arms = "left_outer at [0.4, 0.65, 0.3], left_inner at [0.3, 0.35, 0.3]";
+    let of = |points: &str| notes(&format!("{}[points]\n{points}\n", axle(arms, statements)));
+    let [left, right] = [
+        "left_outer = [0.4, 0.65, 0.32]",
+        "right_outer = [0.4, -0.65, 0.32]",
+    ];
+    let note = |moved: &str, image: &str, state: &str| {
+        format!(
+            "note: a.toml: [points] moves `{moved}` and not its image `{image}`: the two sides of the vehicle are no longer alike; state \
+             {state} too if they should be\n"
+        )
+    };
+    assert_eq!(of(left), note("left_outer", "right_outer", right));
+    assert_eq!(of(right), note("right_outer", "left_outer", left));
+    let both = format!("{left}\nleft_inner = [0.3, 0.36, 0.3]");
+    let said = of(&both);
+    assert!(
+        said.contains(
+            "[points] moves `left_outer`, `left_inner` and not their images `right_outer`, `right_inner`: the two sides of the vehicle are no \
+             longer alike; state them too, as right_outer = [0.4, -0.65, 0.32], if they should be\n"
+        ),
+        "{said}"
+    );
+    assert_eq!(of(&format!("{left}\n{right}")), "");
+    assert_eq!(
+        of(&format!("{left}\nright_outer = [0.4, -0.65, 0.3]")),
+        "",
+        "stated as it is"
+    );
+    assert_eq!(of("left_outer = [0.4, 0.65, 0.3]"), "", "not moved");
+}

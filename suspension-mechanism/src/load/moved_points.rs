@@ -1,0 +1,72 @@
+//! Where a file has the points of its listing, and which of them it moves.
+
+use nalgebra::Vector3;
+use suspension_runtime::Listing;
+
+use crate::file::{MotionFile, Offset, Position};
+use crate::load::points::points;
+use crate::mechanism::Axes;
+
+/// Points that are nearer, in metres, are in the same place.
+const SAME: f64 = 1e-6;
+
+/// The points of a listing, by place.
+pub(super) struct Points<'a> {
+    pub(super) names: Vec<&'a str>,
+    /// Where the listing has them.
+    pub(super) listed: Vec<Option<Vector3<f64>>>,
+    /// Where the file has those that it moves; `None` where that is the same place.
+    pub(super) moved: Vec<Option<Vector3<f64>>>,
+    /// Where those are that the file does not state.
+    pub(super) unstated: Vec<Option<Vector3<f64>>>,
+    /// How near points are in the same place, in the unit of the file.
+    same: f64,
+}
+
+impl<'a> Points<'a> {
+    /// `axes` are those of the listing.
+    pub(super) fn of(listing: &'a Listing, file: &MotionFile, axes: Axes) -> Self {
+        let names: Vec<&str> = points(listing).collect();
+        let mut listed = vec![None; names.len()];
+        for (point, at) in listing.stated() {
+            listed[point] = Some(axes.turned(at));
+        }
+        let stated = file.points.get_ref();
+        let place = |name: &str| {
+            let listed = listing.point(name).and_then(|point| listed[point]);
+            match stated.get(name).map(toml::Spanned::get_ref) {
+                Some(Position::At(at)) => Some(Vector3::from(*at)),
+                _ => listed,
+            }
+        };
+        let same = SAME * file.length.metre();
+        let each = names.iter().zip(&listed);
+        let moved = each.clone().map(|(name, listed)| {
+            let at = match stated.get(*name)?.get_ref() {
+                Position::At(at) => Vector3::from(*at),
+                Position::Off(Offset { from, offset }) => {
+                    place(from.get_ref())? + Vector3::from(*offset)
+                }
+            };
+            ((at - (*listed)?).norm() > same).then_some(at)
+        });
+        let unstated = each.map(|(name, listed)| listed.filter(|_| !stated.contains_key(*name)));
+        Self {
+            moved: moved.collect(),
+            unstated: unstated.collect(),
+            same,
+            names,
+            listed,
+        }
+    }
+
+    /// How far the file moves a point.
+    pub(super) fn moved_by(&self, point: usize) -> Option<f64> {
+        Some((self.moved[point]? - self.listed[point]?).norm())
+    }
+
+    /// Whether two places are the same.
+    pub(super) fn are_same(&self, [a, b]: [Vector3<f64>; 2]) -> bool {
+        (a - b).norm() <= self.same
+    }
+}

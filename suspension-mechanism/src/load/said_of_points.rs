@@ -1,0 +1,26 @@
+//! Notes on points of a listing that a file does not state.
+
+use suspension_runtime::Listing;
+
+use crate::file::{MotionFile, Source};
+use crate::load::moved_points::Points;
+use crate::load::{unmirrored, unstated};
+use crate::mechanism::Axes;
+
+/// On those of a listing, which has a name, in the axes of its coordinates.
+pub(super) fn notes(
+    (listing, called): (&Listing, &str),
+    source: &Source,
+    file: &MotionFile,
+    axes: Axes,
+) -> Vec<String> {
+    let points = Points::of(listing, file, axes);
+    let kept = unstated::kept(listing, file, &points);
+    let unstated = unstated::note(&kept, &points, (listing, called), file);
+    let notes = [unstated, unmirrored::note(&points, &kept)]
+        .into_iter()
+        .flatten();
+    notes
+        .map(|note| format!("{}: {note}", source.name()))
+        .collect()
+}

@@ -1,0 +1,52 @@
+//! Points of one side of the vehicle that a file moves, while their images on the other side stay where the listing has them.
+
+use nalgebra::Vector3;
+
+use crate::load::moved_points::Points;
+use crate::mechanism::on_other_side;
+use crate::number::rounded;
+
+/// Digits of a coordinate.
+const DIGITS: usize = 9;
+
+/// The note on such points; `told` are those that another note has as not stated.
+pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
+    let is_told = |image: usize| told.iter().any(|[point, _]| *point == image);
+    let all = 0..points.names.len();
+    let alone = all.filter_map(|point| {
+        let image = image(points, point)?;
+        (!is_told(image)).then_some((point, image))
+    });
+    let (moved, images): (Vec<usize>, Vec<usize>) = alone.unzip();
+    let (first, image) = (*moved.first()?, *images.first()?);
+    let at = in_mirror(points.moved[first]?).map(|part| rounded(part + 0.0, DIGITS)); // no -0
+    let line = format!("{} = [{}, {}, {}]", points.names[image], at.x, at.y, at.z);
+    let (their, state) = match moved.len() {
+        1 => ("its image", format!("state {line} too if they should be")),
+        _ => (
+            "their images",
+            format!("state them too, as {line}, if they should be"),
+        ),
+    };
+    let quoted = |of: &[usize]| {
+        let names = of.iter().map(|point| format!("`{}`", points.names[*point]));
+        names.collect::<Vec<_>>().join(", ")
+    };
+    let (moved, images) = (quoted(&moved), quoted(&images));
+    Some(format!(
+        "[points] moves {moved} and not {their} {images}: the two sides of the vehicle are no longer alike; {state}"
+    ))
+}
+
+/// The image, which the file does not state, of a point that it moves; `None` where the listing's are not each other's image.
+fn image(points: &Points<'_>, point: usize) -> Option<usize> {
+    points.moved[point]?;
+    let name = on_other_side(points.names[point])?;
+    let image = points.names.iter().position(|other| *other == name)?;
+    let places = [in_mirror(points.listed[point]?), points.unstated[image]?];
+    points.are_same(places).then_some(image)
+}
+
+fn in_mirror(at: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(at.x, -at.y, at.z)
+}
