@@ -19,6 +19,8 @@ pub(super) struct Points<'a> {
     pub(super) moved: Vec<Option<Vector3<f64>>>,
     /// Where those are that the file does not state.
     pub(super) unstated: Vec<Option<Vector3<f64>>>,
+    /// Those that `[tune]` moves, each as it is meant to.
+    tuned: Vec<bool>,
     /// How near points are in the same place, in the unit of the file.
     same: f64,
 }
@@ -54,19 +56,29 @@ impl<'a> Points<'a> {
         Self {
             moved: moved.collect(),
             unstated: unstated.collect(),
+            tuned: names.iter().map(|name| is_tuned(file, name)).collect(),
             same,
             names,
             listed,
         }
     }
 
-    /// How far the file moves a point.
-    pub(super) fn moved_by(&self, point: usize) -> Option<f64> {
-        Some((self.moved[point]? - self.listed[point]?).norm())
+    /// How far the file moves a point that `[tune]` does not move.
+    pub(super) fn moved_by_hand(&self, point: usize) -> Option<f64> {
+        let off = (self.moved[point]? - self.listed[point]?).norm();
+        (!self.tuned[point]).then_some(off)
     }
 
     /// Whether two places are the same.
     pub(super) fn are_same(&self, [a, b]: [Vector3<f64>; 2]) -> bool {
         (a - b).norm() <= self.same
     }
+}
+
+fn is_tuned(file: &MotionFile, name: &str) -> bool {
+    let moves = file.tune.iter();
+    let moves = moves.flat_map(|tune| tune.get_ref().moves.get_ref().values());
+    let mut points =
+        moves.flat_map(|each| each.get_ref().points.iter().chain(&each.get_ref().mirrored));
+    points.any(|point| point.get_ref() == name)
 }

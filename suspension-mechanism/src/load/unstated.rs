@@ -25,7 +25,7 @@ const DIGITS: usize = 9;
 pub(super) fn kept(listing: &Listing, file: &MotionFile, points: &Points<'_>) -> Vec<[usize; 2]> {
     let far = OWN * file.length.metre();
     let all = 0..points.names.len();
-    let moved = all.clone().filter_map(|point| points.moved_by(point));
+    let moved = all.clone().filter_map(|point| points.moved_by_hand(point));
     let is_own = 2 * moved.filter(|off| *off > far).count() > points.names.len();
     let unstated = all.filter(|point| points.unstated[*point].is_some());
     let doubtful =
@@ -49,7 +49,7 @@ pub(super) fn note(
         1 => ("which keeps its position", "it"),
         _ => ("which keep their positions", "them"),
     };
-    let off = points.moved_by(beside).unwrap_or_default();
+    let off = points.moved_by_hand(beside).unwrap_or_default();
     let (quoted, beside) = (quoted.join(", "), points.names[beside]);
     let (off, unit) = (rounded(off, DIGITS_OF_A_SIZE), file.length.symbol());
     let relative = relative(points, listing, kept);
@@ -63,7 +63,7 @@ pub(super) fn note(
 /// far from where the listing has it; or in a design of the user's own any.
 fn reason(points: &Points<'_>, listing: &Listing, point: usize, is_own: bool) -> Option<usize> {
     let most = |others: &mut dyn Iterator<Item = usize>| {
-        let changed = others.filter_map(|other| Some((other, points.moved_by(other)?)));
+        let changed = others.filter_map(|other| Some((other, points.moved_by_hand(other)?)));
         let most = changed.max_by(|a, b| a.1.total_cmp(&b.1));
         most.map(|(other, _)| other)
     };
@@ -77,7 +77,7 @@ fn reason(points: &Points<'_>, listing: &Listing, point: usize, is_own: bool) ->
         let apart = points.listed[*other].zip(points.listed[point]);
         let apart = apart.map(|(other, point)| (other - point).norm());
         points
-            .moved_by(*other)
+            .moved_by_hand(*other)
             .zip(apart)
             .is_some_and(|(off, apart)| off > TUNED * apart)
     };

@@ -266,3 +266,27 @@ within = 1e-6
         "{check:?}"
     );
 }
+
+/// A third of the way to the ball joint that it goes with: of a point that is moved by hand that is remarked.
+#[test]
+fn a_point_that_was_tuned_leaves_the_others_where_they_are_without_a_note() {
+    let folder = folder();
+    let moved = "[points]\ntie_ball = [0.12, 0.68, 0.25]\n";
+    let by_hand = file("double_wishbone", DRIVES, moved);
+    std::fs::write(folder.path().join("a_tuned.toml"), by_hand).expect("written");
+    let note = "[points] does not state `lower_ball`";
+    let check = || run(folder.path(), &["check", "a_tuned.toml"]);
+    let said = check();
+    assert!(text(&said.stdout).contains(note), "{said:?}");
+    let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
+    let tune = format!(
+        "[tune.moves.tie]\npoints = [\"tie_ball\"]\nalong = \"z\"\nby = [-0.06, 0.06]\n\
+         [tune.targets.bump_steer]\nof = \"toe\"\nper = \"bump\"\nvalue = {bump_steer:?}\nwithin = 1e-5\n"
+    );
+    met(folder.path(), &file("double_wishbone", DRIVES, &tune));
+    let said = check();
+    assert!(
+        text(&said.stdout).ends_with("notes         none\n"),
+        "{said:?}"
+    );
+}
