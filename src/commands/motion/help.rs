@@ -84,6 +84,7 @@ fn wheel(name: &str, travel: usize, axle: Axle) -> Wheel {
         brake_torque: Torque::Carrier,
         drive_torque: Torque::Chassis,
         design: None,
+        is_in_middle: false,
         coupling: Coupling::default(),
     }
 }

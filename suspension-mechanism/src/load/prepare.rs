@@ -50,7 +50,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let begin = Begin::of(&assembled, request.to, drives, (&doubts, &mut notes))?;
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
     let named = names.clone().with(springs, masses).designed(&points);
-    let named = named.coupled(&couplings);
+    let named = named.about(task.middle).coupled(&couplings);
     columns::check(request.source, &named, task.file.unit())?;
     let drive_offsets = assembled.drive_offsets.values().take(names.drives.len());
     let description = Description {

@@ -175,6 +175,18 @@ impl Names {
         self
     }
 
+    /// The same with wheels that know whether they stand in the middle of the vehicle; `middle` is what to add to y for the file's coordinates.
+    pub(crate) fn about(mut self, middle: f64) -> Self {
+        /// Beside the length of the spin axis.
+        const ROUNDING: f64 = 1e-6;
+        for wheel in &mut self.wheels {
+            wheel.is_in_middle = wheel.design.is_some_and(|[inner, centre]| {
+                (centre.y + middle).abs() < ROUNDING * (centre - inner).norm()
+            });
+        }
+        self
+    }
+
     /// The same with wheels that know how their travel is bound to that of others.
     pub fn coupled(mut self, couplings: &[Coupling]) -> Self {
         for (wheel, coupling) in self.wheels.iter_mut().zip(couplings) {

@@ -94,6 +94,8 @@ pub struct Wheel {
     pub drive_torque: Torque,
     /// The points of its axis at the design position, in local coordinates; of a listing without points none.
     pub design: Option<[Vector3<f64>; 2]>,
+    /// Whether it stands in the middle of the vehicle then, as a motorcycle's.
+    pub is_in_middle: bool,
     /// How its travel is bound to that of others.
     pub coupling: Coupling,
 }

@@ -73,14 +73,17 @@ pub(super) fn of_moving<N: Number>(
     })
 }
 
-/// A number of each carrier that no other wheel moves, in travel, on the ground: a force on that wheel is borne by its links.
+/// The same of those that no other wheel moves, in travel, on the ground: a force on such a wheel is borne by its links. `is_wanted` of
+/// which wheels.
 pub(super) fn of_independent<N: Number>(
     names: &Names,
+    is_wanted: impl Fn(Rolling) -> bool,
     dimension: Dimension,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        if rolling.coupling(names).is_moved || rolling.shares_its_carrier(names) {
+        let is_moved = rolling.coupling(names).is_moved || rolling.shares_its_carrier(names);
+        if is_moved || !is_wanted(rolling) {
             return Vec::new();
         }
         let along = travel(names, rolling);

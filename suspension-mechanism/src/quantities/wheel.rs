@@ -49,6 +49,11 @@ impl Rolling {
         others.any(|(_, other)| other.is_across_on_one_body(own))
     }
 
+    /// Whether it stands in the middle of the vehicle at the design position.
+    pub(super) fn is_in_middle(&self, names: &Names) -> bool {
+        names.wheels[self.number].is_in_middle
+    }
+
     /// How its travel is bound to that of others.
     pub(super) fn coupling(&self, names: &Names) -> Coupling {
         names.wheels[self.number].coupling

@@ -118,3 +118,29 @@ fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
     }
     assert!(beam.contains("axle_roll_centre_z"), "{beam}");
 }
+
+/// As of a motorcycle: no other wheel stands across from it, and nothing is inboard of it.
+#[test]
+fn a_wheel_in_the_middle_of_the_vehicle_has_no_roll_centre() {
+    let arm = |y: f64| {
+        let at = |x: f64, off: f64, z: f64| format!("[{x:?}, {:?}, {z:?}]", y + off);
+        let statements = format!(
+            "fixed: near at {}, far at {};\nfree: hub at {};\nhinge arm: near, far -> hub;\n\
+             point axle: arm at {};\ndrive bump: hub.z;\nwheel: axle -> hub;",
+            at(0.5, 0.1, 0.35),
+            at(0.5, -0.1, 0.35),
+            at(0.0, 0.0, 0.3),
+            at(0.0, -0.1, 0.3),
+        );
+        let file = format!(
+            "unit = \"m\"\nstatements = '''\n{statements}\n'''\nvehicle = {{ wheel_radius = 0.3 }}\n\
+             time = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\n"
+        );
+        table(&file, &["motion"]).remove(0)
+    };
+    let (middle, beside) = (arm(0.0), arm(0.6));
+    assert!(beside.contains_key("roll_centre_m") && !middle.contains_key("roll_centre_m"));
+    // The slope of the contact point's path is still jacking.
+    assert!(middle.contains_key("jacking_percent") && middle.contains_key("side_arm_m"));
+    assert_eq!(middle.len() + 1, beside.len());
+}

@@ -19,10 +19,10 @@ catalogue! {
         definition: "where, seen from the front, the normal to the velocity of the contact point meets the middle of the vehicle, \
                      y = 0: the contact point moves with the carrier, in travel. It is the roll centre of the axle where that is symmetric \
                      and its wheels are independent. A wheel that another one moves, on one body or a twist beam, has none, and its \
-                     axle has axle_roll_centre",
+                     axle has axle_roll_centre; one in the middle of the vehicle, a motorcycle's say, has none either",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
-        read: |names| of_independent(names, Dimension::Length, |moving| {
+        read: |names| of_independent(names, |rolling| !rolling.is_in_middle(names), Dimension::Length, |moving| {
             moving.carrier.roll_centre(&moving.contact) - moving.contact.z
         }),
     }
@@ -34,7 +34,7 @@ catalogue! {
                      from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
-        read: |names| of_independent(names, Dimension::Percent, |moving| {
+        read: |names| of_independent(names, |_| true, Dimension::Percent, |moving| {
             moving.carrier.outboard_slope(&moving.contact, &moving.axis) * Number::still(100.0)
         }),
     }
