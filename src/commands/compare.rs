@@ -125,10 +125,10 @@ toe, are the same in all axes. The files' [vehicle] tables say what the listings
 Wheels and drives of the same name are compared with each other; where only one of the files has named wheels, each of them is
 compared with the wheel of the other.
 
-Where equal changes of the two drives do not move the wheels equally far, as of a height and a damper's length or an angle,
-derivatives are `per wheel travel`: per rise of the wheel centre; and curves are `over wheel travel`, motion ratios among them: of
-each file, between the 61 places of its drive, the cubic through the four nearest. Roll is compared over the travel of the wheel that
-rises; how far the other one falls is among what is compared.
+Where equal changes of the two drives do not move the same wheels equally far, as of a height and a damper's length, or of a height and
+heave, derivatives are `per wheel travel`: per rise of one wheel centre, those of the other wheels held; and curves are `over wheel
+travel`, motion ratios among them: of each file, between the 61 places of its drive, the cubic through the four nearest. Roll is
+compared over the travel of the wheel that rises; how far the other one falls is among what is compared.
 
 The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel or over wheel travel, over
 roll or over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the

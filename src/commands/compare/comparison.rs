@@ -37,7 +37,7 @@ impl<'a> Comparison<'a> {
 /// The derivatives along what a drive of the first does, where one of the second does the same.
 fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     let ways = [of_a, sides[0].same_way(sides[1], of_a)?];
-    let by_wheel = are_unlike_travels([(sides[0], ways[0]), (sides[1], ways[1])]);
+    let by_wheel = are_unlike_travels(sides, ways);
     let [a, b] = [0, 1].map(|number| {
         let (side, way) = (sides[number], ways[number]);
         move |parameter: &Parameter, is_alone| {
@@ -68,17 +68,25 @@ fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
     }
 }
 
-/// Whether equal changes of two drives of travel are not equal travels of the wheels.
-fn are_unlike_travels(ways: [(&Side, usize); 2]) -> bool {
-    let [a, b] = ways.map(|(side, way)| side.rise(way));
-    let (Some(a), Some(b)) = (a, b) else {
+/// Whether equal changes of two drives of travel do not move the same wheels equally far.
+fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
+    let (Some(in_a), Some(in_b)) = (&a.rises, &b.rises) else {
         return false;
     };
-    a.symbol != b.symbol || (b.value - a.value).abs() > ALIKE * a.value.abs()
+    if of_a >= in_a.count() || of_b >= in_b.count() {
+        return false;
+    }
+    let own = in_a.rise(of_a, of_a).abs();
+    let is_unlike = |[of_wheel, of_other]: [Option<usize>; 2]| {
+        let rise = of_wheel.map_or(0.0, |wheel| in_a.rise(wheel, of_a));
+        let other = of_other.map_or(0.0, |wheel| in_b.rise(wheel, of_b));
+        (other - rise).abs() > ALIKE * own
+    };
+    in_a.symbol(of_a) != in_b.symbol(of_b) || a.wheels_beside(b).into_iter().any(is_unlike)
 }
 
-/// The derivative of a parameter along a drive, or with respect to the height of its wheel; of a wheel or an axle that is compared with one
-/// without a name, along its own drive of travel.
+/// The derivative of a parameter along a drive, or with respect to the height of its wheel, the other wheels held; of a wheel or an axle
+/// that is compared with one without a name, along its own drive of travel.
 fn derivative(
     side: &Side,
     (way, by_wheel): (usize, bool),
@@ -90,7 +98,7 @@ fn derivative(
         _ => way,
     };
     let derivative = if by_wheel {
-        parameter.per_rise(way, side.rise(way)?, side.unit)
+        parameter.per_wheel(way, side.rises.as_ref()?, side.unit)
     } else {
         parameter.per[way].clone()
     };

@@ -3,7 +3,7 @@
 use std::slice;
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Does, Parameter, Rise, Span, Way, curves, parameters, ways};
+use crate::characteristics::{Curves, Does, Parameter, Rises, Span, Way, curves, parameters, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -22,8 +22,8 @@ pub(super) struct Side {
     pub(super) ways: Vec<Way>,
     /// The names of these drives.
     drives: Vec<String>,
-    /// How far their wheels rise.
-    rises: Vec<Option<Rise>>,
+    /// How far the wheels of those of travel rise.
+    pub(super) rises: Option<Rises>,
     /// The drive of travel of each wheel, by its place in these.
     travel_of: Vec<(String, usize)>,
     /// The same of both wheels of each axle.
@@ -68,7 +68,7 @@ impl Side {
             converted,
             unit,
             missing: missing.collect(),
-            rises: Rise::of_drives(mechanism, &parameters, unit),
+            rises: Rises::of(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),
             ways: does,
@@ -169,8 +169,15 @@ impl Side {
         }
     }
 
-    /// How far the wheel of a drive of travel rises per unit of the drive at the design position; `None` of other drives.
-    pub(super) fn rise(&self, way: usize) -> Option<&Rise> {
-        self.rises[way].as_ref()
+    /// How the wheels of drives of travel are paired with those of another suspension: places of both, `None` of one that the other has
+    /// not.
+    pub(super) fn wheels_beside(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
+        let travels = |side: &Self| {
+            let ways = side.ways.iter();
+            ways.filter(|way| way.does == Does::Travel).count()
+        };
+        let own = (0..travels(self)).map(|way| [Some(way), self.same_way(other, way)]);
+        let theirs = (0..travels(other)).filter(|way| other.same_way(self, *way).is_none());
+        own.chain(theirs.map(|way| [None, Some(way)])).collect()
     }
 }

@@ -30,13 +30,7 @@ impl Rise {
         let [.., up] = mechanism.axes.signs();
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let rise = |(way, (_, drive)): (usize, (Way, usize))| {
-            let mut wheels = mechanism.names.wheels.iter();
-            let wheel = wheels.find(|wheel| wheel.travel == Some(drive))?;
-            let is_height = |parameter: &&Parameter| {
-                let of = parameter.title.wheel.as_deref().unwrap_or_default();
-                parameter.is(&CENTRE, Axis::Z) && of == wheel.name
-            };
-            let height = parameters.iter().find(is_height)?;
+            let height = height_of(mechanism, parameters, drive)?;
             let per = height.per[way].as_ref()?;
             Some(Self::of(per, drive, up, unit))
         };
@@ -54,6 +48,21 @@ impl Rise {
             is_height: is_length && (value.abs() - 1.0).abs() < ROUNDING,
         }
     }
+}
+
+/// The height of the wheel that a drive moves up and down.
+pub(super) fn height_of<'a>(
+    mechanism: &Description,
+    parameters: &'a [Parameter],
+    drive: usize,
+) -> Option<&'a Parameter> {
+    let mut wheels = mechanism.names.wheels.iter();
+    let wheel = wheels.find(|wheel| wheel.travel == Some(drive))?;
+    let is_height = |parameter: &&Parameter| {
+        let of = parameter.title.wheel.as_deref().unwrap_or_default();
+        parameter.is(&CENTRE, Axis::Z) && of == wheel.name
+    };
+    parameters.iter().find(is_height)
 }
 
 impl Parameter {

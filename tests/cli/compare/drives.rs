@@ -241,6 +241,72 @@ fn wheels_of_one_name_are_compared_along_their_own_drives() {
     assert_same(&alone, &both, "rear roll centre");
 }
 
+/// Heave moves both wheels and roll lifts one as the other falls; each wheel's own height moves it alone.
+#[test]
+fn drives_in_heave_and_roll_are_compared_per_travel_of_each_wheel() {
+    let heights = axles(&[("left", 0.0, 1.0), ("right", 0.0, -1.0)]);
+    let mut modes = heights.clone();
+    for (of_height, of_mode) in [
+        (
+            "drive left_bump: left_hub.z;",
+            "drive heave: 0.5 left_hub.z + 0.5 right_hub.z;",
+        ),
+        (
+            "drive right_bump: right_hub.z;",
+            "drive roll: left_hub.z - right_hub.z;",
+        ),
+        (
+            "left_bump = 0.3\nright_bump = 0.3",
+            "heave = 0.3\nroll = 0.0",
+        ),
+        (
+            "= 0.3 }",
+            "= 0.3, travel = { left = \"heave\", right = \"roll\" } }",
+        ),
+    ] {
+        assert!(modes.contains(of_height), "{modes}");
+        modes = modes.replace(of_height, of_mode);
+    }
+    let corner = axles(&[("", 0.0, 1.0)]);
+    for (a, b, wheels) in [
+        (&heights, &modes, 2),
+        (&modes, &heights, 2),
+        (&corner, &modes, 1),
+    ] {
+        let (_folder, output) = compare(a, b, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let rows = rows(&output);
+        let derivatives = || rows.iter().filter(|([of, ..], _)| of.starts_with("per "));
+        for (names, [_, a, b, difference]) in derivatives() {
+            let [of, quantity, _] = names;
+            assert!(of.starts_with("per wheel travel"), "{names:?}");
+            // The other side of the vehicle has the other sign.
+            let is_along_y =
+                wheels == 1 && (quantity.ends_with(" y") || quantity.contains("pitch"));
+            let difference = if is_along_y {
+                a.abs() - b.abs()
+            } else {
+                *difference
+            };
+            assert!(
+                difference.abs() < 1e-9 * (1.0 + a.abs()),
+                "{names:?}: {a} {b}"
+            );
+        }
+        let camber = |([_, quantity, _], [_, a, ..]): &&([String; 3], [f64; 4])| {
+            quantity.ends_with("camber angle") && a.abs() > 0.1
+        };
+        assert_eq!(derivatives().filter(camber).count(), 2, "{rows:?}");
+    }
+    let (_folder, output) = compare(&modes, &modes, &["--csv", "-"]);
+    let of_modes = rows(&output);
+    assert!(
+        !of_modes
+            .iter()
+            .any(|([of, ..], _)| of.contains("per wheel"))
+    );
+}
+
 /// The headings of derivatives, each with what moves.
 #[test]
 fn what_moves_is_named_above_derivatives() {

@@ -1,0 +1,72 @@
+//! Derivatives with respect to the height of a wheel, the other wheels held at theirs, whatever drives them.
+
+use nalgebra::DMatrix;
+
+use crate::characteristics::parameters::{Derivative, Parameter, symbol_per};
+use crate::characteristics::rise::height_of;
+use crate::file::Dimension;
+use crate::mechanism::{Description, Unit};
+
+/// How far the wheels of the drives of travel rise at the design position; the drives are the first ones of
+/// [`Way::of_drives`](crate::characteristics::Way::of_drives).
+#[derive(Clone, Debug)]
+pub struct Rises {
+    /// Of the wheel of each drive, a row, per unit of each drive, upwards.
+    heights: DMatrix<f64>,
+    /// Of each drive, a row, per rise of the wheel of each drive, the other wheels held.
+    drives: DMatrix<f64>,
+    /// The unit of the heights per unit of each drive.
+    symbols: Vec<String>,
+}
+
+impl Rises {
+    /// From parameters; `None` where the drives do not move the wheels on their own, two alike say, or derivatives
+    /// are missing.
+    pub fn of(mechanism: &Description, parameters: &[Parameter]) -> Option<Self> {
+        let [.., up] = mechanism.axes.signs();
+        let travel = &mechanism.names.vehicle.travel;
+        let mut heights = DMatrix::zeros(travel.len(), travel.len());
+        let mut symbols = vec![String::new(); travel.len()];
+        for (wheel, drive) in travel.iter().enumerate() {
+            let height = height_of(mechanism, parameters, *drive)?;
+            for (way, symbol) in symbols.iter_mut().enumerate() {
+                let per = height.per[way].as_ref()?;
+                heights[(wheel, way)] = up * per.value;
+                symbol.clone_from(&per.symbol);
+            }
+        }
+        let drives = heights.clone().try_inverse()?;
+        Some(Self {
+            heights,
+            drives,
+            symbols,
+        })
+    }
+
+    /// How many drives there are, and wheels.
+    pub fn count(&self) -> usize {
+        self.symbols.len()
+    }
+
+    /// How far the wheel of one drive rises per unit of another.
+    pub fn rise(&self, wheel: usize, way: usize) -> f64 {
+        self.heights[(wheel, way)]
+    }
+
+    /// The unit of rises per unit of a drive.
+    pub fn symbol(&self, way: usize) -> &str {
+        &self.symbols[way]
+    }
+}
+
+impl Parameter {
+    /// The derivative with respect to the height of the wheel of a drive, the other wheels held at theirs.
+    pub fn per_wheel(&self, wheel: usize, rises: &Rises, unit: Unit) -> Option<Derivative> {
+        let by_drives = self.per.iter().zip(rises.drives.column(wheel));
+        let parts = by_drives.map(|(per, drive)| Some(per.as_ref()?.value * drive));
+        Some(Derivative {
+            value: parts.sum::<Option<f64>>()?,
+            symbol: symbol_per(&self.symbol, Dimension::Length, unit),
+        })
+    }
+}
