@@ -74,6 +74,10 @@ const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
 const AXIS: RGBColor = RGBColor(160, 40, 110);
 
+/// Of text, in drawing units: what lies under it does not touch its letters.
+const EDGE: &str =
+    r##"paint-order="stroke" stroke="#FFFFFF" stroke-width="24" stroke-linejoin="round""##;
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
@@ -92,7 +96,8 @@ impl Drawing {
         drop(area);
         let [drawn, shown] =
             [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
-        Some(text.replacen(&drawn, &shown, 1))
+        let edged = text.replace("<text ", &format!("<text {EDGE} "));
+        Some(edged.replacen(&drawn, &shown, 1))
     }
 
     fn draw(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
@@ -103,6 +108,7 @@ impl Drawing {
         }
         let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
         self.draw_mechanism(area, view, &design, 1.0)?;
+        self.draw_forces(area, view)?;
         self.draw_points(area, view, shown)?;
         area.present()?;
         Ok(())
@@ -204,7 +210,7 @@ impl Drawing {
             let style = font.color(&CHASSIS).pos(Pos::new(anchor, VPos::Top));
             area.draw(&Text::new(name.as_str(), at, style))?;
         }
-        self.draw_forces(area, view, &mut labels)
+        self.draw_numbers(area, view, &mut labels)
     }
 
     /// The lines that names keep clear of.

@@ -71,8 +71,8 @@ impl Drawing {
         [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
     }
 
-    /// Draws links by what is in them, the arrows, and the numbers.
-    pub(super) fn draw_forces(&self, area: &Area<'_>, view: &View, labels: &mut Labels) -> Drawn {
+    /// Draws links by what is in them, and the arrows.
+    pub(super) fn draw_forces(&self, area: &Area<'_>, view: &View) -> Drawn {
         let Some(forces) = &self.forces else {
             return Ok(());
         };
@@ -92,6 +92,14 @@ impl Drawing {
             ))?;
             area.draw(&Polygon::new(head(ends), ACTING.filled()))?;
         }
+        Ok(())
+    }
+
+    /// Writes how large they are, and the title.
+    pub(super) fn draw_numbers(&self, area: &Area<'_>, view: &View, labels: &mut Labels) -> Drawn {
+        let Some(forces) = &self.forces else {
+            return Ok(());
+        };
         for link in &forces.links {
             let [a, b] = link.ends.map(|end| pixels(view.of(self.points[end].1)));
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));

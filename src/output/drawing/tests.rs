@@ -83,3 +83,31 @@ fn other_places_of_the_motion_are_drawn_too() {
 fn without_points_there_is_no_drawing() {
     assert!(Drawing::default().svg(Seen::Oblique, SIZE).is_none());
 }
+
+/// A number beside a thick bar may lie upon it.
+#[test]
+fn all_text_has_a_white_edge_and_stands_before_the_forces() {
+    let loaded = Drawing {
+        forces: Some(Forces {
+            title: "load case".to_owned(),
+            links: vec![InLink {
+                ends: [0, 2],
+                tension: -4000.0,
+            }],
+            acting: Vec::new(),
+        }),
+        ..corner()
+    };
+    let svg = svg(&loaded);
+    let texts = svg.matches("<text ").count();
+    assert!(texts > 6, "{texts}");
+    assert_eq!(
+        svg.matches("<text paint-order=\"stroke\" stroke=\"#FFFFFF\"")
+            .count(),
+        texts
+    );
+    let bar = svg.find("#BE2828").expect("a pressed bar");
+    for name in ["lower_front", "lower_ball", "<circle"] {
+        assert!(svg.find(name).expect(name) > bar, "{name}");
+    }
+}
