@@ -74,10 +74,6 @@ const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
 const AXIS: RGBColor = RGBColor(160, 40, 110);
 
-/// Of text, in drawing units: what lies under it does not touch its letters.
-const EDGE: &str =
-    r##"paint-order="stroke" stroke="#FFFFFF" stroke-width="24" stroke-linejoin="round""##;
-
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
@@ -96,8 +92,7 @@ impl Drawing {
         drop(area);
         let [drawn, shown] =
             [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
-        let edged = text.replace("<text ", &format!("<text {EDGE} "));
-        Some(edged.replacen(&drawn, &shown, 1))
+        Some(text.replacen(&drawn, &shown, 1))
     }
 
     fn draw(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {

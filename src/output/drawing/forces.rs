@@ -130,6 +130,11 @@ fn colour(tension: f64) -> RGBColor {
     if tension < 0.0 { PRESSED } else { LINK }
 }
 
+/// A shade that can be read on the colour as on white.
+fn dark(RGBColor(red, green, blue): RGBColor) -> RGBColor {
+    RGBColor(red / 2, green / 2, blue / 2)
+}
+
 /// The head of an arrow.
 fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
     const LENGTH: f64 = 14.0;
@@ -161,7 +166,7 @@ fn put(
         area.draw(&PathElement::new([place, end], stroke))?;
     }
     let font = ("sans-serif", labels.font_size()).into_font();
-    let style = font.color(&colour).pos(Pos::new(anchor, VPos::Top));
+    let style = font.color(&dark(colour)).pos(Pos::new(anchor, VPos::Top));
     area.draw(&Text::new(text, at, style))?;
     Ok(())
 }
