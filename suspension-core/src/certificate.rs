@@ -109,10 +109,11 @@ where
     /// The certifier of a model.
     pub fn new(linkage: &L) -> Self {
         let enclosing = L::Listing::converted(linkage, Enclosed::exact);
-        let any = SVector::from([Enclosed::within(T::zero(), T::one()); N]);
+        let number = Enclosed::within(T::zero(), T::one());
+        let any = SVector::from([number; N]);
         let at_rest = Default::default();
-        let anywhere = Vector3::repeat(Enclosed::within(T::zero(), T::one()));
-        let anywhere = Values::from_values(core::iter::repeat(anywhere));
+        let anywhere = Values::from_values(core::iter::repeat(Vector3::repeat(number)));
+        // The Jacobian is affine in the positions: an entry that is exactly zero or one here is so at all of them.
         let columns = Columns::of(&enclosing.jacobian(&any, &anywhere));
         let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;
         Self {

@@ -42,7 +42,8 @@ impl<const N: usize> Columns<N> {
         columns
     }
 
-    /// Derives a column, unless one of the two is derived already or has others derived from it.
+    /// Derives a column, unless it is derived already, others are derived from it, or the one that it would be derived from is
+    /// itself derived: so that what a column is derived from is always found by a back-substitution.
     fn derive(&mut self, equation: usize, derived: Derived) {
         let is_from_it = self.0.iter().flatten().any(|other| other.from == equation);
         let is_from_derived = matches!(self.0.get(derived.from), Some(Some(_)));
@@ -82,6 +83,7 @@ impl<const N: usize> Columns<N> {
     }
 }
 
+/// The unit vector of an equation, or of an unknown.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
     let mut unit = [T::zero(); N];
@@ -93,7 +95,7 @@ pub(super) fn unit<T: Real, const N: usize>(k: usize) -> SVector<T, N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix3, SMatrix};
+    use nalgebra::{Matrix3, Matrix4};
 
     use super::{Columns, Derived, Enclosed};
     use crate::solve::lu::Lu;
@@ -103,33 +105,29 @@ mod tests {
         Enclosed::within(0.0, 1.0)
     }
 
-    /// The first two unknowns are of two carried points with the link of the third row.
-    fn jacobians() -> Matrix3<Enclosed<f64>> {
+    /// Unknown by unknown: in three equations; of a carried point with one link, which is the equation before the one with the
+    /// coefficient 1; the same, behind it; without a coefficient 1.
+    fn jacobians() -> Matrix4<Enclosed<f64>> {
         let [zero, one] = [0.0, 1.0].map(Enclosed::exact);
-        Matrix3::new(
-            one,
-            zero,
-            any(), //
-            zero,
-            one,
-            any(), //
-            any(),
-            any(),
-            any(),
-        )
+        Matrix4::from([
+            [one, zero, any(), any()],
+            [any(), zero, one, zero],
+            [zero, one, zero, any()],
+            [any(), zero, zero, any()],
+        ])
     }
 
     #[test]
     fn the_columns_of_carried_coordinates_are_derived() {
-        let from = 2;
-        let derived = |unknown| Some(Derived { unknown, from });
-        assert_eq!(Columns::of(&jacobians()).0, [derived(0), derived(1), None]);
+        let derived = |unknown, from| Some(Derived { unknown, from });
+        let Columns(columns) = Columns::of(&jacobians());
+        assert_eq!(columns, [None, derived(2, 3), derived(1, 0), None]);
     }
 
     #[test]
     fn nothing_is_derived_from_what_is_derived() {
         let [zero, one] = [0.0, 1.0].map(Enclosed::exact);
-        let ring = SMatrix::from([[one, any(), zero], [zero, one, any()], [any(), zero, one]]);
+        let ring = Matrix3::from([[one, any(), zero], [zero, one, any()], [any(), zero, one]]);
         let Columns(columns) = Columns::of(&ring);
         for derived in columns.iter().flatten() {
             assert_eq!(columns[derived.from], None, "{columns:?}");
@@ -139,13 +137,18 @@ mod tests {
 
     #[test]
     fn what_is_derived_is_the_inverse() {
-        let jacobian = Matrix3::new(1.0, 0.0, 0.3, 0.0, 1.0, -0.7, 0.2, 0.9, 1.1);
+        let jacobian = Matrix4::from([
+            [1.0, 0.0, 0.2, 0.9],
+            [0.3, 0.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0, 1.1],
+            [-0.7, 0.0, 0.0, 0.4],
+        ]);
         let mut factors = Lu::of(jacobian);
         factors.eliminate_jacobian(0.0).expect("regular");
-        let mut inverse = [[f64::NAN; 3]; 3];
+        let mut inverse = [[f64::NAN; 4]; 4];
         let columns = Columns::of(&jacobians());
         columns.invert(&factors, &jacobian.map(Enclosed::exact), &mut inverse);
-        let defect = Matrix3::from(inverse) * jacobian - Matrix3::identity();
+        let defect = Matrix4::from(inverse) * jacobian - Matrix4::identity();
         assert!(defect.amax() < 1e-15, "{defect}");
     }
 }
