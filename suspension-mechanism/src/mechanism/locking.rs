@@ -9,7 +9,7 @@ use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::end_of_angle::EndOfAngle;
 use crate::mechanism::hinge::Hinge;
-use crate::mechanism::misfit::{Misfit, turning_hinge};
+use crate::mechanism::misfit::{Misfit, hinge_at_lock};
 use crate::mechanism::names::{Names, Suspension};
 use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
@@ -24,7 +24,7 @@ pub struct Lock {
     pub turns: Option<usize>,
     misfit: Option<Misfit>,
     /// Where no link is known at what was asked for, which may be far beyond: the one just beyond the lock, or else the hinge
-    /// that turns the drive most, in words.
+    /// with the greatest share in it, in words.
     near: Option<String>,
     /// The driven angle that is at the end of its range.
     end_of_angle: Option<EndOfAngle>,
@@ -56,7 +56,7 @@ impl Lock {
         let misfit = |asked| Misfit::between(model, names, laws, [reached, asked], q);
         let just_beyond = || {
             let link = misfit(reached + BEYOND * (asked - reached));
-            let hinge = || turning_hinge(model, names, laws, reached, q).map(Hinge::fault);
+            let hinge = || hinge_at_lock(model, names, laws, reached, q).map(Hinge::fault);
             link.map(|link| link.fault()).or_else(hinge)
         };
         let at_asked = locks.then(|| misfit(asked)).flatten();

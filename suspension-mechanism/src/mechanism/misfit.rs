@@ -11,7 +11,7 @@ use crate::mechanism::names::{Names, Suspension};
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
-/// A link whose length does not allow a configuration, or several of which each one does not, as the two of a wishbone.
+/// A link whose length does not allow a configuration, or several, as the two of a wishbone, of which that is true of each.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Misfit {
     /// First the one whose lengths are known.
@@ -37,10 +37,10 @@ const LONGEST: f64 = 0.1;
 /// How far other equations may be off at the end, as a part of it.
 const CLOSED: f64 = 1e-6;
 
-/// Of what turns a drive at its lock, the part that a link or a hinge must have to be the one that ends the motion.
-const TURNS: f64 = 0.1;
+/// The share in the end of a motion from which on a link or a hinge is named as its cause.
+const LEAST_SHARE: f64 = 0.1;
 
-/// Of the share of the link that is named, the least with which another is named beside it.
+/// The part of the named link's share from which on another link is named beside it.
 const BESIDE: f64 = 0.5;
 
 impl Misfit {
@@ -54,7 +54,7 @@ impl Misfit {
         q: &SVector<f64, N>,
     ) -> Option<Self> {
         let place = Place::at(model, drives, reached);
-        let Turning { shares, mut along } = place.turning(q)?;
+        let AtLock { shares, mut along } = place.at_lock(q)?;
         // A line of an angle that is driven or held would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = || (0..names.equations.len()).filter(is_link);
@@ -113,16 +113,16 @@ impl Misfit {
     }
 }
 
-/// The hinge that turns the drive most at the last configuration, `q`, of a motion that ends at the time `reached`; `None` where none does
-/// much.
-pub(crate) fn turning_hinge<'n, L: Suspension<N>, const N: usize>(
+/// The hinge with the greatest share in the end of a motion, at the time `reached` and the configuration `q`; `None` where no
+/// share is large.
+pub(crate) fn hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     model: &L,
     names: &'n Names,
     drives: &DriveLaws,
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let Turning { shares, along } = Place::at(model, drives, reached).turning(q)?;
+    let AtLock { shares, along } = Place::at(model, drives, reached).at_lock(q)?;
     let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
     let share = |hinge: &Hinge| {
         let rows = (0..N).filter(|row| hinge.has(*row));
@@ -131,19 +131,21 @@ pub(crate) fn turning_hinge<'n, L: Suspension<N>, const N: usize>(
     greatest(hinges.map(|hinge| (hinge, share(hinge))))
 }
 
-/// The part with the greatest share, of either sign, where that is large.
+/// What has the greatest share, of either sign, where that is large.
 fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
     let greatest = shares.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-    let (part, _) = greatest.filter(|(_, share)| share.abs() > TURNS)?;
-    Some(part)
+    let (named, _) = greatest.filter(|(_, share)| share.abs() > LEAST_SHARE)?;
+    Some(named)
 }
 
-/// How a mechanism turns where it locks.
-struct Turning<const N: usize> {
-    /// The share of each equation in turning the drive: the force that it bears there times what the motion changes it by to the second
-    /// order. The sum of all is one; that of a link which folds onto what it turns is below zero.
+/// A mechanism where it locks. The rows of its Jacobian `J` depend on each other, `f^T J = 0`, and a motion `v` changes no equation
+/// to the first order, `J v = 0`. To the second order a drive `s` with `f^T dF/ds = 1` has `s'' = -f^T C(v, v)` along it: the drive
+/// goes no further because of the equations with large `f_k C_k(v, v)`. The forces `f` alone do not tell which these are: a link that
+/// bears much and does not rotate has `C_k(v, v) = 0`.
+struct AtLock<const N: usize> {
+    /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; those are below zero that let the drive go on.
     shares: SVector<f64, N>,
-    /// The motion that the drive, held there, leaves to the mechanism.
+    /// `v`, of length one.
     along: SVector<f64, N>,
 }
 
@@ -169,9 +171,8 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
-    /// Where a mechanism locks the rows of its Jacobian depend on each other, with forces that balance within the mechanism as factors, and a
-    /// motion changes no equation to the first order.
-    fn turning(&self, q: &SVector<f64, N>) -> Option<Turning<N>> {
+    /// `f` and `v` by inverse iteration: they are the singular vectors of the least singular value.
+    fn at_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
         let still = L::Fixed::default();
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);
@@ -182,7 +183,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         }
         let bend = self.model.curvature(&along, &still, &along, &still);
         let shares = forces.component_mul(&bend) / forces.dot(&bend);
-        Some(Turning { shares, along })
+        Some(AtLock { shares, along })
     }
 
     /// Where all equations but that of a link hold and this is off as little as can be. The configurations that the others
