@@ -12,7 +12,7 @@ pub struct DrivenLength {
 }
 
 impl DrivenLength {
-    /// Those of a listing with so many drives.
+    /// Those of a listing with this number of drives.
     pub(crate) fn all(listing: &Listing, drives: usize) -> Vec<Self> {
         let lengths = (0..drives).filter_map(|drive| {
             let ends = listing.driven_length(drive)?.map(str::to_owned);
@@ -21,9 +21,9 @@ impl DrivenLength {
         lengths.collect()
     }
 
-    /// The one that is zero to rounding, of a mechanism of a size at drives in the file's coordinates.
+    /// The one that is zero but for rounding, in a mechanism of this size with these values of its drives, in the file's coordinates.
     pub(crate) fn at_zero<'a>(all: &'a [Self], drives: &[f64], size: f64) -> Option<&'a Self> {
-        /// How near zero, as a part of the size, the directions of the length are lost in rounding.
+        /// The part of the size below which rounding leaves no direction of the line between the points.
         const NEAR: f64 = 1e-6;
         let mut lengths = all.iter();
         lengths.find(|length| drives[length.drive].abs() < NEAR * size)
@@ -32,6 +32,6 @@ impl DrivenLength {
     /// That it is zero, in words.
     pub(crate) fn fault(&self) -> String {
         let [from, to] = &self.ends;
-        format!("the length is zero, where `{from}` and `{to}` meet, and none is less")
+        format!("the length is zero, where `{from}` and `{to}` meet, and cannot be less")
     }
 }

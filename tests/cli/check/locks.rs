@@ -189,7 +189,7 @@ fn a_length_of_zero_is_told_by_the_points_that_meet() {
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let [motion, check, range] =
             ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
-        let meet = "the length is zero, where `anchor` and `push` meet, and none is less";
+        let meet = "the length is zero, where `anchor` and `push` meet, and cannot be less";
         let said = text(&motion.stderr);
         assert!(
             said.contains(&format!("the drive `actuator` ends: {meet}")),
@@ -207,10 +207,10 @@ fn a_length_of_zero_is_told_by_the_points_that_meet() {
     }
 }
 
-/// The wishbones bear what the tie rod at its lock does, and more; but it is the tie rod, or the upper wishbone, whose turning turns the drive
-/// there. Links and hinges are told alike.
+/// The lower wishbone bears as much as the tie rod at its lock, and more; but it is the tie rod, or the upper wishbone, that reaches no
+/// further. Links and hinges are named alike.
 #[test]
-fn the_link_that_turns_the_drive_is_named_and_not_the_one_that_bears_most() {
+fn the_link_that_reaches_no_further_is_named_and_not_the_one_that_bears_most() {
     let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
     let links =
         "link upper_fore: upper_front -> upper_ball;\nlink upper_aft: upper_rear -> upper_ball;\n";
