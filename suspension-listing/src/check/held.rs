@@ -53,8 +53,8 @@ fn on_one_slide(system: &System, body: &Body) -> Option<String> {
     let is_on_chassis = body.points().any(|point| !point.is_free());
     (only.origin.kind == Kind::SLIDE && !is_on_chassis).then(|| {
         format!(
-            "; slide `{}` alone holds body `{}`, which turns all ways about what slides: a second `slide` on the line leaves the turn about \
-             the line, and a `plane` for a third point stops that too",
+            "; slide `{}` alone holds body `{}`, which is free to rotate about the point that slides: with a second `slide` on the same \
+             line it rotates about the line alone, and a `plane` for a third point stops that too",
             only.origin.statement, body.name
         )
     })

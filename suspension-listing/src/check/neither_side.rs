@@ -59,7 +59,7 @@ impl<'a> WithoutImage<'a> {
         names.any(|name| message.contains(&format!("`{name}`")))
     }
 
-    /// An error that it is the cause of, behind the cause.
+    /// Puts the cause in front of an error that follows from it.
     pub(super) fn before(&self, error: &Error) -> Error {
         let ([stated, _], name, kind) = (&self.sides.0, self.name, self.kind);
         let beside = self.points.first();
@@ -74,7 +74,7 @@ impl<'a> WithoutImage<'a> {
     }
 }
 
-/// That a statement does again what the statement does that it is the image of, whose points are named for neither side.
+/// The mistake of an image that states the same again as its original, because their points are named for neither side.
 pub(super) fn same_again(listing: &Listing, image: &dyn Statement) -> Option<Error> {
     let (named, kind) = image.named()?;
     let name = named.name.to_string();
@@ -115,8 +115,8 @@ fn of_both(kind: Kind, [name, image]: [&Ident; 2], points: &[&Ident], sides: &Si
     errors::at(
         name,
         format!(
-            "{kind} `{name}` and its image `{image}` are of {of} named for neither side: {remedy}, and each side has its own, or the {kind} \
-             without `{stated}`, and both sides have one"
+            "{kind} `{name}` and its image `{image}` are of {of} named for neither side: {remedy} for each side to have its own, or name \
+             the {kind} without `{stated}` for both sides to share one"
         ),
     )
 }

@@ -1,4 +1,4 @@
-//! What is said of names for neither side that are of one.
+//! Messages about what is named for neither side though it is of one.
 
 use super::mistakes::{mistakes, only_mistake};
 
@@ -77,19 +77,19 @@ fn a_statement_that_is_its_own_image_is_told_which_points_are_of_neither_side() 
         (
             &["left_rack"][..],
             "drive `left_steer` and its image `right_steer` are of the same point, `rack`, which is named for neither side: name it \
-             `left_rack`, and each side has its own, or the drive without `left`, and both sides have one",
+             `left_rack` for each side to have its own, or name the drive without `left` for both sides to share one",
             11,
         ),
         (
             &["left_low", "left_up", "left_tie"],
             "body `left_upright` and its image `right_upright` are of the same points, `low`, `up`, `tie`, which are named for neither side: \
-             name them as `left_low`, and each side has its own, or the body without `left`, and both sides have one",
+             name them as `left_low` for each side to have its own, or name the body without `left` for both sides to share one",
             7,
         ),
         (
             &["left_rack", "left_tie"],
             "link `left_tie_rod` and its image `right_tie_rod` are of the same points, `rack`, `tie`, which are named for neither side: name \
-             them as `left_rack`, and each side has its own, or the link without `left`, and both sides have one",
+             them as `left_rack` for each side to have its own, or name the link without `left` for both sides to share one",
             6,
         ),
     ] {
