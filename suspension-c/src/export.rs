@@ -1,6 +1,6 @@
 //! C functions of a listing.
 
-/// Defines C functions and describes them, in a table of that name.
+/// Defines C functions and describes them in a table: of the name that is given, or `FUNCTIONS`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions {

@@ -8,7 +8,7 @@ use crate::bake::exact::{Exact, OutOfReach};
 use crate::bake::scheme::Coefficients;
 use crate::number::number;
 
-pub use crate::bake::baked::{Baked, Wanted};
+use crate::bake::baked::{Baked, Wanted};
 
 /// Why a motion was not baked.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,11 +8,11 @@ use crate::load::task::Task;
 use crate::mechanism::{on_other_side, side_of};
 use crate::number::rounded;
 
-/// How near to the middle of the vehicle a point is in it, as a part of the distance of the one that is farthest from it.
+/// How far from the middle of the vehicle a point still counts as in it, as a part of the farthest point's distance.
 const MIDDLE: f64 = 1e-6;
 
-/// Notes on points off the middle of the vehicle that a part of one side joins and the same part of the other side too, which reaches across
-/// the vehicle for it.
+/// Notes on points off the middle of the vehicle that a part joins and its image on the other side too: one of the two reaches across
+/// the vehicle.
 pub(super) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     listing: &Listing,
