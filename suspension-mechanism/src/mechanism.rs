@@ -66,5 +66,5 @@ pub use vehicle::{
     Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, on_other_side, side_of,
 };
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
-pub use words::advice;
+pub use words::{advice, listed};
 pub use zero_length::DrivenLength;

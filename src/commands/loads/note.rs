@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use crate::commands::loads::found::Found;
 use crate::loads::{OneSided, Structure, Unborne};
-use crate::mechanism::Names;
+use crate::mechanism::{Names, listed};
 
 /// What to write for springs to bear the loads of drives: one note for all cases in which the same drives bear them.
 pub(super) fn springs_bear_nothing(
@@ -51,7 +51,7 @@ pub(super) fn shared_along_hinges(
     Some(format!(
         "note: {file}: each of the two bushes of {of} {} is given half of the load along the axis: rigid parts do not determine the \
          shares",
-        all(hinges.into_iter())
+        listed(hinges)
     ))
 }
 
@@ -85,7 +85,7 @@ fn own_springs(names: &Names, unborne: &[(usize, usize)], cases: &[&str]) -> Str
     format!(
         "{}, and no spring does; write {} there for the {it} to bear it",
         bear(names, drives, cases),
-        all(lines)
+        listed(lines)
     )
 }
 
@@ -108,9 +108,9 @@ fn other_side(names: &Names, one_sided: &[OneSided], cases: &[&str]) -> String {
         "{}: no spring of the file moves with {of_each} as {} does; state the other side's too, under [springs.NAME] with {}, and \
          write {} there",
         bear(names, drives, cases),
-        all(springs),
-        all(stated),
-        all(lines)
+        listed(springs),
+        listed(stated),
+        listed(lines)
     )
 }
 
@@ -124,16 +124,7 @@ fn bear(names: &Names, drives: impl ExactSizeIterator<Item = usize>, cases: &[&s
     let tables = cases.iter().map(|case| format!("[loads.{case}]"));
     format!(
         "the {subject} {} {bears} the load of {}",
-        all(drives),
-        all(tables)
+        listed(drives),
+        listed(tables)
     )
-}
-
-/// Words as `a, b and c`.
-fn all(words: impl Iterator<Item = String>) -> String {
-    let words: Vec<String> = words.collect();
-    match words.as_slice() {
-        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
-        _ => words.concat(),
-    }
 }

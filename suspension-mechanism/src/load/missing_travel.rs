@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use crate::load::task::Task;
-use crate::mechanism::{Names, Wheel};
+use crate::mechanism::{Names, Wheel, listed};
 
 /// A note with what to write; `names` are those in effect, and wheels whose drive of travel has the usual name but does not lift them are
 /// noted elsewhere.
@@ -24,12 +24,11 @@ pub(super) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
             .lifted_by
             .iter()
             .map(|drive| &names.drives[*drive].name);
-        let drives: Vec<String> = drives.map(|name| format!("`{name}`")).collect();
+        let drives = listed(drives.map(|name| format!("`{name}`")));
         let centre = &names.points[first.points.axis[1]];
         return Some(format!(
-            "{file}: {} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \
-             left out; in place of these write one for each, as `drive NAME: {centre}.z;`",
-            drives.join(" and ")
+            "{file}: {drives} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \
+             left out; in place of these write one for each, as `drive NAME: {centre}.z;`"
         ));
     }
     all(|drives| drives == 1).then(|| {

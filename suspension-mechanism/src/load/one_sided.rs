@@ -4,7 +4,7 @@ use suspension_runtime::Listing;
 
 use crate::file::in_order;
 use crate::load::task::Task;
-use crate::mechanism::on_other_side;
+use crate::mechanism::{listed, on_other_side};
 
 /// Parts that have a mass, while the same parts of the other side have none.
 pub(super) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
@@ -19,10 +19,7 @@ pub(super) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
         (is_part(&other) && !has_mass(&other)).then(|| [name.get_ref().clone(), other])
     });
     let pairs: Vec<[String; 2]> = pairs.collect();
-    let all = |side: usize| {
-        let names = pairs.iter().map(|pair| format!("`{}`", pair[side]));
-        names.collect::<Vec<_>>().join(" and ")
-    };
+    let all = |side: usize| listed(pairs.iter().map(|pair| format!("`{}`", pair[side])));
     let (verb, them) = match pairs.len() {
         0 => return None,
         1 => ("has", "it"),

@@ -11,7 +11,7 @@ use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::load::usual_drives::{turn_rate, turns};
 use crate::load::vehicle::{checked, is_positive, length};
-use crate::mechanism::{Names, SteeringWheel, Suspension};
+use crate::mechanism::{Names, SteeringWheel, Suspension, listed};
 
 const RACK: &str = SteeringWheel::RACK;
 const BOX: &str = SteeringWheel::BOX;
@@ -117,10 +117,9 @@ impl Gear<'_> {
             }
             [drive] => Ok(drive),
             _ => {
-                let names: Vec<String> = drives.into_iter().map(name).collect();
+                let names = listed(drives.into_iter().map(name));
                 Err(format!(
-                    "{key} is of one drive, and several steer the wheels, {}; leave {key} out",
-                    names.join(" and ")
+                    "{key} is of one drive, and several steer the wheels, {names}; leave {key} out"
                 ))
             }
         }

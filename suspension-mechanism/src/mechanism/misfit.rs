@@ -8,6 +8,7 @@ use suspension_core::{Linkage, Values};
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::hinge::Hinge;
 use crate::mechanism::names::{Names, Suspension};
+use crate::mechanism::words::listed;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
@@ -90,9 +91,9 @@ impl Misfit {
         } else {
             "short"
         };
-        let names: Vec<String> = self.names.iter().map(|name| format!("`{name}`")).collect();
-        let are = if names.len() == 1 { "is" } else { "are" };
-        format!("{} {are} too {fault}", names.join(" and "))
+        let are = if self.names.len() == 1 { "is" } else { "are" };
+        let names = listed(self.names.iter().map(|name| format!("`{name}`")));
+        format!("{names} {are} too {fault}")
     }
 
     /// The fault, and the lengths where the digits shown differ.

@@ -12,6 +12,15 @@ pub fn advice(file: &str) -> String {
     format!("`suspension range {file}` shows what ends it")
 }
 
+/// Words as `a, b and c`.
+pub fn listed(words: impl IntoIterator<Item = String>) -> String {
+    let words: Vec<String> = words.into_iter().collect();
+    match words.as_slice() {
+        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        _ => words.concat(),
+    }
+}
+
 impl Names {
     /// A drive's value inside in words, as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
@@ -43,5 +52,18 @@ impl Names {
     /// Why a step was refused.
     pub fn cause(&self, error: &SolveError<f64>) -> String {
         format!("{:#}", error.named(self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::listed;
+
+    #[test]
+    fn the_last_of_several_words_stands_behind_an_and() {
+        let listed = |words: &[&str]| listed(words.iter().map(ToString::to_string));
+        assert_eq!(listed(&["a"]), "a");
+        assert_eq!(listed(&["a", "b"]), "a and b");
+        assert_eq!(listed(&["a", "b", "c"]), "a, b and c");
     }
 }
