@@ -75,8 +75,8 @@ fn what_is_no_load_is_refused_with_its_place() {
         ),
         (
             "[loads.a]\nbump = [\"damper\", \"bar_arm\"]\n",
-            "a.toml:9:8: `bump` of load case `a` has a list of names, and one measure or spring bears the load of a drive; write bump = \
-             \"damper\", and where another acts beside it the force in that, NAME = 500.0\n",
+            "a.toml:9:8: `bump` of load case `a` has a list of names, but only one measure or spring can bear the load of a drive; write bump = \
+             \"damper\", and for another that acts beside it the force in it, NAME = 500.0\n",
         ),
         (
             "[loads.a]\nbump = [\"damper\", \"bra_arm\"]\n",

@@ -74,8 +74,8 @@ impl Reader<'_> {
         }
         let one = by.first().map_or("", String::as_str);
         format!(
-            "`{drive}` of load case `{case}` has a list of names, and one measure or spring bears the load of a drive; write \
-             {drive} = \"{one}\", and where another acts beside it the force in that, NAME = 500.0"
+            "`{drive}` of load case `{case}` has a list of names, but only one measure or spring can bear the load of a drive; write \
+             {drive} = \"{one}\", and for another that acts beside it the force in it, NAME = 500.0"
         )
     }
 
