@@ -221,7 +221,7 @@ fn what_has_no_direction_is_told() {
     }
 }
 
-/// A turn about the vertical does not change what the drive, an angle from it, prescribes.
+/// A chassis that turns about the vertical alone: that does not change what the drive, an angle from it, prescribes.
 const CHASSIS: RigidMotion = RigidMotion {
     rotation: [0.8, 0.0, 0.0, 0.6],
     position: [3.0, -2.0, 1.0],

@@ -109,24 +109,24 @@ impl Problem<'_> {
         boxes.collect()
     }
 
-    /// All moves together.
+    /// What all moves together change, each `moved` so far.
     fn changes(&self, moved: &DVector<f64>) -> Changes {
         let each = self.moves.iter().zip(moved.iter());
         Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
     }
 
-    /// The mechanism with the moves.
+    /// The mechanism, each move made so far; `None` where it cannot be assembled.
     fn moved(&self, moved: &DVector<f64>) -> Option<Box<dyn Kinematics + '_>> {
         self.mechanism.changed(&self.changes(moved))
     }
 
-    /// How far each target is off.
+    /// How far each target of a mechanism is off.
     fn deviations(&self, mechanism: &dyn Kinematics) -> Option<Vec<Deviations>> {
         let each = self.targets.iter();
         each.map(|target| target.deviations(mechanism)).collect()
     }
 
-    /// The same with the moves, in parts of what is allowed.
+    /// How far the targets are off with the moves, in parts of what they may be off.
     fn residuals(&self, moved: &DVector<f64>) -> Option<DVector<f64>> {
         let off = self.deviations(&*self.moved(moved)?)?;
         let parts = off.iter().zip(self.targets);

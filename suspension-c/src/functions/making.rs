@@ -1,6 +1,6 @@
 //! Functions that make models and motions.
 
-/// Of every listing.
+/// Functions of every listing that make models and motions.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions_of_making {

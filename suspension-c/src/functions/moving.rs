@@ -1,6 +1,6 @@
 //! Functions for a chassis that moves.
 
-/// Of every listing.
+/// Functions of every listing for a chassis that moves.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions_of_moving {

@@ -1,6 +1,6 @@
-//! Functions that read off a motion what is there.
+//! Functions that read a motion: points, measures, derivatives, loads, and a proof of its position.
 
-/// Of every listing.
+/// Functions of every listing that read a motion.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions_of_reading {

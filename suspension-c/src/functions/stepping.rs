@@ -1,6 +1,6 @@
 //! Functions that step a motion.
 
-/// Of every listing.
+/// Functions of every listing that step a motion.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions_of_stepping {

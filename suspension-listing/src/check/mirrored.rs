@@ -8,7 +8,8 @@ use crate::errors::Errors;
 use crate::listing::Listing;
 use crate::sides::Sides;
 
-/// The errors without those of images whose originals have the same one. The others say what the image is of.
+/// The errors without those of images whose originals have the same one, and of those that follow from a name for neither side
+/// the first alone, behind that cause. The others say what the image is of.
 pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
     let sides = &listing.sides;
     let mut told: Vec<(Span, String)> = Vec::new();
@@ -32,7 +33,7 @@ pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
             }
             continue;
         }
-        // The cause of equations that are missing may be told already.
+        // Missing equations name their cause themselves, which another error may have told.
         if is_told_at(&causes, place) {
             continue;
         }

@@ -209,7 +209,7 @@ fn model<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// A model with those lengths.
+/// A model with the lengths that the file states, where it states any.
 fn with_lengths<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,
