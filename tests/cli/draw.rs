@@ -1,5 +1,7 @@
 //! `suspension draw`.
 
+use std::path::Path;
+
 use super::program::{folder, run, text};
 
 /// A swing arm with a damper, led by one of its drives.
@@ -56,4 +58,33 @@ fn a_radius_that_is_no_number_is_refused_with_what_is_wanted() {
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let wanted = "LENGTH is a number in the unit of the file, as 0.3";
     assert!(text(&output.stderr).contains(wanted), "{output:?}");
+}
+
+/// The listing and the motion file of the README give the picture that it shows.
+#[test]
+fn the_picture_of_the_readme_is_what_is_drawn() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = std::fs::read_to_string(root.join("README.md")).expect("a README");
+    let block = |language: &str| {
+        let (_, rest) = readme.split_once(language).expect(language);
+        rest.split_once("```").expect("the end of the block").0
+    };
+    let folder = folder();
+    for (name, language) in [
+        ("corner.linkage", "```text\n"),
+        ("corner.toml", "```toml\n"),
+    ] {
+        std::fs::write(folder.path().join(name), block(language)).expect("written");
+    }
+    let output = run(folder.path(), &["draw", "corner.toml", "--out", "-"]);
+    let drawn = text(&output.stdout);
+    let picture = root.join("docs/double_wishbone.svg");
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {
+        std::fs::write(&picture, &drawn).expect("written");
+    }
+    let shown = std::fs::read_to_string(picture).expect("a picture");
+    assert!(
+        shown == drawn,
+        "another picture is drawn; take it over with `UPDATE_SNAPSHOTS=1 cargo test --test cli draw::`"
+    );
 }
