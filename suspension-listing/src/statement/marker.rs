@@ -99,7 +99,9 @@ impl Marker {
 
 fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
     let hint = errors::did_you_mean_name(name, listing.bodies().map(|(body, _)| body));
-    format!("there is no body `{name}` to carry `{marker}`{hint}")
+    format!(
+        "there is no body `{name}` to carry `{marker}`; state it as a `body` or a `hinge`, or name three points that carry `{marker}`{hint}"
+    )
 }
 
 /// What a point on a link is written as.

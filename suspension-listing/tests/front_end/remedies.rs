@@ -24,7 +24,7 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
         (
             "drive bump",
             "point axle: uprihgt;\ndrive bump",
-            "to carry `axle`; did you mean `upright`?",
+            "to carry `axle`; state it as a `body` or a `hinge`, or name three points that carry `axle`; did you mean `upright`?",
         ),
     ] {
         let told = only_message(&listing.replace(from, to));
