@@ -73,6 +73,14 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
 }
 
 /// A linkage whose listing states where every point is in the design (`at [x, y, z]`).
+///
+/// ```
+/// use suspension_core::linkage::Designed;
+/// use suspension_core::linkages::double_wishbone::{Model, Points};
+///
+/// let points: Points = Model::<f64>::design();
+/// assert_eq!(points.wheel_centre.z, 0.3);
+/// ```
 #[diagnostic::on_unimplemented(
     message = "the listing does not state where each of its points is in the design",
     label = "needs `at [x, y, z]` behind every chassis point, free point and marker",
