@@ -4,6 +4,32 @@
 //! multipliers `m` of `J^T m = f` an equation acts on the unknowns with `-m dF/dq`, on the chassis points with
 //! `-m dF/dc`, and the forces do the work `-m dF/du` per unit of a drive (virtual work). One factorisation serves all
 //! loads of a position, and a load takes one transposed back-substitution.
+//!
+//! A spring at the damper, of 60 N/mm and compressed to 3 kN: its force and rate at the wheel, and what the pushrod bears.
+//!
+//! ```
+//! use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Points, equation};
+//!
+//! let corner: Corner = Corner::design()?;
+//! let (stiffness, force) = (60e3, 3e3);
+//! let per_bump = corner.per(Drives { bump: 1.0, ..Drives::default() })?.measures;
+//! let (ratio, change) = (per_bump.rate.damper, per_bump.second_rate.damper);
+//! let wheel_rate = stiffness * ratio * ratio - force * change; // a ratio that changes has a part in it
+//!
+//! let at = corner.points().value;
+//! let push = (at.damper_outer - at.damper_inner).normalize() * force;
+//! let forces = Points { damper_outer: push, damper_inner: -push, ..Points::default() };
+//! let loads = corner.statics()?.under(&forces)?;
+//! let on_bump = loads.on_drives().bump; // force times ratio: it pushes the wheel down
+//! let pushrod = loads.by(equation::PUSHROD..equation::PUSHROD + 1); // what it exerts on the points at its ends
+//! let compression = pushrod.pushrod_upper.norm();
+//! assert!((on_bump - force * ratio).abs() < 1e-9);
+//! assert_eq!(
+//!     format!("{:.2} N/mm, {on_bump:.0} N at the wheel, {compression:.0} N in the pushrod", wheel_rate / 1e3),
+//!     "22.43 N/mm, -2140 N at the wheel, 2921 N in the pushrod"
+//! );
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod spread;
 
