@@ -47,7 +47,8 @@ impl Instructions {
 
 /// `LANES` models of the listing `G`, each with its motion, on still chassis.
 ///
-/// A lane that fails keeps its motion and says why; its neighbours are not affected. `N` is how many unknowns
+/// A lane that fails keeps its motion and says why; its neighbours are not affected. It is to catch up before the next step, whose length
+/// is the same for all: see [`set_motion`](Self::set_motion). `N` is how many unknowns
 /// the listing has, `Listing::PARTS.unknowns.len()`, and `_` where the models tell. See [`Bounded`] for
 /// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
 /// so that results differ from those of [`Bounded::step`] by rounding.
@@ -243,8 +244,39 @@ where
     }
 
     /// Puts a lane into a motion of its model: back among the others, say, once
-    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own through the steps that it was
-    /// refused.
+    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own through the step that it was
+    /// refused. A lane whose drives are not finite is to step to its last good ones instead, [`Signal::still`].
+    ///
+    /// ```
+    /// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
+    /// use suspension_core::step::bounded::Outputs;
+    /// use suspension_core::{Inputs, Signal, Tracker};
+    /// use suspension_lanes::Lanes;
+    ///
+    /// let corner: Corner = Corner::design()?;
+    /// let (start, rate) = (corner.drives(), Drives { bump: 0.5, steer: 0.0 });
+    /// let drives = |tick| {
+    ///     let mut drives = [Signal::line(start, rate, 1e-3 * f64::from(tick)); 4];
+    ///     drives[2].value.bump += if tick < 10 { 0.0 } else { 0.03 }; // a jump of 30 mm
+    ///     drives
+    /// };
+    /// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
+    /// lanes.step(Outputs::Acceleration, &drives(0), 0.0);
+    /// let mut refused = 0;
+    /// for tick in 1..=20 {
+    ///     let results = lanes.step(Outputs::Acceleration, &drives(tick), 1e-3);
+    ///     for (lane, _) in results.iter().enumerate().filter(|(_, result)| result.is_err()) {
+    ///         // In the same tick, from the drives of the last one, in sub-steps.
+    ///         let ends = [tick - 1, tick].map(|tick| Inputs::still(drives(tick)[lane]));
+    ///         let mut motion = lanes.motion(lane);
+    ///         Tracker::default().step_between(corner.model(), ends.each_ref(), 1e-3, &mut motion)?;
+    ///         lanes.set_motion(lane, &motion);
+    ///         refused += 1;
+    ///     }
+    /// }
+    /// assert_eq!(refused, 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Panics
     ///
