@@ -21,14 +21,16 @@
 //! let mut corner = listing.corner::<15>(&listing.design().unwrap())?;
 //!
 //! let angle = 1.0;
-//! corner.step(1e-3, Signal::still(corner.drives().with(turn, angle))).unwrap();
+//! let drives = Signal::still(corner.drives().with(turn, angle));
+//! corner.step(1e-3, drives).map_err(|failure| failure.to_string())?;
 //! let at = corner.points().value.values().nth(tip).unwrap();
 //! assert!((at.z - 0.5 * angle.cos()).abs() < 1e-15);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The number of `corner::<15>` is how many unknowns there is room for: 15, 30 or 60, see [`Size`]. [`Listing::size`]
-//! says how many a listing has, and 60 serves any.
+//! says how many a listing has, and 60 serves any. A failure names its parts by the listing, which it borrows: where it is to leave the
+//! function that owns the listing, it leaves as text, as above.
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
 #![cfg_attr(
