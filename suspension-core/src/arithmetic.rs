@@ -1,4 +1,4 @@
-//! The numbers that the solver computes with, and what it computes of them: functions, vectors, bounds.
+//! The numbers that the solver computes with: what it asks of them, and their sine and cosine.
 
 pub(crate) mod entrywise;
 pub(crate) mod magnitude;

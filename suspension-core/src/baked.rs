@@ -1,9 +1,10 @@
 //! Motions baked into polynomials: look-up instead of solving, where a tolerance is known.
 //!
 //! `suspension bake` fits a piecewise polynomial to the motion over the range of one drive, checks
-//! it against the solver and writes it as a source file. What is written is a [`Curve`]: a `static`
-//! that lies in read-only memory. Segments are of equal length, so that finding one takes a
-//! multiplication and a truncation, and evaluation takes the same time everywhere.
+//! it against the solver and writes it as a source file, a module of your program. In it is a [`Curve`], over two drives a
+//! [`Surface`]: a `static` that lies in read-only memory. Of a wheel its outputs are the centre and the spin axis, by which
+//! [`camber`](crate::wheel::camber) and [`toe`](crate::wheel::toe) are read. Segments are of equal length, so that finding
+//! one takes a multiplication and a truncation, and evaluation takes the same time everywhere.
 //!
 //! ```
 //! use suspension_core::baked::Curve;
@@ -68,7 +69,7 @@ pub struct Curve<'a, T, const OUT: usize, const TERMS: usize> {
     pub segments: &'a [[[T; OUT]; TERMS]],
 }
 
-/// `!(range[0] <= drive && drive <= range[1])`: nothing is known of the motion there.
+/// A value of the drive outside the baked range, or NaN: nothing is known of the motion there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outside<T> {
     /// The drive's value.

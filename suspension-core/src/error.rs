@@ -23,7 +23,7 @@ messages! {
     [] GeometryError;
 }
 
-/// `|denominator| <= threshold`: a formula of the paper is 0/0 here.
+/// A formula of Attia (2003) is 0/0 here: `|denominator| <= threshold`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indeterminate<T> {
     /// The denominator, `w . n` with `w` the angular velocity (eq. 9) or acceleration (eq. 10) and `n`

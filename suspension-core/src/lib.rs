@@ -34,8 +34,9 @@
 //! Below it are the parts. [`model`] has what a listing becomes, [`solve`] what finds one configuration: [`assemble()`],
 //! Newton's method ([`Newton`]), velocities and accelerations from one factorisation ([`Tangent`]). [`step`] has the ways from
 //! one configuration to the next ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed cost ([`Bounded`]), by Taylor
-//! [`series`](step::series). Further there are motions through the turning points of the drives ([`path`]) and motions that
-//! were [`baked`]; the [`wheel`]; and a [`certificate`] that the root is the one near by.
+//! [`series`](step::series). What is prescribed is a [`signal`], a value with its rates. Further there are motions through the turning points of the
+//! drives ([`path`]) and motions that were [`baked`]; what is read off a [`wheel`]; derivatives per drive ([`directions`]); forces
+//! ([`statics`], [`inertia`]); a [`chassis`] in rigid motion; and a [`certificate`] that the root is the one near by.
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 //!
 //! The feature `macros`, on by default, brings [`linkage!`] and the layouts that it compiles in [`linkages`]. A program that reads

@@ -63,7 +63,7 @@ impl<V: Default> Signal<V> {
     }
 }
 
-/// All that a step is given: the paper's `w`, drives and chassis points.
+/// All that a step is given: drives and chassis points, each with its rates.
 ///
 /// The type of `chassis` chooses the code: with [`Still`] no term of a moving chassis is
 /// compiled in; with `Signal<Fixed<T>>` each chassis point has its own position, velocity and

@@ -1,5 +1,6 @@
-//! The catalogue: one listing a file, all of them as text in [`LISTINGS`]. Those that are compiled here have a
-//! module with the types of one linkage: `Model`, `Points`, `Fixed`, `Drives`, `Measures`, `Lengths`. The others
+//! The catalogue of layouts: one listing a file, all of them as text in [`LISTINGS`].
+//!
+//! Those that are compiled here have a module each, with what [`linkage!`](crate::linkage!#what-comes-out) writes. The others
 //! cost no build time; `suspension-runtime` reads them, and a program that wants one compiled copies its text and
 //! says `linkage! { pub mod name; }`.
 

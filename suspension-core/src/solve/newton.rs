@@ -1,4 +1,4 @@
-//! Bounded Newton iteration whose success is claimed only from the residual.
+//! Newton's method, each correction limited in size and success claimed from the residual alone.
 
 use nalgebra::SVector;
 
