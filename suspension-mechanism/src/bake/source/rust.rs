@@ -16,6 +16,7 @@ pub(super) fn module(titled: &Titled<'_>, head: &[String], kind: &str, fields: &
 use suspension_core::baked::{kind};
 
 /// What the outputs of [`{name}`] are.
+#[allow(dead_code)]
 pub const {name}_OUTPUTS: [&str; {width}] = {names:?};
 
 /// See the head of this file.

@@ -14,6 +14,7 @@
 use suspension_core::baked::Curve;
 
 /// What the outputs of [`WHEEL_BY_DAMPER`] are.
+#[allow(dead_code)]
 pub const WHEEL_BY_DAMPER_OUTPUTS: [&str; 6] = ["wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "spin_axis_x", "spin_axis_y", "spin_axis_z"];
 
 /// See the head of this file.

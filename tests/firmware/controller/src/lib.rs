@@ -11,7 +11,6 @@ mod follow;
 pub mod modes;
 mod published;
 pub mod steps;
-#[allow(dead_code, reason = "as `suspension bake` writes it: tests/cli/bake.rs")]
 #[rustfmt::skip]
 mod wheel_by_theta;
 
