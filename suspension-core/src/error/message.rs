@@ -98,7 +98,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// An error that [`Facts`] can be had of.
+/// An error that states its [`Facts`].
 pub trait Explain {
     /// What it says.
     fn facts(&self) -> Facts;

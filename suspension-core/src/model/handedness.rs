@@ -87,7 +87,7 @@ where
     points.fold(L::Scalar::constant(0.0), |count, point| count + point)
 }
 
-/// Whether a [`count_mirrored`] tells that none is.
+/// Whether no point is mirrored, by what [`count_mirrored`] gives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn is_right<T: Real>(count: T) -> bool {
     count < T::constant(0.5)

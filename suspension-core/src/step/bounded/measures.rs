@@ -4,7 +4,7 @@ use crate::arithmetic::scalar::Real;
 use crate::solve::factored::is_healthy;
 use crate::solve::motion::Motion;
 
-/// What a step is judged by. Squares of norms: to form them takes no comparison and no root.
+/// What a [`Step`](super::Step) is judged by; what a listing measures is in [`Linkage::Measures`](crate::Linkage::Measures). Squares of norms: to form them takes no comparison and no root.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures<T> {
     /// The residual that is left, square of a length.

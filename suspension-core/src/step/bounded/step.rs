@@ -15,7 +15,7 @@ use crate::model::handedness::count_mirrored;
 use crate::signal::ChassisMotion;
 use crate::solve::motion::{Motion, Prescribed, input_terms};
 
-/// A step on its way, over any numbers: nothing here compares.
+/// A step before it is judged, over any numbers, lanes of them too: nothing here compares.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<
     'a,
