@@ -120,6 +120,22 @@ fn numbers_that_are_none() {
     }
 }
 
+/// An attempt does not tell a value from its rates.
+#[test]
+fn a_refusal_of_no_number_points_to_values_and_rates() {
+    let case = five_link();
+    let mut motion = case.start;
+    let mut inputs = (case.inputs)(STEP);
+    inputs.drives.value.theta = f64::NAN;
+    let (bounded, all) = (Bounded::<f64>::default(), Outputs::Acceleration);
+    let refusal = bounded.attempt(all, &case.model, &inputs, STEP, &mut motion);
+    let told = refusal.expect_err("a refusal").to_string();
+    assert!(
+        told.ends_with("look at the inputs and their rates"),
+        "{told}"
+    );
+}
+
 /// A rate that is not asked for is not looked at.
 #[test]
 fn what_is_not_asked_may_be_unknown() {

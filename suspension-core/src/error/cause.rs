@@ -27,7 +27,7 @@ macro_rules! causes {
             NotFinite = 40: "a residual is not a finite number",
                 "look at inputs, start and time step";
             Overflow = 41: "a correction, velocity or acceleration is not a finite number",
-                "look at the rates of the inputs";
+                "look at the inputs and their rates";
             CrossedSingularity = 42: "the step ends in another assembly, beyond a singularity",
                 "take shorter steps";
             Singular = 43: "the equations do not determine the motion here: the mechanism locks, or a drive has no effect",
