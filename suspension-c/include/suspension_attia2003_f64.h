@@ -203,8 +203,8 @@ susp_status susp_attia2003_f64_step(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
- * as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
+/** A step of `dt` seconds between two inputs that may lie far apart, near by where `dt` is 0: to tolerance,
+ * in as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
  * drives follow the cubics that have their values and rates at the ends or, where these lead
  * past a lock, straight lines from rest, in 200 more. `report` may be NULL. */
 susp_status susp_attia2003_f64_step_between(

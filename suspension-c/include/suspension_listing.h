@@ -108,7 +108,7 @@ susp_status susp_corner_drives(
         double *drives,
         size_t count);
 
-/** A step of `dt` seconds, not zero, to the values and rates of the drives at its end,
+/** A step of `dt` seconds (0: a pause, to drives near the last ones) to the values and rates of the drives at its end,
  * `drives[3][DRIVES]`, however far: in as many sub-steps as it takes, 200 at most. In between the
  * drives follow the cubics that have their values and rates at both ends or, where these lead past a
  * lock, straight lines from rest, in 200 more. `report` may be NULL. */

@@ -125,12 +125,12 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// One step of length `dt`, not zero, to the values and rates of the drives at its end, however far they lie from
+    /// One step of length `dt` to the values and rates of the drives at its end, however far they lie from
     /// the last ones: to the assembly that a motion between both ends leads to, or to none where it locks. A step that is
     /// too long is divided, and the drives follow cubics between its ends, or straight lines where those lead past a lock, as
     /// after a rate that was wrong or a long pause. What they do within a step that is not divided is not looked at: drives that go beyond a lock and come back within one step are followed. Velocities and
     /// accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at the end,
-    /// wherever it came from.
+    /// wherever it came from. With `dt` zero, as of a simulator that pauses, drives may lie near the last ones only.
     ///
     /// ```
     /// use suspension_core::Signal;

@@ -11,8 +11,8 @@ macro_rules! functions_of_stepping {
             respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, report))
         }
 
-        /// A step of `dt` seconds, not zero, between two inputs that may lie far apart: to tolerance, in
-        /// as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
+        /// A step of `dt` seconds between two inputs that may lie far apart, near by where `dt` is 0: to tolerance,
+        /// in as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
         /// drives follow the cubics that have their values and rates at the ends or, where these lead
         /// past a lock, straight lines from rest, in 200 more. `report` may be NULL.
         fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {

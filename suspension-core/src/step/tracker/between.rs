@@ -3,10 +3,11 @@
 use nalgebra::Vector3;
 
 use super::Tracker;
+use super::guard::Change;
 use crate::arithmetic::scalar::{Real, Scalar};
 use crate::linkage::{Linkage, Values};
 use crate::signal::{ChassisMotion, Inputs, Signal, Still};
-use crate::solve::motion::Motion;
+use crate::solve::motion::{Motion, Prescribed};
 use crate::solve::report::Report;
 use crate::step::substeps::Stopped;
 
@@ -105,17 +106,19 @@ impl<T: Scalar> Cubic<T> {
 type Interpolation<T> = fn(T, T) -> Cubic<T>;
 
 impl<T: Real> Tracker<T> {
-    /// One step of length `dt`, not zero, between two inputs that may lie far apart: in as many
+    /// One step of length `dt` between two inputs that may lie far apart: in as many
     /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
     /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
     /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
     /// was long, they follow straight lines, in [`max_steps`](Self::max_steps) sub-steps more. The result has the rates of `to`.
     ///
+    /// A step with `dt` zero, as of a simulator that pauses, is one correction of the last position: it gets to inputs that lie near
+    /// the last ones, and finds their rates.
+    ///
     /// # Errors
     ///
-    /// As [`advance`](Self::advance), with the times counted from the start of the step, and
-    /// [`SolveError::NotFinite`](crate::SolveError::NotFinite) where `dt` is zero; the motion is then unchanged. The error is that on
-    /// the cubics.
+    /// As [`advance`](Self::advance), with the times counted from the start of the step; the motion is then unchanged. The error is
+    /// that on the cubics.
     pub fn step_between<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -180,9 +183,13 @@ impl<T: Real> Tracker<T> {
         C: Between<T, L::Fixed>,
     {
         let from = *inputs;
+        if dt == T::zero() {
+            let report = self.step_at_once(linkage, [&from, to], motion)?;
+            *inputs = *to;
+            return Ok(report);
+        }
         let at = |t: T| {
-            // A step of no length has no rates between its ends: those of the cubic are then NaN.
-            if t == dt && dt != T::zero() {
+            if t == dt {
                 return *to;
             }
             let cubic = curve(t, dt);
@@ -199,5 +206,29 @@ impl<T: Real> Tracker<T> {
             Err(stopped) => *inputs = at(stopped.reached),
         }
         advanced
+    }
+    /// The step of no length, which has no rates between its ends.
+    fn step_at_once<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        ends: [&Inputs<C, L::Drives>; 2],
+        motion: &mut Motion<T, N>,
+    ) -> Result<Report<T>, Stopped<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let [from, to] = ends.map(|inputs| Prescribed::new(linkage, inputs));
+        let dt = T::zero();
+        let change = Change {
+            from: Some(&from),
+            to: &to,
+            dt,
+        };
+        let stepped = self.step_on_the_way::<_, C, N>(linkage, &change, motion);
+        stepped.map_err(|error| Stopped {
+            reached: dt,
+            refused: Some((dt, error)),
+        })
     }
 }
