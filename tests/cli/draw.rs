@@ -80,7 +80,7 @@ fn the_picture_of_the_readme_is_what_is_drawn() {
     let drawn = text(&output.stdout);
     let picture = root.join("docs/double_wishbone.svg");
     if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {
-        std::fs::write(&picture, &drawn).expect("written");
+        std::fs::write(&picture, drawn).expect("written");
     }
     let shown = std::fs::read_to_string(picture).expect("a picture");
     assert!(
