@@ -16,16 +16,14 @@ static void check(susp_status status)
 
 int main(void)
 {
-    const my_four_bar_f32_points design = {
-        .crank_pin = {0, 0, 0}, .rocker_pin = {0, 0.6f, 0.1f},
-        .crank_end = {0, 0, 0.2f}, .rocker_end = {0, 0.45f, 0.5f},
-    };
+    my_four_bar_f32_points design;
     my_four_bar_f32_model model;
     my_four_bar_f32_motion motion;
     my_four_bar_f32_inputs inputs = {.rate = {.turn = 1}};
     my_four_bar_f32_point_rates points;
     my_four_bar_f32_measure_rates measures;
 
+    check(my_four_bar_f32_design(&design));
     check(my_four_bar_f32_model_new(&model, sizeof model, &design, NULL));
     check(my_four_bar_f32_model_drives(&model, &design, &inputs.value));
     inputs.value.turn = 0.5f;

@@ -4,8 +4,10 @@
 suspension_core::linkage! {
     /// A four-bar in the y-z plane: crank, coupler and rocker.
     pub mod four_bar {
-        fixed: crank_pin, rocker_pin;
-        free:  crank_end, rocker_end;
+        fixed: crank_pin  at [0.0, 0.0, 0.0],
+               rocker_pin at [0.0, 0.6, 0.1];
+        free:  crank_end  at [0.0, 0.0, 0.2],
+               rocker_end at [0.0, 0.45, 0.5];
         link crank:   crank_pin -> crank_end;
         link coupler: crank_end -> rocker_end;
         link rocker:  rocker_pin -> rocker_end;
@@ -20,5 +22,5 @@ suspension_core::linkage! {
 suspension_c::export!(
     /// A four-bar in the y-z plane: crank, coupler and rocker. Drives: `turn`, the crank's angle from
     /// the vertical in rad; `slide` and `align`, which keep it in the plane.
-    pub mod four_bar_f32 = four_bar, f32, "my_four_bar_f32"
+    pub mod four_bar_f32 = four_bar, f32, "my_four_bar_f32", design
 );

@@ -36,11 +36,12 @@ macro_rules! functions {
 ///
 /// ```text
 /// suspension_c::export!(pub mod four_bar_f32 = four_bar, f32, "my_four_bar_f32");
-/// suspension_c::export!(pub mod wishbone_f64 = wishbone, f64, "my_wishbone_f64", wheel, kingpin);
+/// suspension_c::export!(pub mod wishbone_f64 = wishbone, f64, "my_wishbone_f64", design, wheel, kingpin);
 /// ```
 ///
-/// The listing is a path, the number `f32` or `f64`, the text what each name begins with. `wheel` and
-/// `kingpin` add what can be read off a wheel, for listings that say what its points are.
+/// The listing is a path, the number `f32` or `f64`, the text what each name begins with. `design` adds the positions
+/// that a listing states, where it states all; `wheel` and `kingpin` what can be read off a wheel, for listings that say what its
+/// points are.
 /// `four_bar_f32::INTERFACE` prints itself as the header.
 ///
 /// The names of functions are set with `#[unsafe(export_name)]`: no other function of the program may

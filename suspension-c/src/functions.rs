@@ -38,6 +38,19 @@ macro_rules! functions_of_naming {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions_of_a_part {
+    (design, $prefix:literal) => {
+        use $crate::private::Designed as _;
+
+        $crate::functions! { $prefix:
+            /// The positions that the listing states.
+            fn design(points: Out<Points>) -> Status {
+                answer(|| {
+                    points.get()?.write(values_of_points(&Linkage::design()));
+                    Ok(())
+                })
+            }
+        }
+    };
     (wheel, $prefix:literal) => {
         $crate::functions! { $prefix:
             /// The wheel of positions that `read_points` found.

@@ -68,7 +68,7 @@ pub mod catalogue;
 #[doc(hidden)]
 pub mod private {
     pub use core::marker::PhantomData;
-    pub use suspension_core::linkage::{HasKingpin, HasWheel};
+    pub use suspension_core::linkage::{Designed, HasKingpin, HasWheel};
     pub use suspension_core::nalgebra::Vector3;
     pub use suspension_core::{self as solver, Build, Linkage};
 

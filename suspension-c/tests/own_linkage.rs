@@ -7,9 +7,9 @@ mod library;
 
 use std::process::Command;
 
-use library::four_bar::{Drives, Model, Points};
+use library::four_bar::{Drives, Model};
 use library::four_bar_f32;
-use suspension_core::nalgebra::Vector3;
+use suspension_core::linkage::Designed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Newton, Signal, Tracker, assemble};
 
 #[test]
@@ -77,13 +77,7 @@ fn without_measures_has_a_member_that_means_nothing() {
 
 /// What the program does.
 fn in_rust() -> [f32; 2] {
-    let at = Vector3::<f32>::new;
-    let design = Points {
-        crank_pin: at(0.0, 0.0, 0.0),
-        rocker_pin: at(0.0, 0.6, 0.1),
-        crank_end: at(0.0, 0.0, 0.2),
-        rocker_end: at(0.0, 0.45, 0.5),
-    };
+    let design = Model::<f32>::design();
     let model = Model::new(&design).expect("a four-bar");
     let inputs = |turn| {
         let moving = Drives {
