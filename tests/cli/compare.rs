@@ -1,6 +1,7 @@
 //! Two suspensions beside each other.
 
 mod alone;
+mod axles;
 mod drives;
 
 use std::process::Output;

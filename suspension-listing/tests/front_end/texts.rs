@@ -1,4 +1,4 @@
-//! Listings as text: what is told of mistakes, and where.
+//! Listings as text: messages about mistakes, and their places.
 
 use suspension_listing::include_source::NoIncludes;
 use suspension_listing::system::System;

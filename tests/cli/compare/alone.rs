@@ -1,7 +1,7 @@
 //! What only one of two files has, and what is the same of both.
 
 use super::super::program::{CORNER, text};
-use super::drives::axles;
+use super::axles::axles;
 use super::{compare, rows};
 
 #[test]
