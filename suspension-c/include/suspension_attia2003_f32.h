@@ -327,7 +327,7 @@ susp_status susp_attia2003_f32_add_masses(
         susp_attia2003_f32_points *forces);
 
 /** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
- * position, and no other. Takes about as long as four steps to tolerance. */
+ * position, and no other. Takes about as long as five steps to tolerance. */
 susp_status susp_attia2003_f32_certify(
         const susp_attia2003_f32_model *model,
         const susp_attia2003_f32_inputs *inputs,

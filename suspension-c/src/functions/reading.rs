@@ -75,7 +75,7 @@ macro_rules! functions_of_reading {
         }
 
         /// Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
-        /// position, and no other. Takes about as long as four steps to tolerance.
+        /// position, and no other. Takes about as long as five steps to tolerance.
         fn certify(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, certificate: Out<Certificate>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs) = (model.object()?, inputs.get()?);
