@@ -112,7 +112,7 @@ impl<T: Real> Tracker<T> {
     /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
     /// was long, they follow straight lines, in [`max_steps`](Self::max_steps) sub-steps more. The result has the rates of `to`.
     ///
-    /// A step with `dt` zero, as of a simulator that pauses, is one correction of the last position: it gets to inputs that lie near
+    /// A step with `dt` zero, as of a simulator that pauses, is not divided: it begins at the last position, gets to inputs that lie near
     /// the last ones, and finds their rates.
     ///
     /// # Errors
