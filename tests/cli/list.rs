@@ -90,6 +90,18 @@ fn the_page_has_a_row_for_every_layout() {
     }
 }
 
+#[test]
+fn the_page_names_the_layouts_that_are_compiled() {
+    let catalogue = include_str!("../../suspension-core/src/linkages/mod.rs");
+    let (_, behind) = catalogue.split_once("\n    compiled: ").expect("names");
+    let (names, _) = behind.split_once(';').expect("their end");
+    let (others, last) = names.rsplit_once(", ").expect("several");
+    let others = others.replace(", ", "`, `");
+    let sentence = format!("In Rust `{others}` and `{last}` are compiled");
+    let page = include_str!("../../docs/layouts.md").replace('\n', " ");
+    assert!(page.contains(&sentence), "not in the page: {sentence}");
+}
+
 /// A name in a drawing: the text, and its left, top, right and bottom, letters half as wide as the type is high.
 type Label = (String, [f64; 4]);
 
