@@ -14,6 +14,7 @@ use crate::output::target::Target;
 
 /// What `suspension draw` is given.
 #[derive(Args, Clone, Debug)]
+#[command(after_long_help = NOTES)]
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
@@ -58,3 +59,9 @@ fn length(text: &str) -> Result<f64, String> {
     let length = text.parse().ok();
     length.ok_or_else(|| "LENGTH is a number in the unit of the file, as 0.3".to_owned())
 }
+
+const NOTES: &str = "\
+Exit codes: 0 done, 1 the drawing cannot be written, 2 wrong input, 3 the mechanism does not assemble.
+
+Example:
+  suspension draw examples/macpherson.toml";

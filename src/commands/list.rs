@@ -63,5 +63,7 @@ const NOTES: &str = "\
 Each layout has its hardpoints, in metres; a motion file names it, linkage = \"macpherson\", and states the points that
 differ. Where other links are wanted, copy the statements and name the file, listing = \"my.linkage\".
 
+Exit codes: 0 done, 1 the list cannot be written, 2 no layout has the name.
+
 Example:
   suspension list macpherson > my.linkage";

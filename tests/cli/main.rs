@@ -15,6 +15,7 @@ mod exact_derivatives;
 mod figures;
 mod files;
 mod half_turn;
+mod help;
 mod hostile_files;
 mod import;
 mod json;
