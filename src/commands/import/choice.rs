@@ -82,9 +82,13 @@ impl<'a> Candidate<'a> {
         })
     }
 
-    /// The points that are missing, with the names that would do.
+    /// The points that are missing, with the names that would do, but for those that the others place.
     fn lacks(&self, names: &Names) -> String {
-        let each = self.missing.iter().map(|name| {
+        let found = self.found.iter().map(|(name, _)| name);
+        let with_missing: Vec<&String> = found.chain(&self.missing).collect();
+        let has = |name: &str| with_missing.iter().any(|other| *other == name);
+        let needed = self.missing.iter().filter(|name| !has_stand_in(name, has));
+        let each = needed.map(|name| {
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
             match others.as_slice() {
                 [] => format!("`{name}`"),

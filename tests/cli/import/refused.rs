@@ -48,6 +48,13 @@ fn what_is_missing_is_named_at_once_with_the_names_that_would_do() {
 }
 
 #[test]
+fn a_point_that_a_missing_one_places_is_not_asked_for() {
+    let said = refusal("a.csv", &without(&["wheel_center"]), &[]);
+    assert!(said.contains(" lacks `wheel_centre` (or "), "{said}");
+    assert!(!said.contains("axle"), "{said}");
+}
+
+#[test]
 fn a_layout_that_has_none_of_the_points_is_told() {
     let said = refusal("a.csv", &table(&CORNER), &["--linkage", "twist_beam"]);
     let expected = "a.csv: twist_beam has none of the file's points, `lca_front` for one; without --linkage they choose the layout";
