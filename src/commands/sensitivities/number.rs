@@ -1,4 +1,4 @@
-//! A number whose sensitivities are told.
+//! A number whose sensitivities are printed.
 
 /// Digits of a sensitivity.
 pub(super) const DIGITS: usize = 4;
@@ -9,10 +9,10 @@ pub(super) struct Number {
     /// 0, or 1 more than the number of the drive.
     pub(super) number: usize,
     pub(super) csv_name: String,
-    /// What a number inside is multiplied with for that in the file.
+    /// What the solver's number is multiplied with for that in the file's units.
     pub(super) in_file: f64,
     pub(super) title: String,
-    /// The same for what people read.
+    /// What it is multiplied with for the unit that is printed.
     pub(super) scale: f64,
     pub(super) symbol: String,
 }

@@ -14,7 +14,7 @@ use crate::kinematics::{Kinematics, changing};
 use crate::load::points::points;
 use crate::load::prepare::prepare;
 use crate::load::request::Request;
-use crate::load::{included, said_of_points};
+use crate::load::{included, point_notes};
 use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.
@@ -51,7 +51,7 @@ impl Chosen {
             Some(_) => file.axes,
             None => Axes::Iso,
         };
-        let said = said_of_points::notes((&listing, &name), source, file, axes);
+        let said = point_notes::notes((&listing, &name), source, file, axes);
         let listing = with_points(source, listing, file, place, axes);
         Ok(Self {
             said,

@@ -10,7 +10,7 @@ use crate::mechanism::Axes;
 /// Points that are nearer, in metres, are in the same place.
 const SAME: f64 = 1e-6;
 
-/// The points of a listing, by place.
+/// The points of a listing, in its order.
 pub(super) struct Points<'a> {
     pub(super) names: Vec<&'a str>,
     /// Where the listing has them.

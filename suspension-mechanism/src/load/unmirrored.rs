@@ -9,7 +9,7 @@ use crate::number::rounded;
 /// Digits of a coordinate.
 const DIGITS: usize = 9;
 
-/// The note on such points; `told` are those that another note has as not stated.
+/// The note on such points. Those that another note names already are the first of each pair of `told`.
 pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
     let is_told = |image: usize| told.iter().any(|[point, _]| *point == image);
     let all = 0..points.names.len();

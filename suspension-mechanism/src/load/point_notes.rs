@@ -7,7 +7,7 @@ use crate::load::moved_points::Points;
 use crate::load::{unmirrored, unstated};
 use crate::mechanism::Axes;
 
-/// On those of a listing, which has a name, in the axes of its coordinates.
+/// The notes of a file and its listing, with what the listing is called in them and the axes of its coordinates.
 pub(super) fn notes(
     (listing, called): (&Listing, &str),
     source: &Source,
