@@ -1,4 +1,4 @@
-//! Writes random listings for `linkage!` to compile into the tests: `SUSPENSION_RANDOM_LISTINGS` of them, or a dozen.
+//! Writes random listings for `linkage!` to compile into the tests: `SUSPENSION_RANDOM_LISTINGS` of them, or 200.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -10,7 +10,7 @@ use suspension_listing::text;
 mod random;
 
 /// Free points of each, about.
-const FREE: usize = 4;
+const FREE: usize = 3;
 const COUNT: &str = "SUSPENSION_RANDOM_LISTINGS";
 /// Unknowns that models read at run time have room for.
 const ROOMS: [usize; 3] = [15, 30, 60];
@@ -18,7 +18,7 @@ const ROOMS: [usize; 3] = [15, 30, 60];
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=random.rs");
     println!("cargo::rerun-if-env-changed={COUNT}");
-    let count = std::env::var(COUNT).map_or(Ok(12), |count| count.parse())?;
+    let count = std::env::var(COUNT).map_or(Ok(200), |count| count.parse())?;
     let mut listings = String::new();
     for seed in 0..count {
         let text = random::listing(seed, FREE);
