@@ -31,6 +31,7 @@
 use nalgebra::{SVector, Vector3};
 
 use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;
 use crate::arithmetic::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
 use crate::error::SolveError;
@@ -38,7 +39,7 @@ use crate::linkage::{Factors, Linkage, Listing, Values};
 use crate::listing::DriveKind;
 use crate::path::Chart;
 use crate::signal::{ChassisMotion, Inputs, Signal};
-use crate::solve::factored::{is_healthy, with_pivoting};
+use crate::solve::factored::with_pivoting;
 use crate::solve::motion::Prescribed;
 
 mod bounds;

@@ -38,12 +38,13 @@ use core::ops::Range;
 use nalgebra::{SVector, Vector3};
 
 use crate::arithmetic::magnitude::magnitude;
+use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::{Kind, Parts};
 use crate::signal::{Inputs, Signal};
-use crate::solve::factored::{Factored, smallest_pivot, with_factors};
+use crate::solve::factored::{Factored, with_factors};
 use crate::solve::motion::Prescribed;
 use crate::values::Values;
 
@@ -187,7 +188,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         let at = Configuration::new(linkage, drives, position);
         let on_unknowns = on_unknowns(linkage, forces);
         let fixed = &at.fixed;
-        let multipliers = with_factors(linkage, position, fixed, smallest_pivot(), |factors| {
+        let multipliers = with_factors(linkage, position, fixed, least_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
         Self::checked(at, multipliers, forces)

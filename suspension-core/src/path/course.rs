@@ -1,6 +1,7 @@
 //! One step of a led motion: Newton's method on the equations and the quantity together.
 
 use crate::arithmetic::magnitude::{index_of_largest, magnitude};
+use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
@@ -13,7 +14,6 @@ use crate::path::leader::Leader;
 use crate::path::led::Led;
 use crate::path::linear::Linear;
 use crate::signal::{ChassisMotion, Signal};
-use crate::solve::factored::smallest_pivot;
 use crate::solve::motion::input_terms;
 use crate::solve::newton::{rounding_at, within};
 use crate::solve::report::Report;
@@ -265,5 +265,5 @@ fn is_steep<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     steepest: T,
     linear: &Linear<L, N>,
 ) -> bool {
-    slope.abs() > smallest_pivot::<T>() * steepest * linear.tangent.norm()
+    slope.abs() > least_pivot::<T>() * steepest * linear.tangent.norm()
 }

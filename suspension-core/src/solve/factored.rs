@@ -3,40 +3,16 @@
 
 use nalgebra::SVector;
 
+use crate::arithmetic::pivot::{is_healthy, least_pivot};
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage};
 use crate::listing::Part;
 use crate::solve::lu::Lu;
 
-/// The [growth](Factors::growth_squared) up to which the fixed order is used: what rounding costs there with
-/// one small pivot, as a multiple of what it costs with partial pivoting. At the instants of the published
-/// motion it is 33 or less.
-const GROWTH_LIMIT: f64 = 1e3;
-
-/// A pivot, as a multiple of the square root of `EPSILON`, at which no digit of a velocity is
-/// known: a residual at rounding level leaves the position off by as much there.
-const SMALLEST_PIVOT: f64 = 8.0;
-
 /// The part of itself by which the Jacobian's smallest singular value may change within what rounding leaves of the position.
 /// At a lock, where it is zero but for that, a residual of `k` roundings makes it `1 / (2 k)`; residuals of eight are accepted.
 const CHANGE_BY_ROUNDING: f64 = 1.0 / 64.0;
-
-/// The smallest pivot that determines a velocity.
-pub(crate) fn smallest_pivot<T: Real>() -> T {
-    T::EPSILON.sqrt() * T::constant(SMALLEST_PIVOT)
-}
-
-/// The largest [growth](Factors::growth_squared) that will do, not squared.
-pub(crate) fn growth_limit<T: Real>() -> T {
-    T::constant(GROWTH_LIMIT).min(T::one() / smallest_pivot())
-}
-
-/// Whether pivots with this [growth](Factors::growth_squared) will do.
-pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
-    let limit = growth_limit::<T>();
-    growth_squared < limit * limit
-}
 
 /// Gives `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
 ///
@@ -84,7 +60,7 @@ where
     if is_healthy(factors.growth_squared()) {
         Ok(work(&factors))
     } else {
-        let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+        let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
         check_rates(linkage, &lu)?;
         Ok(work(&lu))
     }
@@ -175,7 +151,7 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
         if is_healthy(factors.growth_squared()) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            let lu = with_pivoting(linkage, q, fixed, smallest_pivot())?;
+            let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
             check_rates(linkage, &lu)?;
             Ok(Self::WithPivoting(lu))
         }

@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::arithmetic::pivot::{growth_limit, is_healthy, least_pivot};
 use crate::arithmetic::scalar::Real;
 use crate::error::GeometryError;
 use crate::linkage::{Factors, Linkage};
-use crate::solve::factored::{growth_limit, is_healthy, smallest_pivot};
 use crate::solve::lu::Lu;
 
 /// Refuses a position whose pivots are unhealthy in the fixed order and healthy with partial pivoting. Where
@@ -27,7 +27,7 @@ where
     }
     let jacobian = linkage.jacobian(&q, fixed);
     let mut lu = Lu::of(jacobian);
-    let pivoted = lu.eliminate_jacobian(smallest_pivot());
+    let pivoted = lu.eliminate_jacobian(least_pivot());
     if pivoted.is_ok() && is_healthy(lu.growth_squared()) {
         let Elimination { equation, .. } = smallest_in_order(jacobian, linkage.pivots());
         Err(GeometryError::SmallPivot { equation })

@@ -7,13 +7,14 @@ use nalgebra::SVector;
 
 use crate::arithmetic::entrywise::difference;
 use crate::arithmetic::magnitude::{index_of_largest, largest, magnitude};
+use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage};
 use crate::listing::Part;
 use crate::model::handedness::{self, count_mirrored, is_right};
 use crate::signal::{ChassisMotion, Inputs};
-use crate::solve::factored::{is_healthy, with_factors_for_rates};
+use crate::solve::factored::with_factors_for_rates;
 use crate::solve::motion::{Motion, Prescribed, rates_at};
 use crate::solve::newton::{Newton, rounding_at};
 use crate::solve::report::Report;

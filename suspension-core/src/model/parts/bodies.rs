@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
+use crate::arithmetic::pivot::growth_limit;
 use crate::arithmetic::scalar::Real;
 use crate::error::GeometryError;
 use crate::model::constraint::{Carried, Frame, InPlane};
 use crate::model::handedness::Linked;
-use crate::solve::factored::growth_limit;
 
 /// The smallest sine of the angle between a frame's edges. With less, rounding errors of a body's
 /// equations grow beyond the tolerance of the solver.

@@ -3,10 +3,10 @@
 use nalgebra::SVector;
 
 use crate::arithmetic::magnitude::largest;
+use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::solve::assemble::assembly::Assembly;
-use crate::solve::factored::smallest_pivot;
 use crate::solve::report::Report;
 
 /// Starts around the guess.
@@ -95,5 +95,5 @@ pub(super) fn nearer<T: Real, const N: usize>(
 /// Whether two results are one root: near a singularity it is known to half the digits only.
 fn is_same<T: Real, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>, size: T) -> bool {
     let ([apart], [coordinates]) = ((a - b).data.0, a.data.0);
-    largest(apart) <= smallest_pivot::<T>() * size.max(largest(coordinates))
+    largest(apart) <= least_pivot::<T>() * size.max(largest(coordinates))
 }

@@ -1,7 +1,7 @@
 //! What a step is judged by.
 
+use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;
-use crate::solve::factored::is_healthy;
 use crate::solve::motion::Motion;
 
 /// What a [`Step`](super::Step) is judged by; what a listing measures is in [`Linkage::Measures`](crate::Linkage::Measures). Squares of norms: to form them takes no comparison and no root.
