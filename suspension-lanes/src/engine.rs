@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use nalgebra::SVector;
 use suspension_core::solve::motion::Prescribed;
-use suspension_core::step::bounded::{Measures, Outputs, Step};
+use suspension_core::step::bounded::{Evidence, Outputs, Step};
 use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still, Values};
 
 use crate::number::{Number, Vector};
@@ -16,7 +16,7 @@ pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Se
         outputs: Outputs,
         drives: &[Signal<G::Drives<T>>; LANES],
         dt: T,
-    ) -> [Measures<T>; LANES];
+    ) -> [Evidence<T>; LANES];
 
     /// Makes the next motion of all lanes the last.
     fn accept(&mut self);
@@ -131,7 +131,7 @@ where
         outputs: Outputs,
         drives: &[Signal<G::Drives<V::Lane>>; LANES],
         dt: V::Lane,
-    ) -> [Measures<V::Lane>; LANES] {
+    ) -> [Evidence<V::Lane>; LANES] {
         let proof = self.proof;
         proof.vectorize(
             #[cfg_attr(not(debug_assertions), inline(always))]
@@ -152,9 +152,9 @@ where
                     &self.motions[self.last],
                     dt,
                 );
-                let (next, measures) = step.in_fixed_order(outputs);
+                let (next, evidence) = step.in_fixed_order(outputs);
                 self.motions[1 - self.last] = next;
-                std::array::from_fn(|lane| measures.map(|measure| measure.0.lane(lane)))
+                std::array::from_fn(|lane| evidence.map(|number| number.0.lane(lane)))
             },
         )
     }
@@ -200,13 +200,13 @@ macro_rules! halves {
                 outputs: Outputs,
                 drives: &[Signal<G::Drives<T>>; $lanes],
                 dt: T,
-            ) -> [Measures<T>; $lanes] {
-                let mut measures = [Measures::default(); $lanes];
+            ) -> [Evidence<T>; $lanes] {
+                let mut evidence = [Evidence::default(); $lanes];
                 let halves = self.0.iter_mut().zip(drives.as_chunks::<$half>().0);
-                for ((half, drives), found) in halves.zip(measures.as_chunks_mut::<$half>().0) {
+                for ((half, drives), found) in halves.zip(evidence.as_chunks_mut::<$half>().0) {
                     *found = half.attempt(outputs, drives, dt);
                 }
-                measures
+                evidence
             }
 
             fn accept(&mut self) {

@@ -201,22 +201,22 @@ where
         drives: &[Signal<G::Drives<T>>; LANES],
         dt: T,
     ) -> [Result<Report<T>, SolveError<T>>; LANES] {
-        let measures = self.engine.attempt(outputs, drives, dt);
+        let evidence = self.engine.attempt(outputs, drives, dt);
         let judged: [_; LANES] = std::array::from_fn(|lane| {
-            let (measures, before) = (&measures[lane], self.signs[lane]);
+            let (evidence, before) = (&evidence[lane], self.signs[lane]);
             let size = self.models[lane].size();
-            let judged = self.settings.judge(size, measures, before, T::zero);
-            judged.ok().filter(|_| measures.is_healthy())
+            let judged = self.settings.judge(size, evidence, before, T::zero);
+            judged.ok().filter(|_| evidence.is_healthy())
         });
         if judged.iter().all(Option::is_some) {
             self.engine.accept();
-            self.signs = measures.map(|measures| Some(measures.determinant_sign > T::zero()));
+            self.signs = evidence.map(|evidence| Some(evidence.determinant_sign > T::zero()));
             // Each is there: no lane is left to step alone.
             return judged.map(Option::unwrap_or_default).map(Ok);
         }
         std::array::from_fn(|lane| match judged[lane] {
             Some(settled) => {
-                let next = measures[lane].signed(self.engine.next(lane));
+                let next = evidence[lane].signed(self.engine.next(lane));
                 self.set_motion(lane, &next);
                 Ok(settled)
             }

@@ -1,7 +1,7 @@
 //! The step one lane after the other, for processors without instructions for vectors.
 
 use suspension_core::solve::motion::Prescribed;
-use suspension_core::step::bounded::{Measures, Outputs, Step};
+use suspension_core::step::bounded::{Evidence, Outputs, Step};
 use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still};
 
 use crate::engine::Engine;
@@ -50,15 +50,15 @@ where
         outputs: Outputs,
         drives: &[Signal<G::Drives<T>>; LANES],
         dt: T,
-    ) -> [Measures<T>; LANES] {
+    ) -> [Evidence<T>; LANES] {
         std::array::from_fn(|lane| {
             let model = &self.models[lane];
             let prescribed = Prescribed::new(model, &Inputs::still(drives[lane]));
             let last = &self.last[lane];
             let step = Step::<_, Still, N, CORRECTIONS, ORDER>::new(model, &prescribed, last, dt);
-            let (next, measures) = step.in_fixed_order(outputs);
+            let (next, evidence) = step.in_fixed_order(outputs);
             self.next[lane] = next;
-            measures
+            evidence
         })
     }
 

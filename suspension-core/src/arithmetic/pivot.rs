@@ -16,12 +16,12 @@ pub(crate) fn least_pivot<T: Real>() -> T {
     T::EPSILON.sqrt() * T::constant(LEAST_PIVOT)
 }
 
-/// The largest [growth](crate::linkage::Factors::growth_squared) that will do, not squared.
+/// The largest [growth](crate::linkage::Factors::growth_squared) that is accepted; not squared.
 pub(crate) fn growth_limit<T: Real>() -> T {
     T::constant(GROWTH_LIMIT).min(T::one() / least_pivot())
 }
 
-/// Whether pivots with this [growth](crate::linkage::Factors::growth_squared) will do.
+/// Whether pivots with this [growth](crate::linkage::Factors::growth_squared) are accepted.
 pub(crate) fn is_healthy<T: Real>(growth_squared: T) -> bool {
     let limit = growth_limit::<T>();
     growth_squared < limit * limit

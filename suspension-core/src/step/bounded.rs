@@ -33,13 +33,13 @@ use crate::solve::report::Report;
 use crate::solve::tolerance::Tolerance;
 use crate::step::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
+mod evidence;
 mod judge;
-mod measures;
 mod predict;
 mod step;
 
+pub use evidence::Evidence;
 pub use judge::Refusal;
-pub use measures::Measures;
 pub use step::Step;
 
 /// See [`Bounded::tolerance`]: the norm of fifteen residuals that [`Newton`](crate::Newton) would
@@ -174,14 +174,14 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
     {
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
-        let (next, measures) = step.in_fixed_order(outputs);
+        let (next, evidence) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
         // What the step keeps to itself stays in registers: it is not asked how far it goes.
-        let settled = self.judge(linkage.size(), &measures, before, T::zero)?;
-        if !measures.is_healthy() {
+        let settled = self.judge(linkage.size(), &evidence, before, T::zero)?;
+        if !evidence.is_healthy() {
             return Err(Refusal::Unhealthy);
         }
-        *motion = measures.signed(next);
+        *motion = evidence.signed(next);
         Ok(settled)
     }
 
@@ -211,14 +211,14 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         }
         let lu = with_pivoting(linkage, at, fixed, least_pivot())?;
         check_rates(linkage, &lu)?;
-        let (next, measures) = step.settle::<_, true>(&lu, outputs);
+        let (next, evidence) = step.settle::<_, true>(&lu, outputs);
         let before = motion.positive_determinant;
-        match self.judge(linkage.size(), &measures, before, || step.moved(&next)) {
+        match self.judge(linkage.size(), &evidence, before, || step.moved(&next)) {
             Ok(settled) => {
-                *motion = measures.signed(next);
+                *motion = evidence.signed(next);
                 Ok(settled)
             }
-            Err(refusal) => Err(step.explain(self, refusal, &next, &measures)),
+            Err(refusal) => Err(step.explain(self, refusal, &next, &evidence)),
         }
     }
 }

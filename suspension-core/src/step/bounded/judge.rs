@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::measures::Measures;
+use super::evidence::Evidence;
 use super::{Bounded, Step};
 use crate::arithmetic::magnitude::index_of_largest;
 use crate::arithmetic::scalar::Real;
@@ -85,18 +85,18 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
     pub fn judge(
         &self,
         size: T,
-        measures: &Measures<T>,
+        evidence: &Evidence<T>,
         before: Option<bool>,
         moved: impl FnOnce() -> T,
     ) -> Result<Report<T>, Refusal> {
         let tolerance = self.residual_tolerance(size);
-        let is_positive = measures.determinant_sign > T::zero();
-        let is_root = tolerance >= T::zero() && measures.residual_squared <= tolerance * tolerance;
-        let error_squared = measures.error_squared;
+        let is_positive = evidence.determinant_sign > T::zero();
+        let is_root = tolerance >= T::zero() && evidence.residual_squared <= tolerance * tolerance;
+        let error_squared = evidence.error_squared;
         let is_within = |bound: T| error_squared <= bound * bound;
         let is_near = is_within(self.smallest_bound(size))
             || CORRECTIONS > 0 && is_within(self.bound(size, moved));
-        if !error_squared.is_finite() || !measures.rates_squared.is_finite() {
+        if !error_squared.is_finite() || !evidence.rates_squared.is_finite() {
             Err(Refusal::NotFinite)
         } else if !is_near {
             Err(Refusal::Diverging)
@@ -104,14 +104,14 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
             Err(Refusal::NotConverged)
         } else if before.is_some_and(|before| before != is_positive) {
             Err(Refusal::CrossedSingularity)
-        } else if !is_right(measures.mirrored) {
+        } else if !is_right(evidence.mirrored) {
             Err(Refusal::Mirrored)
         } else {
             Ok(Report {
                 tolerance,
-                residual_squared: measures.residual_squared,
+                residual_squared: evidence.residual_squared,
                 error_squared,
-                growth_squared: measures.growth_squared,
+                growth_squared: evidence.growth_squared,
                 steps: 1,
                 iterations: 1,
             })
@@ -141,7 +141,7 @@ where
         settings: &Bounded<T, CORRECTIONS, ORDER>,
         refusal: Refusal,
         next: &Motion<T, N>,
-        measures: &Measures<T>,
+        evidence: &Evidence<T>,
     ) -> SolveError<T> {
         let fixed = &self.prescribed.fixed.value;
         let size = self.linkage.size();
@@ -158,12 +158,12 @@ where
                 part: Part::Unknown(index_of_largest(
                     &(self.prediction.position - next.position),
                 )),
-                step: measures.error_squared.sqrt(),
+                step: evidence.error_squared.sqrt(),
                 bound: settings.bound(size, || self.moved(next)),
             },
             Refusal::NotConverged => SolveError::NotConverged {
                 part: Part::Equation(index_of_largest(&self.residual_called(&next.position))),
-                residual: measures.residual_squared.sqrt(),
+                residual: evidence.residual_squared.sqrt(),
                 tolerance: settings.residual_tolerance(size),
                 iterations: CORRECTIONS,
             },

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::Outputs;
-use super::measures::Measures;
+use super::evidence::Evidence;
 use super::predict::Prediction;
 use crate::arithmetic::entrywise::{difference, plus_multiple, sum};
 use crate::arithmetic::magnitude::sum_of_squares;
@@ -58,7 +58,7 @@ where
 
     /// The motion in the macro's order of pivots, and what to judge it by.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
+    pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Evidence<L::Scalar>) {
         let at = &self.prediction.position;
         let factors = self.linkage.factor(at, &self.prescribed.fixed.value);
         self.settle::<_, false>(&factors, outputs)
@@ -71,11 +71,11 @@ where
         &self,
         factors: &F,
         outputs: Outputs,
-    ) -> (Motion<L::Scalar, N>, Measures<L::Scalar>) {
+    ) -> (Motion<L::Scalar, N>, Evidence<L::Scalar>) {
         let (error, residual_squared) = self.error::<_, CALLED>(factors);
         let position = difference(&self.prediction.position, &error);
         let (velocity, acceleration) = self.rates::<_, CALLED>(factors, outputs, &position, &error);
-        let measures = Measures {
+        let evidence = Evidence {
             residual_squared,
             error_squared: sum_of_squares(error.data.0[0]),
             rates_squared: sum_of_squares(acceleration.data.0[0]),
@@ -89,7 +89,7 @@ where
             acceleration,
             positive_determinant: None,
         };
-        (motion, measures)
+        (motion, evidence)
     }
 }
 

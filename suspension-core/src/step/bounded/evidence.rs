@@ -4,16 +4,16 @@ use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;
 use crate::solve::motion::Motion;
 
-/// What a [`Step`](super::Step) is judged by; what a listing measures is in [`Linkage::Measures`](crate::Linkage::Measures). Squares of norms: to form them takes no comparison and no root.
+/// What a [`Step`](super::Step) is judged by. It keeps squares of norms, which take no comparison and no root.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Measures<T> {
-    /// The residual that is left, square of a length.
+pub struct Evidence<T> {
+    /// Square of the residual that is left, in units of length squared.
     pub residual_squared: T,
-    /// The error of the predicted position, square of a length.
+    /// Square of the error of the predicted position, in units of length squared.
     pub error_squared: T,
-    /// The acceleration: not finite where a rate is not that an equation with curvature reads.
+    /// Square of the acceleration. It is not finite where a velocity that an equation with curvature reads is not.
     pub rates_squared: T,
-    /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors).
+    /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors::growth_squared).
     pub growth_squared: T,
     /// A number with the sign of the Jacobian's determinant.
     pub determinant_sign: T,
@@ -21,11 +21,11 @@ pub struct Measures<T> {
     pub mirrored: T,
 }
 
-impl<T> Measures<T> {
-    /// Each measure of another number: a lane of it, say.
+impl<T> Evidence<T> {
+    /// Each number turned into another, into one of its lanes for example.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn map<U>(self, number: impl Fn(T) -> U) -> Measures<U> {
-        Measures {
+    pub fn map<U>(self, number: impl Fn(T) -> U) -> Evidence<U> {
+        Evidence {
             residual_squared: number(self.residual_squared),
             error_squared: number(self.error_squared),
             rates_squared: number(self.rates_squared),
@@ -36,8 +36,8 @@ impl<T> Measures<T> {
     }
 }
 
-impl<T: Real> Measures<T> {
-    /// Whether the pivots of the macro's order will do.
+impl<T: Real> Evidence<T> {
+    /// Whether the pivots of the macro's order are large enough.
     #[inline]
     pub fn is_healthy(&self) -> bool {
         is_healthy(self.growth_squared)
