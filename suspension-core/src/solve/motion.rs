@@ -159,13 +159,8 @@ where
     }
 
     fn rates(&self) -> Rates<'_, L, C, N> {
-        Rates {
-            linkage: self.linkage,
-            chassis: PhantomData,
-            prescribed: &self.prescribed,
-            position: &self.position,
-            factors: self.factored.factors(),
-        }
+        let factors = self.factored.factors();
+        Rates::new(self.linkage, &self.prescribed, &self.position, factors)
     }
 }
 
@@ -178,12 +173,28 @@ pub(crate) struct Rates<'a, L: Linkage<N>, C, const N: usize> {
     factors: &'a dyn Factors<L::Scalar, N>,
 }
 
-impl<T, L, C, const N: usize> Rates<'_, L, C, N>
+impl<'a, T, L, C, const N: usize> Rates<'a, L, C, N>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn new(
+        linkage: &'a L,
+        prescribed: &'a Prescribed<L::Fixed, L::Drives>,
+        position: &'a SVector<T, N>,
+        factors: &'a dyn Factors<T, N>,
+    ) -> Self {
+        Self {
+            linkage,
+            chassis: PhantomData,
+            prescribed,
+            position,
+            factors,
+        }
+    }
+
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn velocity(&self) -> SVector<T, N> {
         let Prescribed { fixed, drives } = self.prescribed;
@@ -240,27 +251,5 @@ where
         sum(&terms, &linkage.chassis_rate(position, fixed, fixed_rate))
     } else {
         terms
-    }
-}
-
-/// What velocity and acceleration at a position are computed from.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn rates_at<'a, T, L, C, const N: usize>(
-    linkage: &'a L,
-    prescribed: &'a Prescribed<L::Fixed, L::Drives>,
-    position: &'a SVector<T, N>,
-    factors: &'a dyn Factors<T, N>,
-) -> Rates<'a, L, C, N>
-where
-    T: Real,
-    L: Linkage<N, Scalar = T>,
-    C: ChassisMotion<L::Fixed>,
-{
-    Rates {
-        linkage,
-        chassis: PhantomData,
-        prescribed,
-        position,
-        factors,
     }
 }

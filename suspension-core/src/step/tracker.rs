@@ -15,7 +15,7 @@ use crate::listing::Part;
 use crate::model::handedness::{self, count_mirrored, is_right};
 use crate::signal::{ChassisMotion, Inputs};
 use crate::solve::factored::with_factors_for_rates;
-use crate::solve::motion::{Motion, Prescribed, rates_at};
+use crate::solve::motion::{Motion, Prescribed, Rates};
 use crate::solve::newton::{Newton, rounding_at};
 use crate::solve::report::Report;
 use crate::step::substeps::{MAX_STEPS, Stopped, in_steps};
@@ -147,7 +147,7 @@ impl<T: Real> Tracker<T> {
         let position = difference(&nearly, &second);
         let left = residual_at(&position);
         let last = linkage.factor(&position, &fixed.value);
-        let next = rates_at::<T, L, C, N>(linkage, to, &position, &last).motion();
+        let next = Rates::<L, C, N>::new(linkage, to, &position, &last).motion();
         let (residual, error) = (magnitude(&left).ok()?, magnitude(&error).ok()?);
         let rounding = rounding_at(linkage, &position);
         let tolerance = self.newton.tolerance.length(rounding);
@@ -207,7 +207,7 @@ impl<T: Real> Tracker<T> {
         let before = motion.positive_determinant;
         let fixed = &prescribed.fixed.value;
         *motion = with_factors_for_rates(linkage, &position, fixed, |factors| {
-            let next = rates_at::<T, L, C, N>(linkage, prescribed, &position, factors).motion()?;
+            let next = Rates::<L, C, N>::new(linkage, prescribed, &position, factors).motion()?;
             if before.is_some() && before != next.positive_determinant {
                 let part = Part::Unknown(index_of_largest(moves));
                 return Err(SolveError::CrossedSingularity { part });
