@@ -21,9 +21,6 @@ use crate::solve::report::Report;
 /// The smallest part of the tangent's largest entry that the local parameter may have.
 const POOR: f64 = 0.25;
 
-/// How far from a target the quantity may be, as a multiple of rounding of the target.
-const OF_TARGET: f64 = 16.0;
-
 /// What one step is made of.
 pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
     pub(super) leader: &'a Leader<T>,
@@ -107,12 +104,7 @@ where
 
     /// Newton's method on the equations and the quantity together.
     fn position(&self, dt: T, led: &Led<T, N>) -> Result<Met<T, N>, SolveError<T>> {
-        let Leader {
-            newton,
-            correction_of_move,
-            correction_of_size,
-            ..
-        } = self.leader;
+        let newton = &self.leader.newton;
         let Signal {
             value,
             rate,
@@ -120,9 +112,7 @@ where
         } = led.configuration;
         let moves = (rate + second_rate * (dt * T::constant(0.5))) * dt;
         let mut at = value + moves;
-        let size = self.curve.linkage.size();
-        let moved = magnitude(&moves.unknowns).map_err(SolveError::overflow)?;
-        let mut bound = Some((*correction_of_move * moved).max(*correction_of_size * size));
+        let mut bound = Some(self.first_bound(&moves)?);
         let mut error = T::zero();
         for iterations in 1..=newton.max_iterations {
             let linear = self.curve.linear(&at, led.parameter)?;
@@ -136,31 +126,23 @@ where
             // Once more with the same factors, for what the square of the first has left.
             at = at + self.correction(&at, &linear)?;
             let residual = finite(&self.curve.residual(&at))?;
-            let rounding = rounding_at(self.curve.linkage, &at.unknowns);
-            let tolerance = newton.tolerance.length(rounding);
-            if residual <= tolerance {
-                let steepest = self.steepest(&at)?;
-                let off_target = (self.value(&at)? - self.target.value).abs();
-                let slope = self.slope(&at, &linear.tangent)?.abs() / linear.tangent.norm();
-                // As near along the curve as the residual's tolerance, or what rounding of the
-                // positions and of the quantity itself leaves of it.
-                let near = (tolerance * slope).max(rounding * steepest * T::constant(4.0))
-                    + T::constant(OF_TARGET) * T::EPSILON * self.target.value.abs();
-                if off_target <= near {
-                    let report = Report {
-                        tolerance,
-                        residual_squared: residual * residual,
-                        error_squared: error * error,
-                        growth_squared: linear.growth_squared(),
-                        steps: 1,
-                        iterations,
-                    };
-                    return Ok(Met {
-                        position: at,
-                        steepest,
-                        report,
-                    });
-                }
+            let tolerance = newton.tolerance_at(self.curve.linkage, &at.unknowns);
+            if residual <= tolerance
+                && let Some(steepest) = self.steepest_on_target(&at, &linear, tolerance)?
+            {
+                let report = Report {
+                    tolerance,
+                    residual_squared: residual * residual,
+                    error_squared: error * error,
+                    growth_squared: linear.growth_squared(),
+                    steps: 1,
+                    iterations,
+                };
+                return Ok(Met {
+                    position: at,
+                    steepest,
+                    report,
+                });
             }
             bound = newton.contraction.map(|part| part * correction);
         }
@@ -171,6 +153,18 @@ where
             tolerance: newton.tolerance_at(self.curve.linkage, &at.unknowns),
             iterations: newton.max_iterations,
         })
+    }
+
+    /// The largest first correction of a position that was predicted by a move.
+    fn first_bound(&self, moves: &Configuration<T, N>) -> Result<T, SolveError<T>> {
+        let moved = magnitude(&moves.unknowns).map_err(SolveError::overflow)?;
+        let size = self.curve.linkage.size();
+        let Leader {
+            correction_of_move,
+            correction_of_size,
+            ..
+        } = *self.leader;
+        Ok((correction_of_move * moved).max(correction_of_size * size))
     }
 
     /// A Newton step.
@@ -226,35 +220,6 @@ where
             value: *position,
             rate,
             second_rate,
-        })
-    }
-
-    /// The turning point of the quantity, where it lies near the last motion and before the
-    /// target.
-    pub(super) fn turning_before(&self, led: &Led<T, N>) -> Option<SolveError<T>> {
-        let from = led.configuration.value;
-        let forwards = Configuration::zero().with_entry(led.parameter, T::one());
-        let (place, extreme) =
-            self.curve
-                .extreme(&self.leader.newton, &from, &forwards, |along| {
-                    (self.quantity)(&self.curve.moving_points(along))
-                })?;
-        let asked = self.target.value;
-        let here = self.value(&from).ok()?;
-        // So near to the extreme the slope is lost in rounding.
-        let rounding = T::EPSILON * self.curve.linkage.size();
-        let near = rounding * T::constant(1024.0) * self.steepest(&from).ok()?;
-        let short = if here < extreme {
-            extreme - asked
-        } else {
-            asked - extreme
-        };
-        let is_beyond = short <= near;
-        let part = Part::Unknown(index_of_largest(&place.rate.unknowns));
-        is_beyond.then_some(SolveError::TurningPoint {
-            part,
-            asked,
-            extreme,
         })
     }
 }

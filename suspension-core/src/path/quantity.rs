@@ -1,12 +1,19 @@
-//! The quantity that leads, and its slopes.
+//! The quantity that leads: its slopes, its target, and where it turns before that.
 
+use crate::arithmetic::magnitude::index_of_largest;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::path::configuration::Configuration;
 use crate::path::course::Course;
+use crate::path::led::Led;
+use crate::path::linear::Linear;
 use crate::signal::Signal;
+use crate::solve::newton::rounding_at;
+
+/// How far from a target the quantity may be, as a multiple of rounding of the target.
+const OF_TARGET: f64 = 16.0;
 
 impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
 where
@@ -28,8 +35,8 @@ where
         self.number(self.measured(at, *rate, Configuration::zero()).rate)
     }
 
-    /// The largest slope in any direction, the norm of the gradient. What lengths are compared
-    /// with is, times this, what the quantity and its slope are compared with, whatever its unit.
+    /// The largest slope in any direction, the norm of the gradient: times a tolerance of lengths it is
+    /// one of the quantity, whatever its unit.
     pub(super) fn steepest(&self, at: &Configuration<T, N>) -> Result<T, SolveError<T>> {
         let mut square = T::zero();
         for entry in 0..=N {
@@ -38,6 +45,53 @@ where
             square += slope * slope;
         }
         Ok(square.sqrt())
+    }
+
+    /// The [`steepest`](Self::steepest) slope at a position that solves the equations within `tolerance`; `None` where the
+    /// quantity does not meet its target there. It may be off by what the tolerance makes of it along the curve, or by what
+    /// rounding leaves of the positions and of the quantity itself.
+    pub(super) fn steepest_on_target(
+        &self,
+        at: &Configuration<T, N>,
+        linear: &Linear<L, N>,
+        tolerance: T,
+    ) -> Result<Option<T>, SolveError<T>> {
+        let steepest = self.steepest(at)?;
+        let off_target = (self.value(at)? - self.target.value).abs();
+        let slope = self.slope(at, &linear.tangent)?.abs() / linear.tangent.norm();
+        let rounding = rounding_at(self.curve.linkage, &at.unknowns);
+        let near = (tolerance * slope).max(rounding * steepest * T::constant(4.0))
+            + T::constant(OF_TARGET) * T::EPSILON * self.target.value.abs();
+        Ok((off_target <= near).then_some(steepest))
+    }
+
+    /// The turning point of the quantity, where it lies near the last motion and before the
+    /// target.
+    pub(super) fn turning_before(&self, led: &Led<T, N>) -> Option<SolveError<T>> {
+        let from = led.configuration.value;
+        let forwards = Configuration::zero().with_entry(led.parameter, T::one());
+        let (place, extreme) =
+            self.curve
+                .extreme(&self.leader.newton, &from, &forwards, |along| {
+                    (self.quantity)(&self.curve.moving_points(along))
+                })?;
+        let asked = self.target.value;
+        let here = self.value(&from).ok()?;
+        // So near to the extreme the slope is lost in rounding.
+        let rounding = T::EPSILON * self.curve.linkage.size();
+        let near = rounding * T::constant(1024.0) * self.steepest(&from).ok()?;
+        let short = if here < extreme {
+            extreme - asked
+        } else {
+            asked - extreme
+        };
+        let is_beyond = short <= near;
+        let part = Part::Unknown(index_of_largest(&place.rate.unknowns));
+        is_beyond.then_some(SolveError::TurningPoint {
+            part,
+            asked,
+            extreme,
+        })
     }
 
     /// A value, target or slope of the quantity, which stands in for the free drive, where it is
