@@ -118,7 +118,7 @@ fn what_is_beyond_reach_is_advanced_to_until_it_locks() {
         bump: start.bump + 1.0,
         ..start
     };
-    let stopped = corner.advance_to(DT, Signal::still(far));
+    let stopped = corner.step_towards(DT, Signal::still(far));
     let stopped = stopped.expect_err("the wheel does not rise by a metre");
     let cubic = |time: f64| {
         let s = time / DT;
@@ -288,7 +288,7 @@ fn a_drive_that_only_a_measure_reads_must_be_finite() {
         for drives in [by_value, by_rate] {
             for answer in [
                 corner.step(0.1, drives),
-                corner.advance_to(0.1, drives),
+                corner.step_towards(0.1, drives),
                 corner.advance(0.1, |_| drives),
             ] {
                 let said = answer.expect_err("not finite").to_string();
@@ -341,7 +341,7 @@ fn an_angle_is_followed_through_its_range_and_refused_beyond() {
             "angle"
         };
         let expected = format!("an angle is driven beyond its range: drive `{drive}`");
-        for refused in [corner.step(1e-3, drives), corner.advance_to(1e-3, drives)] {
+        for refused in [corner.step(1e-3, drives), corner.step_towards(1e-3, drives)] {
             let sentence = refused.expect_err("beyond the range").to_string();
             assert!(sentence.contains(&expected), "{sentence}");
             assert_eq!(corner.motion(), before.motion());

@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             rate: Drives { bump: 0.01, ..none },
             second_rate: none,
         };
-        corner.advance_to(1.0, drives)?;
+        corner.step_towards(1.0, drives)?;
         checksum.add_points(&corner.points());
         let per = corner.per(Drives { bump, ..none })?;
         checksum.add_points(&per.points);

@@ -139,7 +139,7 @@ fn drives_are_followed_to_the_end_or_as_far_as_they_lead() {
     };
     for (to, leads) in [(1.6, true), (3.0, false)] {
         let mut corner = corner();
-        let expected = corner.advance_to(1.0, rates(to));
+        let expected = corner.step_towards(1.0, rates(to));
         let (status, reached, points, report, failure) = advance(to);
         assert_eq!(status == Status::Ok, leads, "{status:?}");
         assert_eq!(expected.is_ok(), leads);

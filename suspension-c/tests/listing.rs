@@ -134,7 +134,7 @@ fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
         steer,
     });
     let stopped = compiled
-        .advance_to(0.5, far)
+        .step_towards(0.5, far)
         .expect_err("beyond reach")
         .error;
 

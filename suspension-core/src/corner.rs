@@ -76,9 +76,9 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
         Self::new(&L::design())
     }
 
-    /// At rest as the points stand. Links and bodies have their lengths of them; what else the listing states, that a
-    /// point lies on the line of a `slide` say, the points must satisfy as far as they are to be read before the
-    /// first step, which leads to where they do. [`Corner::assembled`] does so at once.
+    /// At rest as the points stand, which give links and bodies their lengths. What else the listing states, for example
+    /// that a point lies on the line of a `slide`, the points need not satisfy: they are read as given until the first step,
+    /// which moves them to where they do. [`Corner::assembled`] moves them at once.
     ///
     /// # Errors
     ///
@@ -92,8 +92,8 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// At rest as the points stand, of a model that was built of them. See [`Corner::assembled`] where it
-    /// was not.
+    /// At rest as the points stand, with a model that was built from them; for any other model see
+    /// [`Corner::assembled`].
     pub fn of(model: L, points: &L::Points) -> Self {
         Self {
             tracker: Tracker::default(),
@@ -104,8 +104,8 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
         }
     }
 
-    /// At rest with the drives as the points have them, of a model of other lengths than theirs: in the
-    /// configuration nearest to the points.
+    /// At rest with a model whose lengths are not those of the points: the drives have the values that the points
+    /// give, and the configuration is the one nearest to the points.
     ///
     /// # Errors
     ///
@@ -125,12 +125,16 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// One step of length `dt` to the values and rates of the drives at its end, however far they lie from
-    /// the last ones: to the assembly that a motion between both ends leads to, or to none where it locks. A step that is
-    /// too long is divided, and the drives follow cubics between its ends, or straight lines where those lead past a lock, as
-    /// after a rate that was wrong or a long pause. What they do within a step that is not divided is not looked at: drives that go beyond a lock and come back within one step are followed. Velocities and
-    /// accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at the end,
-    /// wherever it came from. With `dt` zero, as of a simulator that pauses, drives may lie near the last ones only.
+    /// One step of length `dt` to the values and rates that the drives have at its end, however far these lie from
+    /// the last ones. The corner stays in the assembly to which a motion between both ends leads; where that motion locks,
+    /// the step is refused.
+    ///
+    /// A step that is too long is divided. The drives then follow cubics between its ends or, where these lead past a
+    /// lock, as after a wrong rate or a long pause, straight lines. A step that is not divided looks at its end alone:
+    /// drives that go beyond a lock and come back within it are followed.
+    ///
+    /// Velocities and accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at
+    /// the end, wherever it came from. With `dt` zero, as of a simulator that pauses, the drives must lie near the last ones.
     ///
     /// ```
     /// use suspension_core::Signal;
@@ -173,16 +177,17 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Ok(report)
     }
 
-    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed: what they do within
-    /// a step is not looked at. That is a time as [`Corner::time`] has it, no duration: where the corner stands
-    /// there already it stays. The functions continue from where the corner stands: a jump at the start may be refused, which
-    /// [`Corner::step`] would follow. Driven angles are to stay within their range on the way, of which the end alone is looked at.
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed; what the drives do within
+    /// a step is not looked at. `to` is a time on the clock of [`Corner::time`], no duration: a corner that is there
+    /// already stays. The functions continue from where the corner stands: a jump at the start, which
+    /// [`Corner::step`] would follow, may be refused. Driven angles must stay within their range, which is checked at the end
+    /// alone.
     ///
     /// # Errors
     ///
     /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], where a drive locks. At the lock itself
-    /// velocities have no bound, so that no step may lead from there, back neither: a copy of the corner, made before,
-    /// does.
+    /// velocities have no bound, so that a step may lead neither on nor back from there: a copy of the corner, made
+    /// before, leads back.
     pub fn advance(
         &mut self,
         to: T,
@@ -203,14 +208,14 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
-    /// [`step`](Self::step) that keeps what it has got to where a drive locks on the way. At the lock itself
-    /// velocities have no bound, so that no step may lead from there, back neither.
+    /// A [`step`](Self::step) that goes as far as it can: where a drive locks on the way, the corner stands there. At the
+    /// lock itself velocities have no bound, so that a step may lead neither on nor back from there.
     ///
     /// # Errors
     ///
     /// See [`Stopped`], with times from the start of the step; the corner then stands at
     /// [`Stopped::reached`].
-    pub fn advance_to(
+    pub fn step_towards(
         &mut self,
         dt: T,
         drives: Signal<L::Drives>,
@@ -229,8 +234,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
-    /// Points and measures with their derivatives where the drives change as `change` says, the others
-    /// staying: motion ratios, and their change, where one of them is 1 and the rest are 0. At rest too.
+    /// Points and measures with their derivatives where the drives change as `change` says: motion ratios, and how
+    /// they change, where one of the drives has 1 there and the others 0. The corner may be at rest.
     ///
     /// # Errors
     ///
@@ -284,8 +289,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Some(Kingpin::of(self.model.kingpin(&points)?, axis))
     }
 
-    /// The wheel of a name, and its kingpin if the listing states one; `None` where there is no such wheel. One that
-    /// is stated without a name has the empty one.
+    /// The wheel with a name, and its kingpin if the listing states one; `None` where there is no such wheel. A wheel
+    /// that is stated without a name has the empty one.
     pub fn wheel_named(&self, name: &str) -> Option<(Wheel<T>, Option<Kingpin<T>>)> {
         let mut wheels = (0..).map_while(|wheel| self.model.wheel(wheel));
         let wheel = wheels.find(|wheel| wheel.name == name)?;

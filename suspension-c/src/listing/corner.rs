@@ -136,7 +136,7 @@ crate::functions! { "susp":
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
             check_count(count, 3 * parsed.counts().drives)?;
-            fill(report, moving.advance_to(dt, drives).map_err(Trouble::Solver)?);
+            fill(report, moving.step_towards(dt, drives).map_err(Trouble::Solver)?);
             Ok(())
         })
     }

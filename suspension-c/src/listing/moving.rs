@@ -26,8 +26,8 @@ pub(super) trait Moving: Send + Sync {
     /// See [`Corner::step`].
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
 
-    /// See [`Corner::advance_to`].
-    fn advance_to(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
+    /// See [`Corner::step_towards`].
+    fn step_towards(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
 
     fn read_drives(&self, drives: Row<'_>);
 
@@ -112,9 +112,9 @@ where
         stepped.map_err(|failure| failure.error.facts())
     }
 
-    fn advance_to(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
+    fn step_towards(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
         let drives = signal(drives, self.counts.drives);
-        let advanced = self.corner.advance_to(dt, drives);
+        let advanced = self.corner.step_towards(dt, drives);
         advanced.map_err(|failure| failure.error.facts())
     }
 
