@@ -12,6 +12,7 @@ pub mod commands;
 pub mod grid;
 pub mod layouts;
 mod mistyped;
+mod option;
 pub mod output;
 
 pub use suspension_mechanism::{

@@ -14,6 +14,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
+use crate::option::number;
 use crate::output::files::{announce, print};
 use crate::output::table::Table;
 use crate::output::target::Target;
@@ -28,7 +29,13 @@ pub struct Arguments {
     file: PathBuf,
     /// The drive's own values, as the file's [drives] have them, not changes from the design, in the file's units.
     /// Without it that of the file's first instant.
-    #[arg(long, value_name = "VALUE", num_args = 1.., allow_negative_numbers = true, value_parser = value)]
+    #[arg(
+        long,
+        value_name = "VALUE",
+        num_args = 1..,
+        allow_negative_numbers = true,
+        value_parser = number("this is not a number; the motion file stands before --at, which takes all that follow it")
+    )]
     at: Vec<f64>,
     /// The drive; needed with --at where the linkage has several. The others are held as at the
     /// file's first instant.
@@ -59,12 +66,6 @@ impl Arguments {
         let mechanism = loaded.at_first_instant()?;
         enumerate(&*mechanism, source.name(), &wish, csv.as_ref(), interrupted)
     }
-}
-
-fn value(text: &str) -> Result<f64, String> {
-    let wrong =
-        "this is not a number; the motion file stands before --at, which takes all that follow it";
-    text.parse().map_err(|_| wrong.to_owned())
 }
 
 /// Prints or writes the assemblies as they are found.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::AtomicBool;
 
+use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 
 use crate::bake::source::Language;
@@ -14,6 +15,7 @@ use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
+use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
 use crate::output::target::Target;
 use order::{Order, Ordered, Wished, WishedMeasure};
@@ -34,10 +36,10 @@ pub struct Arguments {
     along: Option<WishedMeasure>,
     /// The drive's first value, its own, as the file's [drives] have it, not a change from the design, in the
     /// file's units. Without it the least that it has in the file's motion.
-    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = own_value::<'X'>)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = own_value('X'))]
     from: Option<f64>,
     /// The drive's last value, its own too; without it the greatest that it has in the file's motion.
-    #[arg(long, value_name = "Y", allow_negative_numbers = true, value_parser = own_value::<'Y'>)]
+    #[arg(long, value_name = "Y", allow_negative_numbers = true, value_parser = own_value('Y'))]
     to: Option<f64>,
     /// How far a point may be off, in metres whatever the file's unit.
     #[arg(
@@ -45,11 +47,11 @@ pub struct Arguments {
         value_name = "M",
         default_value = "1e-6",
         allow_negative_numbers = true,
-        value_parser = metres
+        value_parser = number("M is a number of metres, as 1e-6")
     )]
     tolerance: f64,
     /// How many derivatives do not jump where segments join: as many as are read.
-    #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
+    #[arg(long, value_name = "0|1|2", default_value_t = 1, allow_negative_numbers = true, value_parser = derivatives())]
     continuity: u8,
     /// What to bake.
     #[arg(long, value_enum, default_value_t = Points::Wheel)]
@@ -182,16 +184,10 @@ impl FromStr for Wished {
     }
 }
 
-fn own_value<const CALLED: char>(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok();
-    value.ok_or_else(|| {
-        format!("{CALLED} is a number, the drive's own value in the file's units, as 0.30")
-    })
-}
-
-fn metres(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok();
-    value.ok_or_else(|| "M is a number of metres, as 1e-6".to_owned())
+fn own_value(called: char) -> impl TypedValueParser<Value = f64> {
+    number(format!(
+        "{called} is a number, the drive's own value in the file's units, as 0.30"
+    ))
 }
 
 /// From where to where, not from the design position as elsewhere.

@@ -7,6 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
+use crate::option::number;
 use crate::output::beside::in_out;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
@@ -23,7 +24,12 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// The wheel's radius, in the unit of the file; without it that of the file, or
     /// else 0.3 m.
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, value_parser = length)]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_negative_numbers = true,
+        value_parser = number("LENGTH is a number in the unit of the file, as 0.3")
+    )]
     wheel_radius: Option<f64>,
 }
 
@@ -53,11 +59,6 @@ impl Arguments {
         announce(out.path());
         Ok(())
     }
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    let length = text.parse().ok();
-    length.ok_or_else(|| "LENGTH is a number in the unit of the file, as 0.3".to_owned())
 }
 
 const NOTES: &str = "\

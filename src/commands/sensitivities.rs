@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
+use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, in_full};
 use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
@@ -38,14 +39,14 @@ pub struct Arguments {
         value_name = "COUNT",
         default_value = "5",
         allow_negative_numbers = true,
-        value_parser = count::<1>
+        value_parser = whole_number::<usize>("COUNT", 1)
     )]
     largest: usize,
     /// How many suspensions are built with random changes, of a file with [tolerances]; without it 1000.
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = count::<2>)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = whole_number::<usize>("COUNT", 2))]
     samples: Option<usize>,
     /// What the random changes begin with, of a file with [tolerances]: the same number gives the same ones; without it 1.
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = seed)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = whole_number::<u64>("NUMBER", 0))]
     seed: Option<u64>,
     /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]
@@ -166,16 +167,6 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
 /// Where options do not say others.
 const SAMPLES: usize = 1000;
 const SEED: u64 = 1;
-
-fn count<const LEAST: usize>(text: &str) -> Result<usize, String> {
-    let count = text.parse().ok().filter(|count| *count >= LEAST);
-    count.ok_or_else(|| format!("COUNT is a whole number, at least {LEAST}"))
-}
-
-fn seed(text: &str) -> Result<u64, String> {
-    let seed = text.parse().ok();
-    seed.ok_or_else(|| "NUMBER is a whole number, at least 0".to_owned())
-}
 
 const NOTES: &str = "\
 Of each quantity at the design position, and of its derivative with respect to each drive (bump steer is that of toe),

@@ -12,6 +12,7 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Order};
+use crate::option::derivatives;
 use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
@@ -39,7 +40,7 @@ pub struct Arguments {
     #[arg(long)]
     absolute: bool,
     /// Derivatives of each quantity with respect to each drive: none, the first, or the second too.
-    #[arg(long, value_name = "0|1|2", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=2))]
+    #[arg(long, value_name = "0|1|2", default_value_t = 1, allow_negative_numbers = true, value_parser = derivatives())]
     derivatives: u8,
     /// Write the rows as comma-separated values to PATH, or to standard output for `-`; else to out/NAME_sweep.csv,
     /// NAME being the motion file's.

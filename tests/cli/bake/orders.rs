@@ -164,10 +164,35 @@ fn a_value_that_is_no_number_is_refused_with_what_is_wanted() {
             "Y is a number, the drive's own value in the file's units, as 0.30",
         ),
         ("--tolerance", "M is a number of metres, as 1e-6"),
+        ("--continuity", "write 0, 1 or 2"),
     ] {
         let output = run(folder.path(), &["bake", "a.toml", option, "x"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         let said = text(&output.stderr);
         assert!(said.contains(option) && said.contains(wanted), "{said}");
+    }
+}
+
+#[test]
+fn other_orders_of_derivatives_are_refused_with_those_that_there_are() {
+    let folder = folder();
+    let wanted = "write 0, 1 or 2";
+    for value in ["3", "-1", "1.0", "two"] {
+        for command in [
+            ["bake", "a.toml", "--continuity", value].as_slice(),
+            &[
+                "sweep",
+                "a.toml",
+                "--drive",
+                "bump=0",
+                "--derivatives",
+                value,
+            ],
+        ] {
+            let output = run(folder.path(), command);
+            assert_eq!(output.status.code(), Some(2), "{output:?}");
+            let said = text(&output.stderr);
+            assert!(said.contains(wanted), "{said}");
+        }
     }
 }

@@ -1,0 +1,38 @@
+//! Options that take numbers: what is wrong is answered by what to write.
+
+use std::fmt::Display;
+use std::str::FromStr;
+
+use clap::builder::TypedValueParser;
+
+/// A number; `wanted` says what to write.
+pub(crate) fn number(wanted: impl Into<String>) -> impl TypedValueParser<Value = f64> {
+    number_where(wanted.into(), |_| true)
+}
+
+/// A whole number, `called` so in the help.
+pub(crate) fn whole_number<T>(called: &str, least: T) -> impl TypedValueParser<Value = T> + use<T>
+where
+    T: FromStr + PartialOrd + Display + Clone + Send + Sync + 'static,
+{
+    let wanted = format!("{called} is a whole number, at least {least}");
+    number_where(wanted, move |number| *number >= least)
+}
+
+/// How many derivatives: none, the first, or the second too.
+pub(crate) fn derivatives() -> impl TypedValueParser<Value = u8> {
+    number_where("write 0, 1 or 2".to_owned(), |order| *order <= 2)
+}
+
+fn number_where<T>(
+    wanted: String,
+    is_good: impl Fn(&T) -> bool + Clone + Send + Sync + 'static,
+) -> impl TypedValueParser<Value = T>
+where
+    T: FromStr + Clone + Send + Sync + 'static,
+{
+    move |text: &str| {
+        let number = text.parse().ok().filter(|number| is_good(number));
+        number.ok_or_else(|| wanted.clone())
+    }
+}
