@@ -11,10 +11,11 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Offset, Position, Source, check};
 use crate::kinematics::{Kinematics, changing};
+use crate::load::included;
+use crate::load::notes::listed_points;
 use crate::load::points::points;
 use crate::load::prepare::prepare;
 use crate::load::request::Request;
-use crate::load::{included, point_notes};
 use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.
@@ -51,7 +52,7 @@ impl Chosen {
             Some(_) => file.axes,
             None => Axes::Iso,
         };
-        let said = point_notes::notes((&listing, &name), source, file, axes);
+        let said = listed_points::notes((&listing, &name), source, file, axes);
         let listing = with_points(source, listing, file, place, axes);
         Ok(Self {
             said,

@@ -1,7 +1,14 @@
 //! What a file says that its author may not have meant.
 
+pub(super) mod contradicted_drives;
+pub(super) mod contradicted_wheels;
+pub(super) mod listed_points;
+pub(super) mod missing_travel;
+pub(super) mod neither_side;
 mod of_numbers;
 mod of_wheels;
+pub(super) mod one_sided;
+pub(super) mod wrong_side;
 
 use nalgebra::Vector3;
 use suspension_core::Values;

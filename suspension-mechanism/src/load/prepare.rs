@@ -7,15 +7,15 @@ use crate::load::assembled::Assembled;
 use crate::load::coupling::couplings;
 use crate::load::design::Design;
 use crate::load::masses::masses;
-use crate::load::notes::{loose_markers, notes, short_of_stop};
+use crate::load::notes::{
+    contradicted_drives, contradicted_wheels, loose_markers, missing_travel, neither_side, notes,
+    one_sided, short_of_stop, wrong_side,
+};
 use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
 use crate::load::usual_drives::in_effect;
-use crate::load::{
-    columns, led, missing_travel, neither_side, one_sided, said_of_drives, said_of_wheels, start,
-    wrong_side,
-};
+use crate::load::{columns, led, start};
 use crate::mechanism::{
     Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
 };
@@ -88,7 +88,7 @@ fn doubts<L: Suspension<N>, const N: usize>(
         return Vec::new();
     }
     let task = assembled.task();
-    let mut doubts = said_of_drives::doubts(&task, &assembled.design, drives, instants);
+    let mut doubts = contradicted_drives::doubts(&task, &assembled.design, drives, instants);
     doubts.extend(wrong_side::notes(&task, &assembled.given));
     doubts
 }
@@ -107,7 +107,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
         notes.extend(one_sided::note(&task, listing));
         notes.extend(neither_side::notes(&task, listing, given));
     }
-    notes.extend(said_of_wheels::notes(&task, design, couplings));
+    notes.extend(contradicted_wheels::notes(&task, design, couplings));
     notes.extend(missing_travel::note(&task, names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(&task, request.instants));

@@ -4,7 +4,7 @@ use suspension_core::listing::{Kind, Parts};
 use suspension_runtime::Listing;
 
 use crate::file::MotionFile;
-use crate::load::moved_points::Points;
+use crate::load::notes::listed_points::moved_points::Points;
 use crate::number::rounded;
 
 /// A design of the user's own has most points further, in metres, from where the listing has them; those of one that was assembled

@@ -33,7 +33,7 @@ pub fn only_on_wrong_side<T>(
 }
 
 /// Notes on points that were given on the other side of the vehicle than their wheels.
-pub(super) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Vec<String> {
+pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Vec<String> {
     let name = task.source.name();
     let wheels = task.names.wheels.iter();
     let across = wheels.filter_map(|wheel| across(task, given, wheel));

@@ -7,7 +7,7 @@ use crate::load::task::Task;
 use crate::mechanism::{listed, on_other_side};
 
 /// Parts that have a mass, while the same parts of the other side have none.
-pub(super) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
+pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
     let table = task.file.masses.as_ref()?;
     let statements = listing.statements();
     let is_part = |name: &String| {

@@ -19,7 +19,7 @@ const OFF: f64 = 0.05;
 const FAR: f64 = 10.0;
 
 /// Notes on wheels, at the design; `couplings` are those of each.
-pub(super) fn notes<L: Suspension<N>, const N: usize>(
+pub(in crate::load) fn notes<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     couplings: &[Coupling],

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::load::moved_points::Points;
+use crate::load::notes::listed_points::moved_points::Points;
 use crate::mechanism::on_other_side;
 use crate::number::rounded;
 

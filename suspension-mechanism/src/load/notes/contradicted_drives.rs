@@ -12,7 +12,7 @@ use crate::number::rounded;
 const LOOKS: usize = 101;
 
 /// Doubts about the laws of drives, over the instants.
-pub(super) fn doubts<L: Suspension<N>, const N: usize>(
+pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     laws: &DriveLaws,

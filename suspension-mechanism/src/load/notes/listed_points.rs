@@ -1,14 +1,17 @@
 //! Notes on points of a listing that a file does not state.
 
+mod moved_points;
+mod unmirrored;
+mod unstated;
+
 use suspension_runtime::Listing;
 
 use crate::file::{MotionFile, Source};
-use crate::load::moved_points::Points;
-use crate::load::{unmirrored, unstated};
 use crate::mechanism::Axes;
+use moved_points::Points;
 
 /// The notes of a file and its listing, with what the listing is called in them and the axes of its coordinates.
-pub(super) fn notes(
+pub(in crate::load) fn notes(
     (listing, called): (&Listing, &str),
     source: &Source,
     file: &MotionFile,

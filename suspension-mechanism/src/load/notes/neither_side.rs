@@ -13,7 +13,7 @@ const MIDDLE: f64 = 1e-6;
 
 /// Notes on points off the middle of the vehicle that a part joins and its image on the other side too: one of the two reaches across
 /// the vehicle.
-pub(super) fn notes<P: Values<Vector3<f64>>>(
+pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     listing: &Listing,
     given: &P,

@@ -7,7 +7,7 @@ use crate::mechanism::{Names, Wheel, listed};
 
 /// A note with what to write; `names` are those in effect, and wheels whose drive of travel has the usual name but does not lift them are
 /// noted elsewhere.
-pub(super) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
+pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     let in_effect = names.wheels.iter().zip(&task.names.wheels);
     let without = in_effect.filter(|(_, stated)| stated.travel.is_none());
     let without: Vec<&Wheel> = without.map(|(wheel, _)| wheel).collect();
