@@ -22,7 +22,8 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
-/// The sine up to which points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend.
+/// The sine up to which points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend. A test holds
+/// both against each other.
 const IN_LINE: f64 = 1e-2;
 
 /// Whether places lie in line with the first two.

@@ -13,8 +13,8 @@ pub struct Entry {
     /// Whether it is 1 in every position: a pivot that cannot go bad.
     pub unit: bool,
     /// Whether it is a coordinate of a point in the equation that ties the point to a frame: such
-    /// pivots come first, because what they do is known in closed form and need not be multiplied
-    /// out (see `emit::substitution`).
+    /// pivots come first, because their effect is known in closed form and need not be multiplied
+    /// out (in the macro see `emit::carried`).
     pub carried: bool,
 }
 

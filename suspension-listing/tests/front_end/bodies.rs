@@ -1,5 +1,8 @@
 //! Bodies with too few points, or held too little.
 
+use nalgebra::Vector3;
+use suspension_core::model::constraint::Frame;
+use suspension_core::model::parts;
 use suspension_listing::include_source::NoIncludes;
 use suspension_listing::text;
 
@@ -88,6 +91,20 @@ fn a_hinge_about_points_that_move_is_said_to_be_a_body() {
     let expected = "a hinge turns about chassis points, and `inner` is a free point; write `body arm: inner, outer, hub;`, which turns about the \
                     two points that it shares with another body";
     assert_eq!(only_message(text), expected);
+}
+
+/// The front end calls a marker in line with its body up to the sine up to which the core refuses the three points as a frame.
+#[test]
+fn what_is_in_line_carries_nothing_in_the_core() {
+    for (off, is_in_line) in [(0.99e-3, true), (1.01e-3, false)] {
+        let text = format!(
+            "fixed: a at [0.3, 0.2, 0.2];\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4], r at [0.0, 0.5, 0.5];\nbody strut: p, q, r;\n\
+             point m: strut at [{off}, 0.5, 0.3];\nlink rod: a -> m;\ndrive x: p.x; drive y: p.y; drive z: p.z; drive turn: q.x;\n"
+        );
+        assert_eq!(only_message(&text).contains("lies in line"), is_in_line);
+        let [p, q, m] = [[0.0, 0.5, 0.2], [0.0, 0.5, 0.4], [off, 0.5, 0.3]].map(Vector3::from);
+        assert_eq!(parts::frame(0, Frame::new(p, q, m)).is_err(), is_in_line);
+    }
 }
 
 /// An arm on two short links, each of which is stated as a hinge: where there is no link, none is to be removed.
