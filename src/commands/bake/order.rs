@@ -13,7 +13,7 @@ use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Angle, Description, Unit};
+use crate::mechanism::{Angle, Description, Drive, Unit};
 use crate::number::exact;
 
 pub use measure::WishedMeasure;
@@ -81,20 +81,13 @@ impl Ordered<'_> {
     /// [`Failure::Input`] where drives, ranges or tolerance make no sense, [`Failure::Solver`] where
     /// the mechanism does not go through the ranges or the tolerance is not met.
     pub fn sheet(&self) -> Result<Sheet, Failure> {
+        self.check()?;
         let Description {
             linkage,
             names,
             unit,
             ..
         } = &**self.mechanism;
-        if !(self.order.tolerance > 0.0 && self.order.tolerance.is_finite()) {
-            return Err(self.refuse("a tolerance is a positive number of metres"));
-        }
-        if self.order.wish == Wish::Wheel && names.wheels.is_empty() {
-            return Err(
-                self.refuse("the linkage has no wheel to bake; --points all bakes its points")
-            );
-        }
         // Programs that read what is baked have angles in radians.
         let inside = Unit {
             angle: Angle::Radian,
@@ -108,18 +101,6 @@ impl Ordered<'_> {
                 (vec![along.drive], vec![self.ranged(&along, inside)], baked)
             }
         };
-        let others = (0..names.drives.len()).filter(|other| !moved.contains(other));
-        let held = others
-            .map(|other| {
-                let drive = &names.drives[other];
-                let value = exact(self.given(other, self.first(other)));
-                format!(
-                    "{} = {value} {}",
-                    drive.name,
-                    Dimension::from(drive.kind).symbol(inside)
-                )
-            })
-            .collect::<Vec<_>>();
         let wheel = names.wheels.first();
         let wheel = wheel.map(|wheel| wheel.title("wheel"));
         let sheet = Sheet {
@@ -130,7 +111,7 @@ impl Ordered<'_> {
                 arguments,
                 unit: unit.symbol(),
                 axes: self.mechanism.axes.meaning(),
-                held: held.join(", "),
+                held: self.held(&moved, inside),
             },
             baked,
         };
@@ -138,6 +119,30 @@ impl Ordered<'_> {
             return Err(interrupted(self.file));
         }
         Ok(sheet)
+    }
+
+    /// Refuses a tolerance that is none, and a wheel where there is none.
+    fn check(&self) -> Result<(), Failure> {
+        if !(self.order.tolerance > 0.0 && self.order.tolerance.is_finite()) {
+            return Err(self.refuse("a tolerance is a positive number of metres"));
+        }
+        if self.order.wish == Wish::Wheel && self.mechanism.names.wheels.is_empty() {
+            return Err(
+                self.refuse("the linkage has no wheel to bake; --points all bakes its points")
+            );
+        }
+        Ok(())
+    }
+
+    /// The drives that are not `moved`, with the values at which they are held, in a unit.
+    fn held(&self, moved: &[usize], unit: Unit) -> String {
+        let drives = self.mechanism.names.drives.iter().enumerate();
+        let held = drives.filter(|(drive, _)| !moved.contains(drive));
+        let held = held.map(|(drive, Drive { name, kind })| {
+            let value = exact(self.given(drive, self.first(drive)));
+            format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
+        });
+        held.collect::<Vec<_>>().join(", ")
     }
 
     /// The drives that move, what is said of them, and what is baked; `unit` is that of the last.
