@@ -91,7 +91,7 @@ fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>
     rotation_fit(at)?(rates)
 }
 
-/// What fits any rates of three points; `None` where these are in line.
+/// The function that fits a rotation to rates of three points; `None` where the points lie in line.
 fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option<Vector3<T>>> {
     let [a, b, c] = at;
     Frame::new(*a, *b, *c).normal()?;

@@ -56,7 +56,7 @@ pub use verdict::{Certificate, Unproved};
 type Enclosing<L, const N: usize> =
     <<L as Linkage<N>>::Listing as Listing<N>>::Model<Enclosed<<L as Linkage<N>>::Scalar>>;
 
-/// What proves roots of one model; to be made once and used for many positions.
+/// A prover of roots of one model: it is made once and used for many positions.
 ///
 /// ```
 /// use suspension_core::nalgebra::Vector3;

@@ -53,8 +53,8 @@ where
     clock: Clock<L::Scalar>,
 }
 
-/// What follows the drives: points and measures, and in place of time derivatives those with respect to
-/// what [`Corner::per`] was given.
+/// Points and measures, with derivatives with respect to the change of drives that [`Corner::per`] was given in place of time
+/// derivatives.
 #[derive(Clone, Copy)]
 pub struct Derivatives<L: Linkage<N>, const N: usize> {
     /// Value, first and second derivative of every point.

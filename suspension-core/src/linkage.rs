@@ -15,14 +15,14 @@ pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Solves `J^T y = right`: how much of each equation's change each unknown's takes.
+    /// Solves `J^T y = right`. With the forces on the unknowns on the right these are the multipliers of the equations.
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
     /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
     /// is singular, so that it tells assemblies apart.
     fn determinant_sign(&self) -> T;
 
-    /// The health of the pivots: the sum of the squares of their inverses. Rounding errors grow
+    /// Pivot growth, squared: the sum of the squares of the pivots' inverses. Rounding errors grow
     /// with its root where one pivot is small, with itself where a second small pivot stands in the
     /// rows of the first. Entries of the Jacobian are of the size of 1.
     fn growth_squared(&self) -> T;

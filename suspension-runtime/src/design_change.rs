@@ -144,7 +144,8 @@ where
         &self.given.moved
     }
 
-    /// What is left of the equations where the points are [`moved`](Self::moved): all that is not met by the constants' change.
+    /// The residual of the equations, to first order, where the points are [`moved`](Self::moved) and the constants change with the
+    /// design.
     pub fn residual(&self) -> SVector<T, N> {
         let Start {
             model, unknowns, ..

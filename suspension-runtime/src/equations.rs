@@ -72,8 +72,8 @@ where
         });
     }
 
-    /// What the inputs' rates contribute to velocity and acceleration, `-dF/du udot`, in rows that are [`zeros`]: of
-    /// the drives and the chassis points that they move, or without drives of the other ones.
+    /// Puts `-dF/du udot`, the right-hand side of the rates, into rows that are [`zeros`]: of the drives and the chassis points that
+    /// they move, or without `drive_rate` of all other chassis points.
     #[inline(never)]
     pub(crate) fn input_rates_to(
         &self,

@@ -1,10 +1,12 @@
 //! Suspension listings from text, solved without a Rust compiler.
 //!
-//! [`Listing::parse`] reads what stands inside the braces of `linkage!`; [`Listing::corner`] makes a suspension that
-//! moves of it and of hardpoints, [`Listing::model`] a [`Model`] alone. A model is a list of equations, and an order in which their Jacobian is eliminated, that are walked: it
-//! computes what the code that `linkage!` writes does, to the bit, two to four times as slowly; only the size of pivot that a refusal as singular asks for may be another. It implements the
-//! core's [`Linkage`](suspension_core::Linkage) and [`Build`](suspension_core::Build), so that every solver works on
-//! it; names are looked up once, and nothing on the solving path allocates.
+//! [`Listing::parse`] reads the statements that stand inside the braces of `linkage!`. From a listing and hardpoints
+//! [`Listing::corner`] makes a suspension that moves, [`Listing::model`] a [`Model`] alone.
+//!
+//! A model walks a list of equations, and the order in which their Jacobian is eliminated. It computes the same bits as the code
+//! that `linkage!` writes, two to four times as slowly; only the threshold that a refusal as singular reports may differ. It
+//! implements the core's [`Linkage`](suspension_core::Linkage) and [`Build`](suspension_core::Build), so that every solver works on
+//! it. Names are looked up once, and nothing on the solving path allocates.
 //!
 //! ```
 //! use suspension_core::{Signal, Values};
@@ -29,8 +31,8 @@
 //! ```
 //!
 //! The number of `corner::<15>` is how many unknowns there is room for: 15, 30 or 60, see [`Size`]. [`Listing::size`]
-//! says how many a listing has, and 60 serves any. A failure names its parts by the listing, which it borrows: where it is to leave the
-//! function that owns the listing, it leaves as text, as above.
+//! says how many a listing has, and 60 serves any. A failure borrows the listing, which has the names of its parts: from the
+//! function that owns the listing it returns as text, as above.
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
 #![cfg_attr(

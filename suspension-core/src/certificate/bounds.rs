@@ -20,7 +20,7 @@ pub(super) struct Bounds<T> {
     pub(super) curvature: T,
 }
 
-/// What an equation is known by at a position: the entries of one row.
+/// One row of the equations at a position, with bounds of its errors and of its curvature.
 #[derive(Clone, Copy, Default)]
 struct Row<T> {
     /// The residual.

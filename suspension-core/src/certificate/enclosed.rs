@@ -82,7 +82,7 @@ fn enlargement<T: Real>() -> T {
     T::one() + T::EPSILON * T::constant(8.0)
 }
 
-/// What the radii add to a product.
+/// The radius of a product but for its rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn spread_of_product<T: Real>(a: Enclosed<T>, b: Enclosed<T>) -> T {
     a.value.abs() * b.radius + a.radius * (b.value.abs() + b.radius)

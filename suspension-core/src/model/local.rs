@@ -119,7 +119,7 @@ impl<T: Real> LocalOrigin<T> {
         points.map(|point| point + self.0)
     }
 
-    /// What to subtract from each drive's value, and to add to one that was read off: the local
+    /// The offset of each drive, to be subtracted from a given value and added to one that was read off: the local
     /// origin's coordinate where the drive is a coordinate of a point, otherwise zero.
     pub fn of_drives<L: Build<N, Scalar = T>, const N: usize>(&self, linkage: &L) -> L::Drives {
         let values = linkage.drives_at(&self.everywhere());
@@ -132,7 +132,7 @@ impl<T: Real> LocalOrigin<T> {
         ))
     }
 
-    /// What to add to each measure of local points: see [`of_drives`](Self::of_drives).
+    /// The offset of each measure, to be added to that of local points: see [`of_drives`](Self::of_drives).
     pub fn of_measures<L: Linkage<N, Scalar = T>, const N: usize>(
         &self,
         linkage: &L,

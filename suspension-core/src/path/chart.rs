@@ -7,7 +7,7 @@ use crate::listing::DriveKind;
 use crate::model::parts;
 use crate::signal::Signal;
 
-/// What a drive's coordinate `h` is of its value `theta`.
+/// The coordinate `h` of a drive as a function of its value `theta`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Chart<T> {
     /// The value itself.

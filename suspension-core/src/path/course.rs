@@ -21,7 +21,7 @@ use crate::solve::report::Report;
 /// The smallest part of the tangent's largest entry that the local parameter may have.
 const POOR: f64 = 0.25;
 
-/// What one step is made of.
+/// One step: how it is made, along which curve, and to which target.
 pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
     pub(super) leader: &'a Leader<T>,
     pub(super) curve: Curve<'a, L, N>,

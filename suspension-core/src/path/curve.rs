@@ -13,8 +13,8 @@ use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::lu::Lu;
 use crate::solve::motion::Prescribed;
 
-/// What rounding may grow by where the factors of the Jacobian serve a curve: digits that its rates lose
-/// beside partial pivoting.
+/// The pivot growth up to which the factors of the Jacobian serve a curve: so much more rounding than with partial pivoting its
+/// rates may have.
 const GROWTH: f64 = 50.0;
 
 /// The curve of a linkage's configurations while one drive is free, the other drives and the
@@ -105,7 +105,7 @@ where
         best.map(|linear| linear.tangent.largest_entry())
     }
 
-    /// What the free drive's coordinate is of its value.
+    /// How the free drive's coordinate depends on its value.
     pub(crate) fn chart(&self) -> Chart<T> {
         Chart::of(self.linkage, self.drive)
     }

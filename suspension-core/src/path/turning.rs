@@ -56,7 +56,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         })
     }
 
-    /// What rounding leaves of a length at a place.
+    /// The rounding error of a length at a place.
     fn rounding_at(&self, place: &Place<T, N>) -> T {
         rounding_at(self.curve.linkage, &place.configuration.unknowns)
     }

@@ -164,7 +164,7 @@ where
     }
 }
 
-/// What a [`Tangent`] computes, over borrowed factors: the control loop does not move them.
+/// The rates that a [`Tangent`] computes, over borrowed factors: the control loop does not copy them.
 pub(crate) struct Rates<'a, L: Linkage<N>, C, const N: usize> {
     linkage: &'a L,
     chassis: PhantomData<C>,

@@ -199,7 +199,7 @@ impl<T: Real> Default for Newton<T> {
     }
 }
 
-/// What rounding leaves of a length at a position.
+/// The rounding error of a length at a position.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn rounding_at<T, L, const N: usize>(linkage: &L, q: &SVector<T, N>) -> T
 where

@@ -36,7 +36,7 @@ where
     }
 }
 
-/// What the fixed order costs at a position.
+/// The smallest pivot and the growth of the fixed order at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elimination<T> {
     /// The equation of the smallest pivot.

@@ -29,8 +29,8 @@ impl<T: Real, const N: usize> DesignChange<'_, '_, T, N>
 where
     Room<N>: Size,
 {
-    /// What `J` times the change of the unknowns' derivative with respect to a drive is, where the design's change moves the unknowns
-    /// as `moved` says.
+    /// The right-hand side `J x` for `x`, the change of the unknowns' derivative with respect to a drive, where the design's change
+    /// moves the unknowns as `moved` says.
     pub fn of_first(
         &self,
         moved: &Unknowns<T, N>,
@@ -177,7 +177,7 @@ where
     }
 }
 
-/// What the derivatives of a point's constants contribute to its own, along a derivative of its frame.
+/// The contribution of the derivatives of a point's constants to its own derivative, along a derivative of its frame.
 fn turned<T: Real>(rate: &Carried<T>, frame: &Frame<T>, along: &Frame<T>) -> Vector3<T> {
     rate.velocity(frame, along) - along.origin
 }

@@ -23,7 +23,7 @@ impl<F> Equations<F> {
         self.all.push(form);
     }
 
-    /// What enters an equation enters what is at `place`.
+    /// Notes that the inputs of an equation enter the one at `place`.
     pub(super) fn enter(&mut self, place: usize, equation: &dyn form::Equations) {
         let (place, sites) = (index(place), equation.sites());
         let has = |motion| sites.iter().any(|site| site.motion == motion);

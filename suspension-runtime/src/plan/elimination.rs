@@ -14,7 +14,7 @@ use super::substitution;
 use super::substitution::{Carrier, Rows, Solution};
 use crate::table::{SPARE, index};
 
-/// What factorisation and solutions walk.
+/// The indices that factorisation and solutions walk.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination {
     stored: BTreeMap<(usize, usize), u16>,

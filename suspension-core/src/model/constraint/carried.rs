@@ -85,8 +85,8 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
-    /// What a gradient by the point is by the frame's three points, the point being where the frame
-    /// carries it: the transpose of [`velocity`](Self::velocity).
+    /// The gradient with respect to the frame's three points, from that with respect to the carried point: the transpose of
+    /// [`velocity`](Self::velocity).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_frame(&self, gradient: Vector3<T>, frame: &Frame<T>) -> [Vector3<T>; 3] {
         let (u, v) = (multiple(frame.u, self.c), multiple(frame.v, self.c));

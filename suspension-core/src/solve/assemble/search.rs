@@ -79,7 +79,7 @@ impl<T: Real, const N: usize> Found<T, N> {
     }
 }
 
-/// What was found so far and one more attempt.
+/// The nearer of what was found so far and one more attempt.
 pub(super) fn nearer<T: Real, const N: usize>(
     so_far: Result<Found<T, N>, SolveError<T>>,
     attempt: Result<Found<T, N>, SolveError<T>>,

@@ -13,7 +13,7 @@ pub struct Evidence<T> {
     pub error_squared: T,
     /// Square of the acceleration. It is not finite where a velocity that an equation with curvature reads is not.
     pub rates_squared: T,
-    /// The health of the pivots: see [`Factors::growth_squared`](crate::linkage::Factors::growth_squared).
+    /// Pivot growth, squared: see [`Factors::growth_squared`](crate::linkage::Factors::growth_squared).
     pub growth_squared: T,
     /// A number with the sign of the Jacobian's determinant.
     pub determinant_sign: T,

@@ -50,7 +50,7 @@ messages! {
 }
 
 impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
-    /// What the residual of a linkage of the given size is compared with.
+    /// The largest residual that is accepted of a linkage of the given size.
     fn residual_tolerance(&self, size: T) -> T {
         self.tolerance.length(T::EPSILON * size)
     }

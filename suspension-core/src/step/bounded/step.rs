@@ -165,7 +165,7 @@ where
         (velocity, acceleration)
     }
 
-    /// What solves `J(q0 - e) rate = terms`, from a first value.
+    /// The solution of `J(q0 - e) rate = terms`, corrected from a first value.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rate<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,

@@ -96,7 +96,7 @@ impl<T: Scalar, const N: usize, const K: usize> Jet<SVector<T, N>, K> {
     }
 }
 
-/// What drives and points consist of: numbers and vectors.
+/// The entries of drives and points: numbers and vectors.
 pub trait Quantity: Copy + Default + Add<Output = Self> {
     /// The number type.
     type Number: Scalar;

@@ -102,7 +102,7 @@ impl<T: Scalar> Cubic<T> {
     }
 }
 
-/// What values and rates at both ends weigh at a time `t` after the first, the step being `dt` long.
+/// The weights of values and rates at both ends of a step of length `dt`, at a time `t` after its start.
 type Interpolation<T> = fn(T, T) -> Cubic<T>;
 
 impl<T: Real> Tracker<T> {
