@@ -30,7 +30,7 @@ impl Place<'_> {
     }
 }
 
-/// A point that elimination takes out first: where the frame that carries it goes, it goes.
+/// A carried point that elimination substitutes first: it moves with its frame.
 pub struct Substituted<'a> {
     pub body: &'a Name,
     pub point: &'a Name,

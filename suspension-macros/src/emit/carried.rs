@@ -11,36 +11,31 @@ use super::unrolled::Unrolled;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Substituted, System, carried_name, frame_name};
 
-/// A substituted point in the generated code.
-pub(super) trait Emitted {
-    /// Its constants under their name.
-    fn constants(&self) -> Name;
-
-    /// Its frame under its name.
-    fn frame_name(&self) -> Name;
-}
-
-impl Emitted for Substituted<'_> {
-    fn constants(&self) -> Name {
-        carried_name(self.body, self.point)
-    }
-
-    fn frame_name(&self) -> Name {
-        frame_name(self.body)
-    }
+/// The names of a substituted point's constants and of its frame in the generated code.
+fn names(point: &Substituted<'_>) -> [Name; 2] {
+    [
+        carried_name(point.body, point.point),
+        frame_name(point.body),
+    ]
 }
 
 /// One frame a body.
 pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Name> {
-    let mut names: Vec<Name> = substituted.iter().map(Emitted::frame_name).collect();
-    names.dedup();
-    names
+    let bodies = substituted.iter().map(|point| frame_name(point.body));
+    let mut frames: Vec<Name> = bodies.collect();
+    frames.dedup();
+    frames
+}
+
+fn constants(substituted: &[Substituted<'_>]) -> Vec<Name> {
+    let names = substituted.iter().map(names);
+    names.map(|[constants, _]| constants).collect()
 }
 
 /// Fields of the factors.
 pub(super) fn fields(system: &System) -> TokenStream {
     let substituted = system.substituted();
-    let constants = substituted.iter().map(Emitted::constants);
+    let constants = constants(&substituted);
     let frames = frames(&substituted);
     quote!(#(#frames: Frame<T>,)* #(#constants: Carried<T>,)*)
 }
@@ -48,7 +43,7 @@ pub(super) fn fields(system: &System) -> TokenStream {
 /// Their values.
 pub(super) fn values(system: &System) -> TokenStream {
     let substituted = system.substituted();
-    let constants: Vec<Name> = substituted.iter().map(Emitted::constants).collect();
+    let constants = constants(&substituted);
     let frames = frames(&substituted);
     quote!(#(#frames,)* #(#constants: self.#constants,)*)
 }
@@ -57,7 +52,7 @@ pub(super) fn values(system: &System) -> TokenStream {
 pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) -> TokenStream {
     let mut statements = TokenStream::new();
     for point in unrolled.system.substituted() {
-        let (constants, frame) = (point.constants(), point.frame_name());
+        let [constants, frame] = names(&point);
         for row in point.rows(unrolled.order) {
             let gradient = point.steps(unrolled.order).map(|step| {
                 if step.below.contains(&row) {
@@ -66,7 +61,7 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
                     quote!(T::zero())
                 }
             });
-            let names = by_frame(&point);
+            let by_frame = by_frame(&point);
             let vectors = columns_by_frame(&point);
             let entries = vectors.map(|(vector, columns)| {
                 let entries = columns.map(|column| unrolled.entry(row, column));
@@ -76,7 +71,7 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
             let entries: TokenStream = entries.collect();
             statements.extend(quote! {
                 let gradient = Vector3::new(#(#gradient),*);
-                let #names = self.#constants.by_frame(gradient, &#frame);
+                let #by_frame = self.#constants.by_frame(gradient, &#frame);
                 #entries
             });
         }
@@ -126,7 +121,7 @@ pub(super) fn substituted(unrolled: &Unrolled<'_>) -> TokenStream {
     let mut statements = TokenStream::new();
     let mut last_frame = None;
     for point in unrolled.system.substituted() {
-        let (constants, frame) = (point.constants(), point.frame_name());
+        let [constants, frame] = names(&point);
         if last_frame.as_ref() != Some(&frame) {
             let changes = point.frame.map(|column| change(unrolled, column));
             statements.extend(quote!(let #frame = Frame::new(#(#changes),*);));
@@ -157,16 +152,16 @@ fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
 /// What the carried points' unknowns add to those of their frames in a transposed solution.
 pub(super) fn transposed(unrolled: &Unrolled<'_>) -> TokenStream {
     let of_point = |point: Substituted<'_>| {
-        let (constants, frame) = (point.constants(), point.frame_name());
+        let [constants, frame] = names(&point);
         let gradient = [0, 1, 2].map(|axis| unrolled.column(point.column + axis));
-        let names = by_frame(&point);
+        let by_frame = by_frame(&point);
         let sums = columns_by_frame(&point).map(|(vector, columns)| {
             let unknowns = columns.map(|column| unrolled.column(column).clone());
             of_vector(&ident(vector), &unknowns, [false; 3])
         });
         quote! {
             let gradient = Vector3::new(#(#gradient),*);
-            let #names = self.#constants.by_frame(gradient, &self.#frame);
+            let #by_frame = self.#constants.by_frame(gradient, &self.#frame);
             #(#sums)*
         }
     };
