@@ -1,4 +1,4 @@
-//! Guesses, with what is rigid put where it fits best.
+//! A guess with each rigid body, and each cluster of links that is as rigid, put where it fits best.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::Real;
@@ -15,7 +15,7 @@ where
     Room<N>: Size,
 {
     /// The guess `q` with each body, and each cluster of links, put where it fits best.
-    pub(crate) fn fitted(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
+    pub(crate) fn best_fit(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
         let plan = self.plan();
         let mut q = *q;
         let mut carried = self.carried.as_slice().iter();

@@ -46,6 +46,7 @@
 )]
 
 mod angle_share;
+mod best_fit;
 mod bound_to_axes;
 mod build;
 pub mod catalogue;
@@ -53,7 +54,6 @@ mod catalogue_and_files;
 mod design_change;
 mod equations;
 mod factors;
-mod fit;
 mod fitted;
 mod flat_body;
 mod form;

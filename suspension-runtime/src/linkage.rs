@@ -225,6 +225,6 @@ where
     }
 
     fn fit(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SVector<T, N> {
-        self.fitted(q, fixed)
+        self.best_fit(q, fixed)
     }
 }
