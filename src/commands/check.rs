@@ -84,11 +84,7 @@ impl Arguments {
             )));
         }
         if is_singular {
-            let why = mechanism.end_of_angle(&mechanism.design);
-            let why = why.map(|why| format!("; {why}")).unwrap_or_default();
-            return Err(Failure::Solver(format!(
-                "{name}: the design position is singular: drives do not determine the motion there{why}"
-            )));
+            return Err(singular(name, mechanism));
         }
         match motion_ends {
             Some(_) => Err(Failure::Solver(format!(
@@ -114,6 +110,14 @@ fn in_words(ends: Option<&str>) -> String {
         None => "the file's own is within reach, from its first instant to its last".to_owned(),
         Some(why) => format!("the file's own is OUT OF REACH: {why}"),
     }
+}
+
+fn singular(name: &str, mechanism: &dyn Kinematics) -> Failure {
+    let why = mechanism.end_of_angle(&mechanism.design);
+    let why = why.map(|why| format!("; {why}")).unwrap_or_default();
+    Failure::Solver(format!(
+        "{name}: the design position is singular: drives do not determine the motion there{why}"
+    ))
 }
 
 /// Adds to the report how many assemblies there are.

@@ -51,12 +51,7 @@ impl Arguments {
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
         refuse_input(&out, "--out")?;
-        load(&Source::new(out.display().to_string(), source.text())).map_err(|failure| {
-            Failure::Input(format!(
-                "--out {}: the file would not be read there: {failure}",
-                out.display()
-            ))
-        })?;
+        refuse_unreadable(&out, &source)?;
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
         for note in loaded.doubtful_boxes(&moves) {
@@ -120,6 +115,17 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String
 
 fn beside(file: &Path) -> PathBuf {
     file.with_file_name(format!("{}_tuned.toml", name_of(file)))
+}
+
+/// What a file names from its folder may not be there in another one.
+fn refuse_unreadable(out: &Path, source: &Source) -> Result<(), Failure> {
+    let read_there = load(&Source::new(out.display().to_string(), source.text())).map(|_| ());
+    read_there.map_err(|failure| {
+        Failure::Input(format!(
+            "--out {}: the file would not be read there: {failure}",
+            out.display()
+        ))
+    })
 }
 
 /// Points that lengths correct are not those of the design.
