@@ -215,7 +215,7 @@ typedef struct {
     /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
     float centre[3];
     /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-     * and zx of the matrix: with points in m, kg m^2. */
+     * and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2. */
     float inertia[6];
 } susp_f32_mass;
 
@@ -391,7 +391,7 @@ typedef struct {
     /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
     double centre[3];
     /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-     * and zx of the matrix: with points in m, kg m^2. */
+     * and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2. */
     double inertia[6];
 } susp_f64_mass;
 

@@ -131,7 +131,7 @@ structures! {
         /// Of a body, else anything finite: its centre of mass, where its points are as in `design`.
         centre: [T; 3],
         /// Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-        /// and zx of the matrix: with points in m, kg m^2.
+        /// and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2.
         inertia: [T; 6],
     }
 

@@ -27,13 +27,15 @@ use crate::statics::spread;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody<T> {
-    /// Three points of the body, not in line, where the rest is stated: at the design position, say.
+    /// Three points of the body, not in line, in the position for which centre and inertia are stated: the design, for
+    /// example.
     pub points: [Vector3<T>; 3],
     /// Its mass.
     pub mass: T,
     /// Its centre of mass.
     pub centre: Vector3<T>,
-    /// Its inertia about the centre of mass, in the axes of the points.
+    /// Its inertia about the centre of mass, in the axes of the points: off the diagonal the products of inertia with a
+    /// minus, `-sum m x y`.
     pub inertia: Matrix3<T>,
 }
 
