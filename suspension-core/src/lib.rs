@@ -31,12 +31,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Below it are the parts. [`model`] has what a listing becomes, [`solve`] what finds one configuration: [`assemble()`],
-//! Newton's method ([`Newton`]), velocities and accelerations from one factorisation ([`Tangent`]). [`step`] has the ways from
-//! one configuration to the next ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed cost ([`Bounded`]), by Taylor
-//! [`series`](step::series). What is prescribed is a [`signal`], a value with its rates. Further there are motions through the turning points of the
-//! drives ([`path`]) and motions that were [`baked`]; what is read off a [`wheel`]; derivatives per drive ([`directions`]); forces
-//! ([`statics`], [`inertia`]); a [`chassis`] in rigid motion; and a [`certificate`] that the root is the one near by.
+//! Below it are the parts:
+//!
+//! - [`model`]: what a listing becomes; [`signal`]: what is prescribed, a value with its rates;
+//! - [`solve`]: one configuration, found from a guess ([`assemble()`]) or corrected by Newton's method ([`Newton`]), with
+//!   velocities and accelerations from one factorisation ([`Tangent`]);
+//! - [`step`]: the ways from one configuration to the next ([`Stepper`]): to a tolerance ([`Tracker`]), at a fixed cost
+//!   ([`Bounded`]), by Taylor [`series`](step::series);
+//! - [`path`]: motions through the turning points of the drives; [`baked`]: motions as polynomials;
+//! - [`wheel`]: camber, toe and what else is read off; [`directions`]: derivatives per drive;
+//! - [`statics`]: the forces in the parts; [`inertia`]: weight and inertia as forces;
+//! - [`chassis`]: a chassis in rigid motion; [`certificate`]: a proof that the root is the one near by.
+//!
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 //!
 //! The feature `macros`, on by default, brings [`linkage!`] and the layouts that it compiles in [`linkages`]. A program that reads

@@ -1,10 +1,18 @@
 //! Motion files to mechanisms, and what is read off them.
 //!
-//! All kinematics are those of [`suspension_core`]. From the top: [`load`] makes the [`kinematics`] of any linkage of
-//! a [`mod@file`]; a [`mechanism`] moves, and [`quantities`] are read off its states. Beside them are
-//! libraries: [`characteristics`] has values and curves of a design, [`loads`] the forces in its parts, [`sensitivities`] what each hardpoint does to them, [`tolerances`] how it scatters, [`tune`] moves hardpoints until curves are met, [`bake`] turns motions into polynomials,
-//! [`assemblies`] finds all ways to put a mechanism together, [`reach`] how far a drive leads it, [`detail`]
-//! chooses the cheapest method for a need, and [`dual`] has numbers with derivatives in several directions.
+//! All kinematics are those of [`suspension_core`]. From the top:
+//!
+//! - [`load`] makes the [`kinematics`] of any linkage of a [`mod@file`];
+//! - a [`mechanism`] moves, and [`quantities`] are read off its states.
+//!
+//! Beside them are libraries:
+//!
+//! - [`characteristics`]: values and curves of a design; [`loads`]: the forces in its parts;
+//! - [`sensitivities`]: what each hardpoint does to them; [`tolerances`]: how they scatter; [`tune`]: hardpoints moved until curves
+//!   are met;
+//! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
+//! - [`assemblies`]: all ways to put a mechanism together;
+//! - [`detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
 
 pub mod assemblies;
 pub mod bake;
