@@ -36,7 +36,7 @@ pub struct Series<T, const N: usize, const K: usize> {
     /// The sign of the Jacobian's determinant at the instant, and so as far as the series goes:
     /// it changes only at a singularity.
     pub positive_determinant: bool,
-    /// The health of the pivots: the norm of their inverses.
+    /// Pivot growth: the norm of the pivots' inverses.
     pub growth: T,
 }
 
