@@ -5,7 +5,9 @@ use std::str::FromStr;
 use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, Description, DriveAtDesign, From, Grid, MOST_PLACES, evenly_spaced};
+use crate::mechanism::{
+    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, evenly_spaced,
+};
 
 /// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,16 +122,23 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
             values: of_one.values().iter().map(|value| value / scale).collect(),
         });
     }
-    let from = if absolute { From::Zero } else { From::Start };
+    let from = if absolute {
+        CountedFrom::Zero
+    } else {
+        CountedFrom::Start
+    };
     Grid::new(mechanism, axes, from)
 }
 
 /// Doubts about the values that options give drives, in words.
 fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
     let (from, way) = if absolute {
-        (From::Zero, "; leave out --absolute to state changes")
+        (CountedFrom::Zero, "; leave out --absolute to state changes")
     } else {
-        (From::Start, "; use --absolute to state its own values")
+        (
+            CountedFrom::Start,
+            "; use --absolute to state its own values",
+        )
     };
     let of_one = |of_one: &Swept| {
         let (name, _) = of_one.drives().next()?;
@@ -147,7 +156,7 @@ pub fn doubt(
     mechanism: &dyn Kinematics,
     drive: usize,
     ends: [f64; 2],
-    from: From,
+    from: CountedFrom,
     way: &str,
 ) -> Option<String> {
     let named = &mechanism.names.drives[drive];

@@ -13,7 +13,7 @@ use crate::file::{Dimension, MotionFile, Source, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Axis, Drive, From};
+use crate::mechanism::{Axis, CountedFrom, Drive};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
@@ -104,7 +104,7 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String
         let [from, to] = ends.map(|end| number((end - mechanism.design[drive]) * scale));
         let way = format!("; write {name} = [{from}, {to}]");
         let ends = ends.map(|end| end * scale);
-        let doubt = doubt(mechanism, drive, ends, From::Start, &way)?;
+        let doubt = doubt(mechanism, drive, ends, CountedFrom::Start, &way)?;
         Some(format!("[tune.targets.{}]: {doubt}", target.name))
     };
     let each = targets.iter();

@@ -15,7 +15,7 @@ use suspension_mechanism::characteristics::columns;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
 use suspension_mechanism::load::load;
-use suspension_mechanism::mechanism::{Axis, From, Grid, Order, Place};
+use suspension_mechanism::mechanism::{Axis, CountedFrom, Grid, Order, Place};
 use suspension_mechanism::quantities::{Column, Reader};
 use suspension_mechanism::sensitivities::sensitivities;
 
@@ -63,7 +63,7 @@ fn of_linkage(criterion: &mut Criterion, linkage: &str) {
     let columns = columns(mechanism);
     let travel = mechanism.names.vehicle.travel[0];
     let axis = Axis::of(travel, vec![TRAVEL]);
-    let grid = Grid::new(mechanism, vec![axis], From::Start).expect("a grid");
+    let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).expect("a grid");
     let mut group = criterion.benchmark_group(linkage);
     group.bench_function("state", |bencher| {
         bencher.iter(|| state(black_box(mechanism), &grid, &columns));

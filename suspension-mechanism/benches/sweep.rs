@@ -17,7 +17,7 @@ use suspension_mechanism::characteristics::GridTable;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
 use suspension_mechanism::load::load;
-use suspension_mechanism::mechanism::{Axis, From, Grid, Mechanism, Order, evenly_spaced};
+use suspension_mechanism::mechanism::{Axis, CountedFrom, Grid, Mechanism, Order, evenly_spaced};
 
 const CORNER: &str = "
     linkage = 'double_wishbone'
@@ -65,7 +65,7 @@ fn sweeps(criterion: &mut Criterion) {
         Axis::of(drive.expect("a drive"), evenly_spaced([-most, most], count))
     };
     let axes = vec![axis("bump", BUMP), axis("steer", STEER)];
-    let grid = Grid::new(&walked, axes, From::Start).expect("a grid");
+    let grid = Grid::new(&walked, axes, CountedFrom::Start).expect("a grid");
     let table = GridTable::of(&walked, 1);
     let mut group = criterion.benchmark_group("double_wishbone");
     let mut bench = |id: &str, mechanism: &dyn Kinematics| {

@@ -19,8 +19,8 @@ use crate::bake::{
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Borne, Changing, Description, End, From, Grid, Instants, Lock, Mechanism, OnPlace, OnState,
-    Order, Place, State, Suspension, VisitEnd, Visited,
+    Borne, Changing, CountedFrom, Description, End, Grid, Instants, Lock, Mechanism, OnPlace,
+    OnState, Order, Place, State, Suspension, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
@@ -145,7 +145,7 @@ impl dyn Kinematics + '_ {
 
     /// Reads the place where the mechanism starts; `None` where it locks there, and where the user interrupts.
     pub fn at_start<R>(&self, interrupted: &AtomicBool, read: &mut Read<'_, R>) -> Option<R> {
-        let here = Grid::new(self, Vec::new(), From::Start).ok()?;
+        let here = Grid::new(self, Vec::new(), CountedFrom::Start).ok()?;
         let visited = self.visit(&here, Order::First, interrupted, read);
         visited.places.into_iter().flatten().next()
     }

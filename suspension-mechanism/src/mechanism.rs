@@ -41,7 +41,7 @@ pub use doubtful::DriveAtDesign;
 pub use drives::{DriveLaws, Law, follow};
 pub use end::{End, Stop};
 pub use gradient::{DRIVES_AT_ONCE, Gradient};
-pub use grid::{Axis, From, Grid, MOST_PLACES, evenly_spaced};
+pub use grid::{Axis, CountedFrom, Grid, MOST_PLACES, evenly_spaced};
 pub use guide::Guide;
 pub use hinge::Hinge;
 pub use known::Order;

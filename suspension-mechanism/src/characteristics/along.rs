@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, From, Grid, Names, Order, Place, State, Unit, Visited, evenly_spaced,
+    Axis, CountedFrom, Grid, Names, Order, Place, State, Unit, Visited, evenly_spaced,
 };
 use crate::number::number;
 
@@ -143,7 +143,7 @@ fn along(
         values: changes.clone(),
     };
     // So few places are never too many.
-    let grid = Grid::new(mechanism, vec![axis], From::Start).unwrap_or_default();
+    let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).unwrap_or_default();
     let mut read = |place: &dyn Place| {
         let per = drives.iter().map(|(drive, _)| place.per(*drive));
         (place.state(), per.collect())

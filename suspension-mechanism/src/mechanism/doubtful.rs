@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
-use crate::mechanism::grid::From;
+use crate::mechanism::grid::CountedFrom;
 use crate::mechanism::names::Drive;
 use crate::number::rounded;
 use suspension_motion_file::{Length, Unit};
@@ -46,7 +46,7 @@ impl DriveAtDesign<'_> {
 
     /// What is doubtful in the values between two that it is to take, counted `from`, with what to write instead; `way` says
     /// how to write the other way of counting. An angle about a line may well begin at zero.
-    pub fn doubt(&self, ends: [f64; 2], from: From, way: &str) -> Option<String> {
+    pub fn doubt(&self, ends: [f64; 2], from: CountedFrom, way: &str) -> Option<String> {
         match self.drive.kind {
             DriveKind::Coordinate => {
                 let other_unit = self.other_unit(ends, from).map(|unit| {
@@ -64,7 +64,7 @@ impl DriveAtDesign<'_> {
     fn counted_otherwise(
         &self,
         [least, greatest]: [f64; 2],
-        from: From,
+        from: CountedFrom,
         size: f64,
         way: &str,
     ) -> Option<String> {
@@ -76,10 +76,10 @@ impl DriveAtDesign<'_> {
             least.abs().min(greatest.abs()) <= SMALL * self.design.abs() || spans(0.0);
         let is_elsewhere = self.design.abs() > SMALL * size;
         let [takes, not] = match from {
-            From::Zero if is_elsewhere && starts_small && !spans(self.design) => {
+            CountedFrom::Zero if is_elsewhere && starts_small && !spans(self.design) => {
                 ["the drive's own value", "a change from the design position"]
             }
-            From::Start if is_elsewhere && spans(self.design) && !spans(0.0) => {
+            CountedFrom::Start if is_elsewhere && spans(self.design) && !spans(0.0) => {
                 ["a change from the design position", "the drive's own value"]
             }
             _ => return None,
@@ -93,10 +93,10 @@ impl DriveAtDesign<'_> {
     }
 
     /// The units in which the values would be those of a motion, where in that of the file they are not.
-    fn other_unit(&self, ends: [f64; 2], from: From) -> Option<String> {
+    fn other_unit(&self, ends: [f64; 2], from: CountedFrom) -> Option<String> {
         let zero = match from {
-            From::Zero => self.design,
-            From::Start => 0.0,
+            CountedFrom::Zero => self.design,
+            CountedFrom::Start => 0.0,
         };
         let farthest = |factor: f64| {
             let off = ends.map(|end| (end * factor - zero).abs());
@@ -107,7 +107,7 @@ impl DriveAtDesign<'_> {
         let moves_nothing = motion > 0.0 && motion < NO_MOTION * self.size && far < self.size;
         let is_at = |factor: f64| {
             let off = (ends[0] * factor - self.design).abs();
-            from == From::Zero && off < AT_DESIGN * self.design.abs()
+            from == CountedFrom::Zero && off < AT_DESIGN * self.design.abs()
         };
         let fits = |unit: &Length| {
             let factor = self.unit.length.metre() / unit.metre();
@@ -132,6 +132,7 @@ mod tests {
     use suspension_motion_file::Angle;
 
     use super::*;
+    use CountedFrom::{Start, Zero};
 
     #[test]
     fn values_in_another_unit_or_from_elsewhere_are_doubted() {
@@ -173,73 +174,63 @@ mod tests {
             (
                 metres,
                 [300.0, 350.0],
-                From::Zero,
+                Zero,
                 "is `bump` in mm? The file is in m",
             ),
-            (metres, [0.3, 50.3], From::Zero, "is `bump` in mm"),
-            (metres, [-80.0, 80.0], From::Start, "is `bump` in mm"),
-            (
-                metres,
-                [-3.0, 3.0],
-                From::Start,
-                "is `bump` in mm or inches?",
-            ),
-            (
-                metres,
-                [0.0, 0.05],
-                From::Zero,
-                "takes the drive's own value",
-            ),
+            (metres, [0.3, 50.3], Zero, "is `bump` in mm"),
+            (metres, [-80.0, 80.0], Start, "is `bump` in mm"),
+            (metres, [-3.0, 3.0], Start, "is `bump` in mm or inches?"),
+            (metres, [0.0, 0.05], Zero, "takes the drive's own value"),
             (
                 metres,
                 [-0.05, 0.05],
-                From::Zero,
+                Zero,
                 "`bump` is 0.3 m at the design position",
             ),
             (
                 metres,
                 [0.22, 0.38],
-                From::Start,
+                Start,
                 "takes a change from the design position",
             ),
             (
                 metres,
                 [0.3, 0.3],
-                From::Start,
+                Start,
                 "takes a change from the design position",
             ),
             (
                 millimetres,
                 [0.3, 0.35],
-                From::Zero,
+                Zero,
                 "is `bump` in m? The file is in mm",
             ),
-            (millimetres, [300.0, 300.05], From::Zero, "is `bump` in m?"),
-            (millimetres, [-0.05, 0.05], From::Start, "is `bump` in m?"),
+            (millimetres, [300.0, 300.05], Zero, "is `bump` in m?"),
+            (millimetres, [-0.05, 0.05], Start, "is `bump` in m?"),
             (
                 arm,
                 [0.006, 0.006],
-                From::Zero,
+                Zero,
                 "`arm` takes the drive's own value, not a change from the design position: `arm` is 90 deg at the design position",
             ),
-            (arm, [-0.2, 0.2], From::Zero, "takes the drive's own value"),
+            (arm, [-0.2, 0.2], Zero, "takes the drive's own value"),
             (
                 arm,
                 [FRAC_PI_2, FRAC_PI_2],
-                From::Start,
+                Start,
                 "takes a change from the design position",
             ),
-            (arm, [-0.2, 0.2], From::Start, ""),
-            (arm, [0.7, 1.2], From::Zero, ""),
-            (arm, [0.0, 3.0], From::Zero, ""),
-            (crank, [0.0, 0.5], From::Zero, ""),
-            (metres, [0.25, 0.35], From::Zero, ""),
-            (metres, [0.3, 0.3], From::Zero, ""),
-            (metres, [-0.08, 0.08], From::Start, ""),
-            (metres, [0.0, 0.0], From::Start, ""),
-            (metres, [1e-9, 2e-9], From::Start, ""),
-            (millimetres, [-80.0, 80.0], From::Start, ""),
-            (millimetres, [220.0, 380.0], From::Zero, ""),
+            (arm, [-0.2, 0.2], Start, ""),
+            (arm, [0.7, 1.2], Zero, ""),
+            (arm, [0.0, 3.0], Zero, ""),
+            (crank, [0.0, 0.5], Zero, ""),
+            (metres, [0.25, 0.35], Zero, ""),
+            (metres, [0.3, 0.3], Zero, ""),
+            (metres, [-0.08, 0.08], Start, ""),
+            (metres, [0.0, 0.0], Start, ""),
+            (metres, [1e-9, 2e-9], Start, ""),
+            (millimetres, [-80.0, 80.0], Start, ""),
+            (millimetres, [220.0, 380.0], Zero, ""),
         ] {
             let said = drive.doubt(ends, from, "").unwrap_or_default();
             assert!(said.contains(expected), "{ends:?}: {said}");

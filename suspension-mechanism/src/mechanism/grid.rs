@@ -48,7 +48,7 @@ pub fn evenly_spaced([from, to]: [f64; 2], count: usize) -> Vec<f64> {
 
 /// What the values of a grid are counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum From {
+pub enum CountedFrom {
     /// Where each drive is when the mechanism starts.
     Start,
     /// The drive's own zero.
@@ -61,11 +61,15 @@ impl Grid {
     /// # Errors
     ///
     /// In words, where the places are too many.
-    pub fn new(mechanism: &Description, axes: Vec<Axis>, from: From) -> Result<Self, String> {
+    pub fn new(
+        mechanism: &Description,
+        axes: Vec<Axis>,
+        from: CountedFrom,
+    ) -> Result<Self, String> {
         let start = mechanism.first_drives();
         let from = |drive: usize| match from {
-            From::Start => start[drive],
-            From::Zero => -mechanism.drive_offsets[drive],
+            CountedFrom::Start => start[drive],
+            CountedFrom::Zero => -mechanism.drive_offsets[drive],
         };
         let places = |Axis { drives, values }: Axis| -> Vec<AxisPlace> {
             let place = |value: f64| {

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, Description, Drive, From, Grid, Order, Place, Visited};
+use crate::mechanism::{Axis, CountedFrom, Description, Drive, Grid, Order, Place, Visited};
 use crate::quantities::{Column, Reader};
 
 /// A quantity, where it is read, and what it is to be there.
@@ -122,7 +122,7 @@ impl Target {
 
     fn visited(&self, mechanism: &dyn Kinematics, over: Vec<Axis>) -> Option<Visited<f64>> {
         let never = AtomicBool::new(false);
-        let grid = Grid::new(mechanism, over, From::Start).ok()?;
+        let grid = Grid::new(mechanism, over, CountedFrom::Start).ok()?;
         let mut read = |place: &dyn Place| self.reading.at(place);
         Some(mechanism.visit(&grid, Order::First, &never, &mut read))
     }

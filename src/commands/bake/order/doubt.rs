@@ -4,7 +4,7 @@ use crate::commands::bake::order::{Along, DIGITS, Ordered};
 use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::grid::doubt;
-use crate::mechanism::{Description, Drive, From};
+use crate::mechanism::{CountedFrom, Description, Drive};
 use crate::number::{number, rounded};
 
 impl Ordered<'_> {
@@ -19,7 +19,8 @@ impl Ordered<'_> {
         let design = self.mechanism.design[along.drive] * Dimension::from(*kind).in_file(*unit);
         let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
         let way = format!("; changes from there are --drive {name}={from}:{to}");
-        let Some(doubt) = doubt(self.mechanism, along.drive, stated, From::Zero, &way) else {
+        let Some(doubt) = doubt(self.mechanism, along.drive, stated, CountedFrom::Zero, &way)
+        else {
             return Ok(());
         };
         if self.is_out_of_reach(along) {

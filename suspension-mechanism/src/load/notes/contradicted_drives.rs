@@ -5,7 +5,9 @@ use suspension_core::Values;
 use crate::file::Dimension;
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::mechanism::{DriveAtDesign, DriveLaws, From, Instants, Suspension, evenly_spaced};
+use crate::mechanism::{
+    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, evenly_spaced,
+};
 use crate::number::rounded;
 
 /// Instants at which drives are looked at.
@@ -42,7 +44,7 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
             size,
             unit,
         };
-        at_design.doubt(ends, From::Zero, &way)
+        at_design.doubt(ends, CountedFrom::Zero, &way)
     });
     let name = task.source.name();
     doubts

@@ -7,7 +7,7 @@ use crate::characteristics::{columns, not_of_this, of_wheels, zero_at_design};
 use crate::failure::Failure;
 use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
-use crate::mechanism::{Axis, From, Grid, evenly_spaced};
+use crate::mechanism::{Axis, CountedFrom, Grid, evenly_spaced};
 use crate::quantities::Column;
 use crate::tune::{self, Reading, Target};
 
@@ -131,7 +131,7 @@ impl Targets<'_> {
         }
         let axes = drives.into_iter().map(|along| self.axis(along, places));
         let axes = axes.collect::<Result<Vec<_>, _>>()?;
-        if let Err(too_many) = Grid::new(self.0.mechanism, axes.clone(), From::Start) {
+        if let Err(too_many) = Grid::new(self.0.mechanism, axes.clone(), CountedFrom::Start) {
             return refuse(&too_many);
         }
         let wanted = wanted.iter().map(|wanted| wanted / scale);
