@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Arguments, Order, Ordered, Wished};
+use suspension::commands::bake::order::{Order, Ordered, Variables, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -172,7 +172,7 @@ fn ranges_far_from_the_origin() {
 fn baked_far_from_the_origin() {
     let [here, there] = [[0.0; 3], AWAY].map(|away| {
         let order = Order {
-            along: Arguments::Drives(vec![Wished {
+            along: Variables::Drives(vec![Wished {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
             }]),

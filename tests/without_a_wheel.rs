@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Arguments, Order, Ordered, Wished};
+use suspension::commands::bake::order::{Order, Ordered, Variables, Wished};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
 use suspension::load::load;
@@ -45,7 +45,7 @@ fn on_it<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
 
 fn order(wish: Wish) -> Order {
     Order {
-        along: Arguments::Drives(vec![Wished::default()]),
+        along: Variables::Drives(vec![Wished::default()]),
         tolerance: 1e-6,
         continuity: Continuity::Velocity,
         wish,

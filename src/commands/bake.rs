@@ -111,7 +111,7 @@ impl Arguments {
         Ok(())
     }
 
-    fn arguments(&self) -> Result<order::Arguments, Failure> {
+    fn variables(&self) -> Result<order::Variables, Failure> {
         if let Some(along) = &self.along {
             return self.in_place_of(along);
         }
@@ -132,11 +132,11 @@ impl Arguments {
             }
             only.range = ends;
         }
-        Ok(order::Arguments::Drives(drives))
+        Ok(order::Variables::Drives(drives))
     }
 
     /// The measure in place of the drive that is named.
-    fn in_place_of(&self, along: &WishedMeasure) -> Result<order::Arguments, Failure> {
+    fn in_place_of(&self, along: &WishedMeasure) -> Result<order::Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
             [Wished { drive, range }] if *range == [None; 2] => drive.clone(),
@@ -146,12 +146,12 @@ impl Arguments {
             }
         };
         let along = along.clone();
-        Ok(order::Arguments::Measure(WishedMeasure { drive, ..along }))
+        Ok(order::Variables::Measure(WishedMeasure { drive, ..along }))
     }
 
     fn order(&self) -> Result<Order, Failure> {
         Ok(Order {
-            along: self.arguments()?,
+            along: self.variables()?,
             tolerance: self.tolerance,
             continuity: match self.continuity {
                 0 => Continuity::Position,

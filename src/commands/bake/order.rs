@@ -24,8 +24,8 @@ const DIGITS: usize = 12;
 /// An order: what to bake of the mechanism of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// What the motion is a function of.
-    pub along: Arguments,
+    /// The variables of which the motion is a function.
+    pub along: Variables,
     /// How far a point may be off, m.
     pub tolerance: f64,
     /// How segments join.
@@ -34,9 +34,9 @@ pub struct Order {
     pub wish: Wish,
 }
 
-/// What a motion is a function of.
+/// The variables of which a motion is a function.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Arguments {
+pub enum Variables {
     /// One drive for a curve, two for a surface.
     Drives(Vec<Wished>),
     /// A measure in place of a drive, for a curve.
@@ -94,8 +94,8 @@ impl Ordered<'_> {
             ..*unit
         };
         let (moved, arguments, baked) = match &self.order.along {
-            Arguments::Drives(drives) => self.by_drives(drives, inside)?,
-            Arguments::Measure(wished) => {
+            Variables::Drives(drives) => self.by_drives(drives, inside)?,
+            Variables::Measure(wished) => {
                 let along = self.along_measure(wished)?;
                 let baked = Table::Curve(self.curve_along(&along)?);
                 (vec![along.drive], vec![self.ranged(&along, inside)], baked)
