@@ -10,11 +10,11 @@ use suspension_core::directions::Directions;
 use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
 
 use crate::mechanism::derivatives::{Along, Derivatives};
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::{DRIVES_AT_ONCE, Graded};
 use crate::mechanism::known::{Known, Lists, Order};
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::{Moved, State};
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {

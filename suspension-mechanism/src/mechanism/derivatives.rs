@@ -6,10 +6,10 @@ use nalgebra::{SVector, Vector3};
 use suspension_core::Values;
 use suspension_core::directions::{Direction, Directions};
 
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::known::Arrival;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
-use crate::mechanism::ready::Mechanism;
 
 /// Derivatives at a place; there are none where the mechanism locks.
 pub(crate) struct Derivatives<'a, L: Suspension<N>, const N: usize> {

@@ -5,13 +5,13 @@ use suspension_core::solve::report::Report;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::drives::{DriveLaws, advance, follow};
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::locking::Lock;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::polynomial::Polynomial;
-use crate::mechanism::ready::Mechanism;
 
 /// A mechanism on its way.
 pub(crate) enum Moving<'a, const N: usize> {

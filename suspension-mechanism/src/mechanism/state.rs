@@ -5,10 +5,10 @@ use std::rc::Rc;
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::mass::Mass;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::spring::Spring;
 use suspension_motion_file::Axes;
 

@@ -6,9 +6,9 @@ use suspension_core::solve::report::Report;
 use suspension_core::{Inputs, Motion, Still};
 
 use crate::failure::Failure;
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::end::End;
 use crate::mechanism::names::Suspension;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
 use suspension_motion_file::Instants;
 

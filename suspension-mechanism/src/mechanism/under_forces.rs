@@ -9,8 +9,8 @@ use suspension_core::statics::{Loads, Statics};
 use suspension_core::{Inputs, Signal, Values};
 use suspension_runtime::PartForces;
 
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::names::Suspension;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
 
 /// What forces at the points do to a mechanism.

@@ -6,10 +6,10 @@ mod visitor;
 use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::grid::Grid;
 use crate::mechanism::known::Order;
 use crate::mechanism::names::Suspension;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::words::advice;
 use visitor::Visitor;
 

@@ -8,12 +8,12 @@ use suspension_core::{Linkage, Motion, Values};
 
 use super::place::{OnPlace, Place, VisitEnd};
 use crate::mechanism::around::Around;
+use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::Gradient;
 use crate::mechanism::grid::Grid;
 use crate::mechanism::known::{Arrival, Known, Lists, Order};
 use crate::mechanism::names::Suspension;
 use crate::mechanism::positions::Positions;
-use crate::mechanism::ready::Mechanism;
 use crate::mechanism::state::State;
 
 /// The mechanism on its way, at a place.
