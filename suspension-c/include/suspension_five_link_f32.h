@@ -264,6 +264,15 @@ susp_status susp_five_link_f32_attempt(
         susp_five_link_f32_motion *motion,
         susp_f32_report *report);
 
+/** `attempt` with two corrections in place of one, as `bounded_step_twice` has them: in `double` for a wheel on a road. */
+susp_status susp_five_link_f32_attempt_twice(
+        const susp_five_link_f32_model *model,
+        const susp_five_link_f32_inputs *inputs,
+        susp_outputs outputs,
+        float dt,
+        susp_five_link_f32_motion *motion,
+        susp_f32_report *report);
+
 /** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
  * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
 susp_status susp_five_link_f32_attempt_without_corrections(

@@ -68,6 +68,11 @@ macro_rules! functions_of_stepping {
             answer(|| attempted::<1>(model, inputs, outputs, dt, motion, report))
         }
 
+        /// `attempt` with two corrections in place of one, as `bounded_step_twice` has them: in `double` for a wheel on a road.
+        fn attempt_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
+            answer(|| attempted::<2>(model, inputs, outputs, dt, motion, report))
+        }
+
         /// `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
         /// that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms.
         fn attempt_without_corrections(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
