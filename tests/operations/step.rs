@@ -79,10 +79,10 @@ where
     let uncorrected = step::<0, L, N>(model, Outputs::Acceleration);
     let known = drive + both + 3 * solve + 2 * square + 2 * product;
     vec![
-        ("the drive's angle to a coordinate, with rates", drive),
+        ("drive's angle to a coordinate, with rates", drive),
         ("residual", residual),
         (
-            "Jacobian and its factors, less what the residual has",
+            "Jacobian and its factors, less operations shared with the residual",
             both - residual,
         ),
         ("one back-substitution", solve),
@@ -92,7 +92,7 @@ where
         ("**with velocity**", velocity),
         ("**with acceleration**", acceleration),
         (
-            "of these prediction, first values of the rates, what the step is judged by; less what curvatures share",
+            "of which prediction, first values of the rates and tests of the step, less operations that curvatures share",
             acceleration - known,
         ),
         (
