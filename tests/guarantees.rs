@@ -90,11 +90,11 @@ fn rendered(guarantees: &Guarantees) -> String {
     let mut page = String::from(
         "# Guarantees\n\n\
          Rendered from [guarantees.toml](guarantees.toml). Each row names the tests that fail if it is false;\n\
-         `cargo test --workspace` runs them, `.ci/run` also the scripts. \"Found\" is what was measured.\n",
+         `cargo test --workspace` runs the tests, `.ci/run` also the scripts. \"Found\" is the measured value.\n",
     );
     for group in &guarantees.group {
         let _ = write!(page, "\n## {}\n\n", group.title);
-        page.push_str("| what | figure | fails if false |\n| --- | --- | --- |\n");
+        page.push_str("| guarantee | figure | test |\n| --- | --- | --- |\n");
         for row in &group.row {
             let tests = row.test.iter().map(|test| {
                 let (file, name) = test.split_once("::").unwrap_or((test, ""));
