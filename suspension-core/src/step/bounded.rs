@@ -69,7 +69,7 @@ pub enum Outputs {
 ///
 /// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction
 /// is enough for smooth drives where the acceleration is solved for; with less two are, or half the step. The page
-/// [`controller`](crate::controller#which-step) says how smooth: in `f64` a wheel on a road takes two or three.
+/// [`controller`](crate::controller#ways-to-step) says how smooth: in `f64` a wheel on a road takes two or three.
 ///
 /// The instructions that a step executes do not depend on its data, as long as the pivots of the
 /// macro's order are healthy, the error of the prediction is within
