@@ -1,6 +1,6 @@
 //! The catalogue of layouts: one listing a file, all of them as text in [`LISTINGS`].
 //!
-//! Those that are compiled here have a module each, with what [`linkage!`](crate::linkage!#what-comes-out) writes. The others
+//! Those that are compiled here have a module each, with what [`linkage!`](crate::linkage!#the-generated-module) writes. The others
 //! cost no build time; `suspension-runtime` reads them, and a program that wants one compiled copies its text and
 //! says `linkage! { pub mod name; }`.
 
