@@ -1,8 +1,8 @@
-//! The solver for C: plain functions over objects that the caller owns.
+//! The solver for C: plain functions on objects that the caller owns.
 //!
-//! [`export!`] makes C functions of a [`linkage!`](suspension_core::linkage!) listing in one number
+//! [`export!`] makes C functions from a [`linkage!`](suspension_core::linkage!) listing in one number
 //! type, and a description of them that prints itself as a C header. Both come from the same lines,
-//! so that they cannot differ; [`catalogue`] does it for the linkages of the catalogue.
+//! so they cannot differ. [`catalogue`] exports the linkages of the catalogue.
 //!
 //! ```
 //! suspension_core::linkage! {
@@ -23,12 +23,12 @@
 //! }
 //! ```
 //!
-//! There is no state but in the caller's objects, so that threads need no lock as long as each
-//! object is written by one of them at a time. Every pointer is checked for null and alignment, every
-//! object for having been made by the function that makes its kind. `unsafe` is in
+//! All state is in the caller's objects, so threads need no lock as long as only one of them
+//! writes an object at a time. Every pointer is checked for null and alignment. Every
+//! object is checked for having been made by the function that makes its kind. `unsafe` is in
 //! `pointer.rs` and below it, and where a suspension keeps the listing that it borrows.
 //!
-//! [`listing`] reads listings from text, with the feature `listings` and on the heap; nothing else
+//! [`listing`] reads listings from text onto the heap, with the feature `listings`; nothing else
 //! allocates.
 #![no_std]
 #![cfg_attr(

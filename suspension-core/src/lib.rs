@@ -1,8 +1,8 @@
 //! Suspension kinematics in point coordinates, `no_std` and without heap.
 //!
-//! A suspension is a list of at-most-quadratic constraints over points. [`linkage!`] expands the list at
-//! compile time into straight-line, stack-only code; this crate solves it. The front door is [`Corner`], a
-//! suspension that moves:
+//! A suspension is a list of constraints on points, each at most quadratic. [`linkage!`] expands the list at
+//! compile time into straight-line code that uses only the stack; this crate solves it. Start with [`Corner`], a
+//! moving suspension:
 //!
 //! ```
 //! use suspension_core::Signal;
@@ -45,7 +45,7 @@
 //!
 //! The page [`controller`] shows how to run it on a controller, and what a step costs there.
 //!
-//! The feature `macros`, on by default, brings [`linkage!`] and the layouts that it compiles in [`linkages`]. A program that reads
+//! The feature `macros`, on by default, enables [`linkage!`] and the layouts compiled in [`linkages`]. A program that reads
 //! all its listings at run time builds faster without it.
 #![no_std]
 #![forbid(unsafe_code)]

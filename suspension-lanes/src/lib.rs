@@ -1,7 +1,7 @@
 //! Steps in lanes: four corners of a car, or eight variants, for about the price of one.
 //!
-//! The code that `linkage!` writes runs on vectors of numbers. Which instructions a processor has
-//! is found out when [`Lanes`] are made, so that a default build is fast wherever it runs.
+//! The code that `linkage!` generates runs on vectors of numbers. [`Lanes`] find out which instructions the processor
+//! has when they are made, so a default build is fast on any processor.
 
 mod engine;
 mod lane;

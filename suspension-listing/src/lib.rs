@@ -1,7 +1,7 @@
-//! The front end of a listing: from its text to a system of equations and the order in which they are
-//! eliminated.
+//! The front end for listings: it turns the text of a listing into a system of equations and the order of their
+//! elimination.
 //!
-//! `suspension-macros` writes Rust of it; at run time the same system is walked.
+//! `suspension-macros` generates Rust from this system; `suspension-runtime` walks it at run time.
 
 mod check;
 mod cluster;

@@ -1,6 +1,6 @@
-//! The `linkage!` macro: from a list of constraints over points to straight-line Rust.
+//! The `linkage!` macro: it turns a list of constraints on points into straight-line Rust.
 //!
-//! Use it through `suspension_core::linkage`, where it is documented by its listings.
+//! Use it through `suspension_core::linkage`, which documents it with examples.
 
 mod emit;
 mod expand;

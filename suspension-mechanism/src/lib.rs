@@ -1,4 +1,4 @@
-//! Motion files to mechanisms, and what is read off them.
+//! Mechanisms from motion files, and the quantities of their states.
 //!
 //! All kinematics are those of [`suspension_core`]. From the top:
 //!

@@ -1,5 +1,5 @@
-//! What is written in a motion file: its text, its grammar, and what it may say beyond its grammar; its units, axes and
-//! instants; how a mistake in it is told.
+//! The motion file: its text, its grammar and further rules; its units, axes and
+//! instants; messages about mistakes in it.
 
 mod axes;
 mod axle;

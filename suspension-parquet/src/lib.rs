@@ -1,6 +1,6 @@
-//! Rows of numbers as Parquet: a column of `f64` each, and what they are about as the file's metadata.
+//! Rows of numbers as Parquet: each quantity is a column of `f64`, and a description is the file's metadata.
 //!
-//! A crate of its own, so that the program is built without it unless it is asked for.
+//! This is a separate crate, so that the program is built without it unless a feature asks for it.
 #![forbid(unsafe_code)]
 
 use std::io::Write;

@@ -1,6 +1,6 @@
-//! Rows of numbers in files: as comma-separated values, as JSON, as Parquet. A file takes its name once it is whole.
+//! Rows of numbers in files: as comma-separated values, JSON or Parquet. A file gets its name only when it is complete.
 //!
-//! A crate of its own, so that it is optimised where commands are not: [`rows`] write most of what a sweep takes time for.
+//! This is a separate crate, so that it is optimised while commands are not: writing [`rows`] takes much of the time of a sweep.
 
 pub mod csv_file;
 pub mod files;

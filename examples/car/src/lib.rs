@@ -1,4 +1,4 @@
-//! A car on its suspension's own geometry, to copy. See the README beside.
+//! A vehicle model to copy, whose wheels move on the geometry of its suspensions. See its README.
 
 pub mod car;
 pub mod chart;
