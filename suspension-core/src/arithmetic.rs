@@ -1,5 +1,4 @@
-//! The numbers that the solver computes with: what it asks of them, their sine and cosine, and how small a pivot may be beside
-//! rounding.
+//! The numbers that the solver computes with: the operations that it needs, sine and cosine, and how small a pivot may be.
 
 pub(crate) mod entrywise;
 pub(crate) mod magnitude;

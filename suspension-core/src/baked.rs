@@ -1,9 +1,9 @@
-//! Motions baked into polynomials: look-up instead of solving, where a tolerance is known.
+//! Motions baked into polynomials: look-up instead of solving, if a known tolerance is acceptable.
 //!
 //! `suspension bake` fits a piecewise polynomial to the motion over the range of one drive, checks
-//! it against the solver and writes it as a source file, a module of your program. In it is a [`Curve`], over two drives a
-//! [`Surface`]: a `static` that lies in read-only memory. Of a wheel its outputs are the centre and the spin axis, by which
-//! [`camber`](crate::wheel::camber) and [`toe`](crate::wheel::toe) are read. Segments are of equal length, so that finding
+//! it against the solver and writes it as a source file, a module of your program. The file has a [`Curve`], or a
+//! [`Surface`] over two drives: a `static` in read-only memory. The outputs for a wheel are its centre and its spin axis, which give
+//! [`camber`](crate::wheel::camber) and [`toe`](crate::wheel::toe). Segments have equal length, so finding
 //! one takes a multiplication and a truncation, and evaluation takes the same time everywhere.
 //!
 //! ```

@@ -1,32 +1,32 @@
-//! A proof that a root lies near a position, and only one.
+//! A proof that exactly one root lies near a position.
 //!
 //! The equations are quadratic: `J(q + d) = J(q) + C(d, .)` with a constant `C`
-//! ([`constraint`](crate::model::constraint)). Let `A` be any matrix, and in the maximum norm
+//! ([`constraint`](crate::model::constraint)). Let `A` be any matrix and let, in the maximum norm,
 //!
 //! ```text
 //! |A F(q)| <= Y     |I - A J(q)| <= Z < 1     |A C(v, w)| <= K |v| |w|     2 K Y < (1 - Z)^2
 //! ```
 //!
 //! Then `T(x) = x - A F(x)` maps the ball of each radius `r` about `q` with
-//! `K r^2 / 2 - (1 - Z) r + Y <= 0` into itself, so that it has a fixed point there (Brouwer), and
-//! that is a root, because `A` is regular where `Z < 1`. Two roots `x`, `y` obey
-//! `x - y = (I - A J((x + y) / 2)) (x - y)` exactly, so there is but one where
+//! `K r^2 / 2 - (1 - Z) r + Y <= 0` into itself. It therefore has a fixed point there (Brouwer), which
+//! is a root, because `A` is regular if `Z < 1`. Two roots `x`, `y` obey
+//! `x - y = (I - A J((x + y) / 2)) (x - y)` exactly, so there is only one if
 //! `K (|x - q| + |y - q|) / 2 < 1 - Z`. With `h = 2 K Y / (1 - Z)^2`
 //!
 //! ```text
 //! radius = 2 Y / ((1 - Z) (2 - h))        unique_within = 2 (1 - Z) / K - radius
 //! ```
 //!
-//! meet both; there also `|I - A J| < 1`, so that the root is a regular one. This is the theorem of
+//! meet both conditions. There `|I - A J| < 1` too, so the root is regular. This is the theorem of
 //! Newton and Kantorovich (Ortega 1968, Amer. Math. Monthly 75; Deuflhard 2011, Newton Methods for
 //! Nonlinear Problems, section 2.1) in the form of radii polynomials (Day, Lessard and Mischaikow
 //! 2007, SIAM J. Numer. Anal. 45), for quadratic equations, where its proof is elementary.
 //!
-//! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards: it is
-//! a proof in spite of rounding, and a wrong `A` makes it fail, not false. It is about the equations
-//! with lengths, constants of bodies, chassis points and drives exactly as they are stored, and of
-//! driving angles with the true cosine; what [`RigidMotion`](crate::chassis::RigidMotion) rounds in the
-//! chassis points comes before.
+//! `F`, `J` and `C` are evaluated with [`Enclosed`] numbers and the bounds are rounded upwards. The proof
+//! therefore includes rounding; a wrong `A` makes it fail, not false. It holds for the equations
+//! with lengths, constants of bodies, chassis points and drives exactly as they are stored, and with the
+//! true cosine of driven angles. It does not cover the rounding of chassis points by
+//! [`RigidMotion`](crate::chassis::RigidMotion).
 
 use nalgebra::{SVector, Vector3};
 

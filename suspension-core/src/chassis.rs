@@ -1,8 +1,8 @@
 //! A chassis in rigid motion.
 //!
-//! A simulator usually solves the linkage in chassis axes, where the chassis points rest
-//! ([`Still`](crate::Still)), and carries the result into the world ([`RigidMotion::carry`]).
-//! That is the cheapest way and keeps coordinates small. The other way, chassis points that move
+//! A simulator usually solves the linkage in chassis axes, where the chassis points are at rest
+//! ([`Still`](crate::Still)), and transforms the result to world axes ([`RigidMotion::carry`]).
+//! This is the cheapest way and keeps coordinates small. The other way, with chassis points that move
 //! in world axes ([`RigidMotion::anchors`] as inputs), gives the same motion; drives then
 //! prescribe world coordinates.
 //!

@@ -1,4 +1,4 @@
-//! A suspension that moves: its model, configuration, drives and time in one value.
+//! A moving suspension: its model, configuration, drives and time in one value.
 
 mod clock;
 mod drives;

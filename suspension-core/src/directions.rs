@@ -1,4 +1,4 @@
-//! How a linkage changes with its drives, in any direction of these, from one factorisation.
+//! Derivatives of a linkage with respect to its drives, along any direction of them, from one factorisation.
 
 use core::ops::{Add, Neg, Sub};
 

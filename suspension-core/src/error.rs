@@ -1,7 +1,7 @@
-//! What can go wrong, as `Copy` values.
+//! Errors, as `Copy` values.
 //!
-//! They hold numbers of equations, unknowns, points and lengths. With a listing or a model of it beside
-//! them ([`SolveError::named`]) they print names. [`Cause`] has a row for each kind of failure.
+//! They hold indices of equations, unknowns, points and lengths. With a listing or a model of it
+//! ([`SolveError::named`]) they print names. [`Cause`] has a row for each kind of failure.
 
 use core::fmt;
 

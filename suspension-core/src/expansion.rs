@@ -1,4 +1,4 @@
-//! The macro `linkage!`, which names its own crate whatever a program calls it.
+//! The macro `linkage!`, which finds its own crate under any name that a program gives it.
 
 #[doc = include_str!("../docs/linkage.md")]
 #[macro_export]

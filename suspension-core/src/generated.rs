@@ -1,4 +1,4 @@
-//! What generated code names. Not for use by hand.
+//! Items that generated code names; not for direct use.
 
 mod stand_in;
 

@@ -1,8 +1,8 @@
-//! Weight and inertia of moving parts, as forces at their points (d'Alembert): with them
-//! [`statics`](crate::statics) is that of a moving mechanism.
+//! Weight and inertia of moving parts, as forces at their points (d'Alembert). With these forces
+//! [`statics`](crate::statics) applies to a moving mechanism.
 //!
-//! Masses, lengths and times in units that belong together: kg, m and s give N. Accelerations are those relative to the
-//! chassis; one of the chassis itself is taken off `gravity`.
+//! Masses, lengths and times must be in consistent units: kg, m and s give N. Accelerations are relative to the
+//! chassis; subtract an acceleration of the chassis itself from `gravity`.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,4 +1,4 @@
-//! What a listing has, whatever its geometry: its parts, their names and kinds.
+//! The parts of a listing, their names and kinds, independent of its geometry.
 
 use core::f64::consts::{PI, TAU};
 

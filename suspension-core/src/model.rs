@@ -1,8 +1,8 @@
-//! What a model of a linkage is made of.
+//! The building blocks of a model of a linkage.
 //!
-//! A program uses [`local`], an origin among the hardpoints, which keeps `f32` accurate, and [`measure`], lengths and angles with
-//! their derivatives. The rest is for the code that `linkage!` writes: equations of each kind ([`constraint`]), their constants
-//! from hardpoints or lengths ([`parts`]), and the side on which a point stands that links alone hold ([`handedness`]).
+//! A program uses [`local`], an origin among the hardpoints that keeps `f32` accurate, and [`measure`], lengths and angles with
+//! their derivatives. The other modules serve the code that `linkage!` writes: equations of each kind ([`constraint`]), their constants
+//! from hardpoints or lengths ([`parts`]), and the side of a point that only links hold ([`handedness`]).
 
 pub mod constraint;
 pub mod handedness;

@@ -1,20 +1,20 @@
 //! Following a mechanism where its drive cannot: through turning points, round closed curves, up
 //! to bifurcations.
 //!
-//! One drive is set free, and with its coordinate `h` the configurations `(q, h)` form a
-//! [`Curve`]: `N` equations in `N + 1` unknowns. It is followed by predictor and corrector in a
+//! One drive is set free. With its coordinate `h` the configurations `(q, h)` form a
+//! [`Curve`]: `N` equations in `N + 1` unknowns. A predictor and a corrector follow it in a
 //! local parametrisation (W. C. Rheinboldt and J. V. Burkardt, ACM Transactions on Mathematical
-//! Software 9(2), 1983): the entry that moves fastest is the parameter, the curve's Taylor series
-//! in it the predictor, Newton's method with it held the corrector. All entries are in units of
-//! length, and the series is exact in that the equations are quadratic in them.
+//! Software 9(2), 1983). The parameter is the entry that moves fastest, the predictor is the curve's Taylor series
+//! in it, and the corrector is Newton's method with the parameter held. All entries are in units of
+//! length. The series is exact because the equations are quadratic in the entries.
 //!
 //! Along the tangent `t`, oriented by continuity,
 //!
-//! - the sign of `t_h` changes where the drive turns: there, driven by it, the mechanism locks. Two turns within one stretch are
-//!   not seen: shorter stretches ([`Continuation::longest`]) tell them apart;
-//! - the sign of `det [J, dF/dh; t^T]` changes where the derivative loses rank: where another
+//! - the sign of `t_h` changes where the drive turns: there the mechanism, moved by this drive, locks. Two turns within one stretch are
+//!   not detected; shorter stretches ([`Continuation::longest`]) separate them;
+//! - the sign of `det [J, dF/dh; t^T]` changes where the derivative loses rank, because another
 //!   curve crosses (a simple bifurcation). A path ends there and never steps across. An even
-//!   number of crossings within one step is not seen.
+//!   number of crossings within one step is not detected.
 
 mod arc;
 mod chart;

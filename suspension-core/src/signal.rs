@@ -1,4 +1,4 @@
-//! What is prescribed from outside: drives and chassis points, each with its rates.
+//! Prescribed inputs: drives and chassis points, each with its rates.
 
 mod number;
 

@@ -1,11 +1,11 @@
-//! Forces: what they do to the drives, and what each equation takes of them.
+//! Statics: the forces on drives and in equations due to forces at the points.
 //!
-//! Forces at the points do the work `f . dq` in a small motion of the unknowns. The equations hold them: with the
-//! multipliers `m` of `J^T m = f` an equation acts on the unknowns with `-m dF/dq`, on the chassis points with
+//! Forces at the points do the work `f . dq` in a small motion of the unknowns. The equations balance them: with the
+//! multipliers `m` of `J^T m = f` an equation acts on the unknowns with `-m dF/dq` and on the chassis points with
 //! `-m dF/dc`, and the forces do the work `-m dF/du` per unit of a drive (virtual work). One factorisation serves all
-//! loads of a position, and a load takes one transposed back-substitution.
+//! loads of a position; each load takes one transposed back-substitution.
 //!
-//! A spring at the damper, of 60 N/mm and compressed to 3 kN: its force and rate at the wheel, and what the pushrod bears.
+//! This example has a spring of 60 N/mm at the damper, compressed to 3 kN. It computes the spring's force and rate at the wheel, and the force in the pushrod:
 //!
 //! ```
 //! use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Points, equation};

@@ -1,11 +1,11 @@
-//! What engineers read off a wheel. Signs, units and definitions live here and nowhere else.
+//! Wheel quantities. Their signs, units and definitions are here and nowhere else.
 //!
-//! Formulas take real numbers, or [`Signal`]s of them, and then give their derivatives too: with respect to time
-//! from positions, velocities and accelerations, with respect to a drive from what
-//! [`Corner::per`](crate::Corner::per) gives.
+//! Formulas take real numbers or [`Signal`]s of them. With signals they give derivatives too: with respect to time
+//! from positions, velocities and accelerations, with respect to a drive from the results of
+//! [`Corner::per`](crate::Corner::per).
 //!
 //! Axes are those of ISO 8855: x forward, y to the left, z up. Angles are in radians, computed by
-//! `atan2`, and signed so that they mean the same on both sides of a vehicle: the side is that of
+//! `atan2`. Their signs mean the same on both sides of a vehicle. The side is taken from
 //! the wheel's spin axis, which points outboard, from the first point of `wheel:` to the centre.
 
 mod angles;

@@ -1,4 +1,4 @@
-//! Motions of two drives, as travel and steer.
+//! Motions of two drives, for example travel and steer.
 
 use crate::arithmetic::scalar::Real;
 use crate::baked::{Outside, Split, add_product, polynomial};

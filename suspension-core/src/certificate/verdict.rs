@@ -1,4 +1,4 @@
-//! What is proved, or why nothing is.
+//! The result of a proof, or the reason for its failure.
 
 use super::bounds::Bounds;
 use super::enclosed::Enclosed;

@@ -1,4 +1,4 @@
-//! The time of a suspension that moves.
+//! The time of a moving suspension.
 
 use crate::arithmetic::scalar::Real;
 

@@ -1,4 +1,4 @@
-//! Drives that a step would not notice to be wrong.
+//! Wrong drives that a step would not detect.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;

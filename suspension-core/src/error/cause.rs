@@ -1,4 +1,4 @@
-//! Every cause of a failure: its number, what happened, and what to do.
+//! All causes of failure: number, description and remedy of each.
 
 /// Passes the table of causes on: to what defines [`Cause`], and to the C library, whose statuses and
 /// header are made of the same rows.

@@ -1,4 +1,4 @@
-//! What can be wrong with the geometry of a linkage.
+//! Errors in the geometry of a linkage.
 
 use super::{Cause, Explain, Facts};
 use crate::listing::Part;

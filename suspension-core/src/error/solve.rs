@@ -1,4 +1,4 @@
-//! What can go wrong in solving for a configuration.
+//! Errors in solving for a configuration.
 
 use super::{Cause, Compared, Explain, Facts};
 use crate::arithmetic::scalar::Real;

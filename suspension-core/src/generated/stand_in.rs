@@ -1,4 +1,4 @@
-//! What stands in for the code of a listing that has mistakes.
+//! The replacement for the code of a listing that has mistakes.
 
 /// `Factors` and the implementations without bodies, for `$n` unknowns, beside the types of the listing: code that uses
 /// them raises no errors of its own.

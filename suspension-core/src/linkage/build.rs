@@ -1,4 +1,4 @@
-//! What builds a linkage: positions of points, or lengths.
+//! Building a linkage from positions of points, or from lengths.
 
 use nalgebra::SVector;
 

@@ -1,8 +1,8 @@
-//! The catalogue of layouts: one listing a file, all of them as text in [`LISTINGS`].
+//! The catalogue of layouts: one listing in each file, all of them as text in [`LISTINGS`].
 //!
-//! Those that are compiled here have a module each, with what [`linkage!`](crate::linkage!#the-generated-module) writes. The others
-//! cost no build time; `suspension-runtime` reads them, and a program that wants one compiled copies its text and
-//! says `linkage! { pub mod name; }`.
+//! Each layout that is compiled here has a module, which [`linkage!`](crate::linkage!#the-generated-module) writes. The others
+//! cost no build time: `suspension-runtime` reads them. To compile one into a program, copy its text and
+//! write `linkage! { pub mod name; }`.
 
 #[cfg(feature = "macros")]
 use crate::linkage;

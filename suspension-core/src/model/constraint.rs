@@ -1,4 +1,4 @@
-//! The kinds of equation: each with its residual, gradient and curvature side by side.
+//! The kinds of equation, each with its residual, gradient and curvature.
 //!
 //! Every kind is at most quadratic in the coordinates, so its second derivative is a constant
 //! bilinear form `C(v, w)` and

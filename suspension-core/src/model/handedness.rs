@@ -1,9 +1,9 @@
-//! On which side of three points a fourth stands.
+//! The side of three points on which a fourth point lies.
 //!
-//! Three distances from a frame of three points do not tell a fourth point from its mirror image
-//! in the frame's plane: a knuckle closed by distances alone (Attia 2003, eq. 1.6 to 1.14) has
-//! wrong-handed roots too. The signed volume `V = (p - o) . (u x v)` tells them apart. A
-//! [`Carried`] point needs no such watch: its equations admit no mirror image.
+//! Three distances from a frame of three points do not distinguish a fourth point from its mirror image
+//! in the frame's plane: a knuckle held by distances alone (Attia 2003, eq. 1.6 to 1.14) has
+//! mirrored roots too. The sign of the volume `V = (p - o) . (u x v)` distinguishes them. A
+//! [`Carried`] point needs no such check: its equations admit no mirror image.
 
 use nalgebra::{SVector, Vector3};
 

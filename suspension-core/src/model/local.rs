@@ -1,15 +1,15 @@
-//! A mechanism solved about an origin of its own.
+//! A mechanism solved about its own origin.
 //!
-//! Coordinates are rounded to a part of their size, and so is what is solved in them: four metres
-//! from the origin, where vehicle axes often are, `f32` holds 2.4e-7 m, within a suspension 1.5e-8 m.
-//! A [`LocalOrigin`] among the points makes local coordinates of all that is put in; rates, angles,
+//! Coordinates, and results computed from them, are rounded in proportion to their size. Four metres
+//! from the origin, where vehicle axes often are, `f32` resolves 2.4e-7 m; within a suspension it resolves 1.5e-8 m.
+//! A [`LocalOrigin`] among the points converts all inputs to local coordinates; rates, angles,
 //! lengths and differences are the same in both.
 //!
-//! What is rounded before it is made local stays rounded. For `f32` hardpoints are therefore made
-//! local in `f64`. Rounded then, they will do; better, the model too is computed in `f64` and each of
-//! its numbers rounded once ([`Listing::rounded`](crate::Listing::rounded)). What `f32` is off by at
-//! most over the published motion of [`five_link`](crate::linkages::five_link), to tolerance or
-//! bounded (`tests/long_running/f32.rs`):
+//! Conversion to local coordinates does not undo earlier rounding. For `f32`, convert the hardpoints
+//! in `f64`. It is enough to round them after that; it is better to compute the model in `f64` too and to round each of
+//! its numbers once ([`Listing::rounded`](crate::Listing::rounded)). The largest errors of `f32`
+//! over the published motion of [`five_link`](crate::linkages::five_link), to tolerance or
+//! bounded (`tests/long_running/f32.rs`), are:
 //!
 //! | model in `f32` | free points | wheel centre | toe |
 //! | --- | --- | --- | --- |
@@ -17,9 +17,9 @@
 //! | from local hardpoints rounded | 2.6e-7 m | 1.9e-7 m | 1.9e-6 rad |
 //! | computed in `f64` from local hardpoints, then rounded | 2.4e-7 m | 1.5e-7 m | 1.1e-6 rad |
 //!
-//! In general a position is off by no more than the norm of the Jacobian's inverse times `EPSILON`
+//! In general the error of a position is at most the norm of the Jacobian's inverse times `EPSILON`
 //! times the largest coordinate or length. A knuckle stated as a `body` keeps that norm small; stated
-//! as nine distances (`attia2003`) it costs another factor of six.
+//! as nine distances (`attia2003`) it is larger by a factor of six.
 //!
 //! ```
 //! use suspension_core::linkages::five_link::{self, Drives, Model};

@@ -1,4 +1,4 @@
-//! Quantities that are read off the points: value, rate and second rate side by side.
+//! Quantities computed from the points: value, rate and second rate.
 //!
 //! A line is the vector `d` from one point to another with its rates.
 

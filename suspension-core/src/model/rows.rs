@@ -1,4 +1,4 @@
-//! A matrix that is filled row by row, where a row is stated by points.
+//! A matrix filled row by row, in which the entries of a row are stated by points.
 
 use nalgebra::{ArrayStorage, Matrix3, SMatrix, Vector3};
 

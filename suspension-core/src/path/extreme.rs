@@ -1,4 +1,4 @@
-//! Where a quantity is largest or smallest along a curve.
+//! The places along a curve at which a quantity is largest or smallest.
 
 use crate::arithmetic::scalar::Real;
 use crate::linkage::Linkage;

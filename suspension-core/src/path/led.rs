@@ -1,4 +1,4 @@
-//! A motion that is led by another quantity than a drive.
+//! A motion led by a quantity in place of a drive.
 
 use nalgebra::SVector;
 

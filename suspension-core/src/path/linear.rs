@@ -1,14 +1,14 @@
 //! The equations linearised at one configuration: the matrix of a local parametrisation.
 //!
-//! One of the `N + 1` entries is the parameter, and its column leaves the `N x (N + 1)` derivative:
-//! with the drive as parameter what stays is the Jacobian `J`; with an unknown, `J` where the
-//! unknown's column is replaced by the drive's (W. C. Rheinboldt and J. V. Burkardt, A locally
+//! One of the `N + 1` entries is the parameter. Its column is removed from the `N x (N + 1)` derivative:
+//! with the drive as parameter this leaves the Jacobian `J`; with an unknown as parameter it leaves `J` with the
+//! unknown's column replaced by the drive's (W. C. Rheinboldt and J. V. Burkardt, A locally
 //! parameterized continuation process, ACM Transactions on Mathematical Software 9(2), 1983). It is
 //! regular wherever the curve is and its tangent has an entry in the parameter, turning points of
 //! the drive included.
 
 //!
-//! Where the Jacobian itself is regular its factors in the macro's order serve for all of them, a
+//! If the Jacobian itself is regular, its factors in the macro's order serve for every parameter, at a
 //! fifth of the work. With `u = dq/dh` and an unknown `p` as parameter, `M x = b` is
 //! `J x + dF/dh x_h = b` with `x_p = 0`, so that from `J y = b`
 //!

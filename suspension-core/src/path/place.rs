@@ -1,4 +1,4 @@
-//! What is met along a curve.
+//! Events along a curve.
 
 use crate::path::configuration::Configuration;
 

@@ -1,4 +1,4 @@
-//! The quantity that leads: its slopes, its target, and where it turns before that.
+//! The leading quantity: its slopes, its target, and where it turns before that.
 
 use crate::arithmetic::magnitude::index_of_largest;
 use crate::arithmetic::scalar::Real;

@@ -1,4 +1,4 @@
-//! One step along a curve: predicted, corrected, and examined for what lies within it.
+//! One step along a curve: predicted, corrected, and examined for events within it.
 
 use crate::arithmetic::magnitude::index_of_largest;
 use crate::arithmetic::scalar::Real;

@@ -1,4 +1,4 @@
-//! Signals as numbers: a formula of quantities that change gives its value and, by the chain rule, both
+//! Signals as numbers: a formula of changing quantities gives its value and, by the chain rule, both
 //! derivatives.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -1,4 +1,4 @@
-//! A factored Jacobian: in the macro's order of pivots, or where that is unhealthy, with partial
+//! A factored Jacobian: in the macro's order of pivots or, if that is unhealthy, with partial
 //! pivoting.
 
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! Newton's method, each correction limited in size and success claimed from the residual alone.
+//! Newton's method: each correction is limited in size, and only the residual decides success.
 
 use nalgebra::SVector;
 

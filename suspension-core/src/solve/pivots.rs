@@ -1,4 +1,4 @@
-//! Whether the fixed order of elimination suits a position.
+//! A check of whether the fixed order of elimination suits a position.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,4 +1,4 @@
-//! What a step did, whichever way it was made.
+//! The report of a step, for all ways to step.
 
 use crate::arithmetic::scalar::Real;
 

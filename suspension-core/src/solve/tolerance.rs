@@ -1,4 +1,4 @@
-//! How small a residual must be.
+//! The tolerance: how small a residual must be.
 
 use crate::arithmetic::scalar::Scalar;
 

@@ -1,4 +1,4 @@
-//! A force and a moment at any place of a rigid body, as forces at three of its points.
+//! A force and a moment at any place of a rigid body, converted to forces at three of its points.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,4 +1,4 @@
-//! A step of fixed cost: one factorisation, a fixed number of solutions, no branch on the data.
+//! A step of fixed cost: one factorisation, a fixed number of back-substitutions, no branch on the data.
 //!
 //! `F` is quadratic, so with `J` and `F` at the predicted position `q0 = q + e`
 //!
@@ -15,11 +15,11 @@
 //! J a = -dF/du uddot - C(v, v) + C(e, a)                     (Attia 2003, eq. 7 and 8)
 //! ```
 //!
-//! Each is corrected a fixed number of times, with the last value put in on the right. The first
-//! values of `v` and `a` are the rates of the prediction, corrected by what `e` tells of the term
-//! that the prediction lacks: with a prediction of order `p` it grows as `dt^(p + 1)`. Where a drive jumps instead, `e` says nothing
-//! of the rates, and a part of it stays in them: of the order of `e^2 / (l dt)` in the velocity and `e^2 / (l dt^2)` in the
-//! acceleration, `l` being the length of a link. In `f64` a step of a millisecond is accepted only where these are below 1e-8 m/s^2; in
+//! Each is corrected a fixed number of times, with the last value on the right-hand side. The first
+//! values of `v` and `a` are the rates of the prediction, corrected with the information in `e` about the term
+//! that the prediction lacks, which grows as `dt^(p + 1)` for a prediction of order `p`. If a drive jumps, `e` has no information
+//! about the rates, and a part of it stays in them: of the order of `e^2 / (l dt)` in the velocity and `e^2 / (l dt^2)` in the
+//! acceleration, where `l` is the length of a link. In `f64` a step of a millisecond is accepted only if these are below 1e-8 m/s^2; in
 //! `f32` steps of a millisecond are accepted with 0.01 m/s and 20 m/s^2. [`Report::error`] is the size of `e`.
 
 use crate::arithmetic::pivot::least_pivot;

@@ -1,4 +1,4 @@
-//! What the ways to step have in common.
+//! The common interface of the ways to step.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;

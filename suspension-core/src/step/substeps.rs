@@ -1,4 +1,4 @@
-//! A way in time in as few steps as are good: a refused step is halved, a good one doubled.
+//! An interval of time in as few steps as possible: after a refusal the step is halved, after a success doubled.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::{Cause, Explain, Facts, SolveError, messages};

@@ -1,4 +1,4 @@
-//! Following a motion in time: last good motion in, next motion out.
+//! Following a motion in time: from the last good motion to the next.
 
 mod between;
 pub(crate) mod guard;

@@ -1,4 +1,4 @@
-//! The wheel on flat ground: where it touches, and where it heads.
+//! The wheel on flat ground: its contact point and its heading.
 
 use nalgebra::Vector3;
 

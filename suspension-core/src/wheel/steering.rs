@@ -1,4 +1,4 @@
-//! The axis about which a wheel steers, and where it passes the wheel.
+//! The axis about which a wheel steers, and its position relative to the wheel.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! A sum of coordinates that stays as it is.
+//! A sum of coordinates that stays constant.
 
 use crate::arithmetic::scalar::Scalar;
 

@@ -1,4 +1,4 @@
-//! Two lines at an angle that stays.
+//! Two lines at a constant angle.
 
 use nalgebra::Vector3;
 

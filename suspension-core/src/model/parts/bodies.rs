@@ -1,4 +1,4 @@
-//! Frames of three points, and what they carry.
+//! Frames of three points, and the points that they carry.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! Links and lines: what is divided by a length.
+//! Links and lines, whose equations are divided by a length.
 
 use nalgebra::Vector3;
 

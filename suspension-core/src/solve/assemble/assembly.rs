@@ -1,4 +1,4 @@
-//! What is found from a guess.
+//! The configuration found from a guess.
 
 use crate::solve::report::Report;
 

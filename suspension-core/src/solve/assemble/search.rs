@@ -1,4 +1,4 @@
-//! Where a search starts, and which of the roots that it meets is the nearest.
+//! The starting points of a search, and the choice of the nearest root.
 
 use nalgebra::SVector;
 

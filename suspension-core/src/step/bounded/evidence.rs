@@ -1,4 +1,4 @@
-//! What a step is judged by.
+//! The measures by which a step is judged.
 
 use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;

@@ -1,4 +1,4 @@
-//! Whether a step is accepted, and if not, why.
+//! The decision to accept a step, or the reason for its refusal.
 
 use nalgebra::SVector;
 

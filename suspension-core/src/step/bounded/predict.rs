@@ -1,4 +1,4 @@
-//! The next position from the last motion, and what its error tells of velocity and acceleration.
+//! The prediction of the next position from the last motion, and the corrections of velocity and acceleration by its error.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,4 @@
-//! One step, over any numbers.
+//! One step, generic over numbers.
 
 use core::marker::PhantomData;
 

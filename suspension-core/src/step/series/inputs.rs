@@ -1,4 +1,4 @@
-//! What is prescribed over a span of time: drives and chassis points as polynomials.
+//! Inputs over a span of time: drives and chassis points as polynomials.
 
 use core::iter::repeat;
 

@@ -1,4 +1,4 @@
-//! Following a motion by its series alone: one factorisation a step and no iteration.
+//! Following a motion by its series alone: one factorisation per step and no iteration.
 
 use super::{ChassisSeries, InputSeries, Jet, PrescribedSeries, Series};
 use crate::arithmetic::entrywise::difference;

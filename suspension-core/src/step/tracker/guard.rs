@@ -1,5 +1,5 @@
-//! Whether a step may have passed singularities, an even number included, which the sign of the
-//! determinant does not tell.
+//! A check of whether a step may have passed singularities. It also detects an even number, which the sign of the
+//! determinant does not show.
 //!
 //! The Jacobian is affine in the coordinates: with `J` and `q` at the end of a step `d` from `q - d`,
 //! and `w` the solution of `J w = C(d, d)`,
@@ -8,15 +8,15 @@
 //! J(q - s d) d = J (d - s w),     0 <= s <= 1.
 //! ```
 //!
-//! While `|w| < |d|` the step's own direction becomes singular nowhere between its ends. Where a
-//! step runs into a turning point `|w| / |d|` grows without bound.
+//! While `|w| < |d|` the direction of the step becomes singular nowhere between its ends. If a
+//! step runs into a turning point, `|w| / |d|` grows without bound.
 //!
-//! So it is with the chassis at rest, and where all its points move by the same: `d` is then what
-//! the others move beside them. Of any moving chassis the mean displacement of its points is taken,
+//! This holds for a chassis at rest, and for one whose points all move by the same displacement: `d` is then the
+//! displacement of the other points relative to them. For any moving chassis the mean displacement of its points is used,
 //! which assumes that they move by about the same.
 //!
-//! Chassis points, driven ones among them, count with their own displacement in `C`. It is that of
-//! their positions where the inputs before the step are known, else that of their rates: a link whose
+//! Chassis points, including driven ones, enter `C` with their own displacement. It is taken from
+//! their positions if the inputs before the step are known, otherwise from their rates: a link whose
 //! chassis end jumps to the other side of it may leave the free points where they were, with
 //! singularities between.
 
