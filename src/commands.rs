@@ -1,4 +1,4 @@
-//! The commands, each with its options, its work and its report. None knows another.
+//! The commands, each with its options, its work and its report. No command uses another.
 
 pub mod assemblies;
 pub mod bake;

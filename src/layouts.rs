@@ -1,4 +1,4 @@
-//! What a listing says of itself.
+//! The description of a listing in its own text.
 
 /// The first sentence of what a listing says of itself.
 pub fn first_sentence(text: &str) -> String {

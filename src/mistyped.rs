@@ -1,5 +1,5 @@
-//! What a mistyped option may have been meant to be, where clap has no answer: it takes letters in another order for
-//! others, so that `--cvs` is not near `--csv`. And which command takes a file that is named without one.
+//! Suggestions for mistyped options for which clap has none: clap counts exchanged letters as different ones, so for it
+//! `--cvs` is not near `--csv`. Also the command for a file that is named without one.
 
 use std::ffi::OsString;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What the user gets: CSV and JSON files, plots, summaries, progress.
+//! Output for the user: CSV and JSON files, plots, summaries, progress.
 
 pub mod beside;
 pub mod drawing;

@@ -1,4 +1,4 @@
-//! `suspension assemblies`: all ways to put a mechanism together.
+//! `suspension assemblies`: all ways to assemble a mechanism.
 
 pub mod listed;
 mod report;

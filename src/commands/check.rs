@@ -1,4 +1,4 @@
-//! `suspension check`: whether hardpoints make a mechanism that works, and how well.
+//! `suspension check`: a check of whether hardpoints make a working mechanism, and of its conditioning.
 
 mod condition;
 mod near_lock;

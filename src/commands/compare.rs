@@ -1,4 +1,4 @@
-//! `suspension compare`: two suspensions beside each other.
+//! `suspension compare`: two suspensions side by side.
 
 mod alone;
 mod by_wheel;

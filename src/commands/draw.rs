@@ -1,4 +1,4 @@
-//! `suspension draw`: a picture of the mechanism at its first instant, or at its design position where that is out of reach.
+//! `suspension draw`: a picture of the mechanism at its first instant, or at its design position if that instant is out of reach.
 
 use std::path::PathBuf;
 

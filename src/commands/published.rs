@@ -1,4 +1,4 @@
-//! Without a command: the published motion, the paper's tables and ours beside them.
+//! Without a command: the published motion, and the paper's tables beside our results.
 
 mod beside;
 mod comparison;

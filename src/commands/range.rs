@@ -1,4 +1,4 @@
-//! `suspension range`: how far each drive leads the mechanism, and what is beyond.
+//! `suspension range`: the range of each drive, and what is beyond it.
 
 mod columns;
 mod picture;

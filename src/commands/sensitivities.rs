@@ -1,4 +1,4 @@
-//! `suspension sensitivities`: what moving each hardpoint does to the quantities of a design.
+//! `suspension sensitivities`: the effect of moving each hardpoint on the quantities of a design.
 
 mod number;
 mod report;

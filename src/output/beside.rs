@@ -1,4 +1,4 @@
-//! Names of what is written for a motion file where no option names it.
+//! Default names of the files written for a motion file.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};

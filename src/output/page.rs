@@ -1,4 +1,4 @@
-//! Pages of HTML without anything from elsewhere, which any browser shows and prints.
+//! Self-contained HTML pages, which any browser shows and prints.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 

@@ -1,4 +1,4 @@
-//! How far work is that takes more than a second, on standard error.
+//! The progress of work that takes more than a second, on standard error.
 
 use std::fmt::Display;
 use std::io::{IsTerminal, stderr};

@@ -1,4 +1,4 @@
-//! A motion written down: every state into files, some kept for tables and plots, and the totals.
+//! The record of a motion: every state in files, some kept for tables and plots, and the totals.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};

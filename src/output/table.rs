@@ -1,4 +1,4 @@
-//! A table in files: a row a thing, each column read off the thing.
+//! A table in files: one row per item, with columns computed from the item.
 
 use crate::failure::Failure;
 use crate::file::Dimension;

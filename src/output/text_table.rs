@@ -1,4 +1,4 @@
-//! Tables of text for people: columns beside each other, two spaces apart, each as wide as its widest text.
+//! Text tables for people: columns two spaces apart, each as wide as its widest text.
 
 use crate::file::Dimension;
 use crate::mechanism::Unit;

@@ -1,4 +1,4 @@
-//! The linkages of the catalogue, each in each number: those that the features name.
+//! The linkages of the catalogue in each number type, as the features select them.
 
 #[cfg(all(feature = "attia2003", feature = "f32"))]
 crate::export!(

@@ -1,4 +1,4 @@
-//! The core's answers in C's form.
+//! The core's results in C's form.
 
 use core::mem::MaybeUninit;
 

@@ -1,4 +1,4 @@
-//! What a header is written from: functions and structs in words.
+//! The description from which a header is written: functions and structs in words.
 
 use suspension_core::listing::Part;
 

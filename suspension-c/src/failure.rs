@@ -1,4 +1,4 @@
-//! What went wrong, in C's form.
+//! Failures in C's form.
 
 use suspension_core::Real;
 use suspension_core::error::{Explain, Facts};

@@ -1,4 +1,4 @@
-//! The functions of a listing, each a thin call of the core.
+//! The functions of a listing; each is a thin call to the core.
 
 mod making;
 mod moving;

@@ -1,4 +1,4 @@
-//! What every listing is exported with.
+//! The items with which every listing is exported.
 
 /// Defines a static of closed names.
 #[doc(hidden)]

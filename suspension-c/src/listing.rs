@@ -1,6 +1,6 @@
-//! Listings from text: read, given hardpoints and moved, by names that are looked up once.
+//! Listings from text: read, given hardpoints and moved. Names are looked up once.
 //!
-//! The one part of the interface that needs the heap, where objects are made, and a standard library.
+//! Only this part of the interface needs a standard library and, to make objects, the heap.
 
 mod corner;
 mod kind;

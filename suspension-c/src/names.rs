@@ -1,4 +1,4 @@
-//! Names as C reads them: closed by a zero.
+//! Names as C reads them: terminated by a zero.
 
 use core::ffi::{CStr, c_char};
 

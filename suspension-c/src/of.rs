@@ -1,4 +1,4 @@
-//! What needs no linkage, over one number: all types, and functions of baked curves.
+//! Items that need no linkage, for one number type: all types, and functions of baked curves.
 
 /// Functions that need no linkage, and all types, over one number.
 macro_rules! over {

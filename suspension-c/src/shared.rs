@@ -1,4 +1,4 @@
-//! What the functions of all linkages share.
+//! Code that the functions of all linkages share.
 
 use suspension_core::Real;
 

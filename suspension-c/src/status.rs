@@ -1,4 +1,4 @@
-//! What a call answers.
+//! The status that a call returns.
 
 use core::ffi::CStr;
 

@@ -1,4 +1,4 @@
-//! What C calls structs of named numbers, in Rust arrays of them in the order of the names.
+//! Named numbers: structs in C, arrays in the order of the names in Rust.
 
 use core::marker::PhantomData;
 

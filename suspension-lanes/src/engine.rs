@@ -1,4 +1,4 @@
-//! The step in lanes, for one set of instructions each.
+//! The step in lanes, compiled for each set of instructions.
 
 use fearless_simd::Simd;
 use nalgebra::SVector;

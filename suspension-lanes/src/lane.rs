@@ -1,4 +1,4 @@
-//! What one, four and eight lanes of a number are made of.
+//! The types of one, four and eight lanes of a number.
 
 use fearless_simd::{f32x4, f32x8, f64x4, f64x8};
 use suspension_core::{Listing, Real};

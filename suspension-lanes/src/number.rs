@@ -1,4 +1,4 @@
-//! Vectors of numbers as one number: what generated code computes with in lanes.
+//! Vectors of numbers as one number, for generated code in lanes.
 // Numbers are made of nothing, the proof of their instructions with them: see `Vector::Proof`.
 #![allow(unsafe_code)]
 

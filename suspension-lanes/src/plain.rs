@@ -1,4 +1,4 @@
-//! The step one lane after the other, for processors without instructions for vectors.
+//! The step, one lane after the other, for processors without vector instructions.
 
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::step::bounded::{Evidence, Outputs, Step};

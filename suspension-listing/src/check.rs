@@ -1,4 +1,4 @@
-//! Whether a listing makes sense: names and operands first, then uses, counts and structural rank.
+//! Checks of a listing: names and operands first, then uses, counts and structural rank.
 
 mod determined;
 mod generated;

@@ -1,5 +1,5 @@
 //! Points that links alone make a rigid body: a triangle of lengths, and further points with a
-//! length to each of its corners, which three distances leave free to be mirrored in it.
+//! length to each of its corners. Three distances leave such a point free to be mirrored in the triangle.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What a mistyped name may have been meant to be.
+//! Suggestions for a mistyped name.
 
 /// Letters that may be wrong, left out, too many or in another order; of short names fewer than half.
 const MISTYPED: usize = 2;

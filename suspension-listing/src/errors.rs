@@ -1,4 +1,4 @@
-//! Messages: the fact, and what to write instead. Those of one statement alone are in its file.
+//! Messages: the fact, and what to write instead. Messages about only one kind of statement are in its file.
 
 use std::fmt::Display;
 

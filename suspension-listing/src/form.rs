@@ -1,7 +1,7 @@
 //! The forms: equations that the solver knows, each at most quadratic in the coordinates.
 //!
-//! A statement of a listing becomes equations of these forms. The register below is the only place that
-//! tells the forms apart; everything else asks a form what [`Equations`] has it answer.
+//! A statement of a listing becomes equations of these forms. Only the register below
+//! distinguishes the forms; all other code uses a form through [`Equations`].
 
 mod along;
 mod bilinear;

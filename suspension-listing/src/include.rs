@@ -1,4 +1,4 @@
-//! What a listing includes: another, under a name.
+//! An included listing, under a name.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Where the texts of included listings come from.
+//! The source of the texts of included listings.
 
 use std::path::Path;
 

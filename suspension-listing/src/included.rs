@@ -1,4 +1,4 @@
-//! The texts that a listing includes, and what is wrong in them and in it.
+//! The texts that a listing includes, and the mistakes in them and in the listing.
 
 use proc_macro2::{Span, TokenStream};
 use syn::Error;

@@ -1,4 +1,4 @@
-//! What the names of a listing stand for.
+//! The kinds of parts that names of a listing stand for.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! A text as tokens, within the limits of what is read.
+//! A text as tokens, within the limits of size.
 
 use proc_macro2::{Group, LexError, Literal, Span, TokenStream, TokenTree, fallback};
 use syn::Error;

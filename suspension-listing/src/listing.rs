@@ -1,5 +1,5 @@
-//! What the user wrote: points, and the statements about them, with their places in the source; and what
-//! each statement answers.
+//! The listing that the user wrote: points and the statements about them, with their places in the source; and the
+//! interface of a statement.
 
 mod lookup;
 

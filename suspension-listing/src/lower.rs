@@ -1,4 +1,4 @@
-//! From the checked listing to the system of equations: what statements lower themselves with.
+//! From the checked listing to the system of equations: the tools with which statements lower themselves.
 
 mod body;
 

@@ -1,4 +1,4 @@
-//! Bipartite matching: an unknown of each equation, no two the same.
+//! Bipartite matching: a different unknown for each equation.
 
 /// Finds a column for `row` among those of its `pattern`, moving earlier rows to other columns where need be (an augmenting path).
 /// `seen` has a place for each column, none of them seen yet.

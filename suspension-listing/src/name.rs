@@ -1,4 +1,4 @@
-//! Names as plain text: what a listing leaves behind can be sent and kept.
+//! Names as plain text, which can be sent between threads and kept.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Numbers without a pattern, the same at every expansion.
+//! Pseudo-random numbers, the same at every expansion.
 
 /// A linear congruential generator (Knuth's MMIX constants).
 pub struct Lcg(u64);

@@ -1,5 +1,5 @@
-//! The Jacobian's numbers in the design position that a listing states, and around it: what the
-//! choice of pivots goes by. Nothing of it is emitted.
+//! The Jacobian's numbers at the design position that a listing states, and around it. The
+//! choice of pivots uses them; none are emitted.
 
 mod gradient;
 mod likely;

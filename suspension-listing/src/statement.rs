@@ -1,7 +1,7 @@
 //! The statements of a listing, one file each: how it is written, read, checked and lowered to forms.
 //!
-//! The register below is the only place that tells the statements apart; everything else asks a
-//! statement what [`Statement`](crate::listing::Statement) has it answer.
+//! Only the register below distinguishes the statements; all other code uses a
+//! statement through [`Statement`](crate::listing::Statement).
 
 mod angle;
 mod body;

@@ -1,5 +1,5 @@
-//! What a listing is lowered to: named points and named equations, as plain data. Both back ends, the one that
-//! writes Rust and the one that walks it at run time, see nothing else.
+//! The system to which a listing is lowered: named points and named equations, as plain data. Both back ends, the one that
+//! writes Rust and the one that walks it at run time, use nothing else.
 
 mod bodies;
 mod lengths;

@@ -1,8 +1,8 @@
-//! Listings as text: the statements as they stand inside the module's braces, from a file or from a
-//! string, with all that is wrong with them as data.
+//! Listings as text: the statements inside the module's braces, from a file or a
+//! string, and all mistakes in them as data.
 //!
-//! Places in the text are read off spans of `proc-macro2`, of which each thread has a table. It is
-//! emptied after each listing: what else a thread has parsed with `proc-macro2` loses its places.
+//! Places in the text are those of spans of `proc-macro2`, of which each thread has a table. The table is
+//! emptied after each listing: other text that a thread has parsed with `proc-macro2` loses its places.
 
 mod limits;
 

@@ -1,9 +1,9 @@
 //! All assemblies of a mechanism: numerical algebraic geometry.
 //!
 //! A. J. Sommese and C. W. Wampler 2005, The Numerical Solution of Systems of Polynomials Arising in
-//! Engineering and Science. The equations are polynomials; over complex numbers all their roots hang
-//! together. A mechanism is put together part by part. The roots of a part of one general mechanism are found by
-//! following random points and going round loops; from there each leads to a root of the part at hand, or to infinity.
+//! Engineering and Science. The equations are polynomials; over complex numbers all their roots are
+//! connected. A mechanism is assembled part by part. The roots of a part of one general mechanism are found by
+//! following random points and going round loops. From there each root leads to a root of the given part, or to infinity.
 
 mod census;
 mod factors;

@@ -1,4 +1,4 @@
-//! How finely to model: the cheapest method that a scene's needs allow, from measured figures.
+//! Levels of detail: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
 //! use suspension_mechanism::detail::{Method, Need, Outputs, Wish, choose};

@@ -1,4 +1,4 @@
-//! What load cases do to the parts of a mechanism: what its drives bear, the force in each link, and the forces that
+//! The effects of load cases on a mechanism: the forces on its drives, the force in each link, and the forces that
 //! bodies exert at their joints.
 
 mod bearing;

@@ -1,4 +1,4 @@
-//! A mechanism ready to move, whatever its linkage: the file's coordinates outside, local ones inside.
+//! A mechanism of any linkage, ready to move, with the file's coordinates outside and local ones inside.
 
 mod around;
 mod changing;

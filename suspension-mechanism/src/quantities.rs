@@ -1,4 +1,4 @@
-//! What is read off a mechanism: one catalogue, from which tables, plots, summaries and help are made.
+//! The quantities of a mechanism: one catalogue, from which tables, plots, summaries and help are made.
 
 mod axis;
 mod brake_and_drive;

@@ -1,4 +1,4 @@
-//! How far a drive leads a mechanism: the drive is set free, and the curve of configurations followed both ways.
+//! The range of a drive: the drive is set free, and the curve of configurations is followed both ways.
 
 mod course;
 mod limit;

@@ -1,9 +1,9 @@
-//! How quantities at the design position, and their derivatives with respect to the drives, change with each
+//! Sensitivities of quantities at the design position, and of their derivatives with respect to the drives, to each
 //! hardpoint coordinate and each link's length.
 //!
-//! A hardpoint is moved, the suspension built anew of its points and read at its new design position; a length is
-//! changed with the drives held. The derivatives are exact; those of what springs do are differences, and so are all of a model that
-//! `linkage!` has written.
+//! A change of a hardpoint moves the point; the suspension is built from its points and read at its new design position. A length
+//! changes with the drives held. The derivatives are exact, except for the effects of springs and for a model that
+//! `linkage!` has written: these are differences.
 
 mod change;
 mod difference;

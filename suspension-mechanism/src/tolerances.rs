@@ -1,4 +1,4 @@
-//! How much quantities scatter where hardpoints and lengths do.
+//! The scatter of quantities due to that of hardpoints and lengths.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

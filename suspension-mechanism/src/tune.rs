@@ -1,7 +1,7 @@
-//! Hardpoints and lengths, moved within boxes until quantities are what is wanted of them.
+//! Tuning: hardpoints and lengths are moved within boxes until quantities meet their targets.
 //!
-//! The suspension is built anew for each trial and solved at all places of all targets; the squares of what the targets
-//! are off, each in parts of what is allowed, are made least.
+//! The suspension is rebuilt for each trial and solved at all places of all targets. The sum of the squared errors is
+//! minimised, each error relative to its allowed value.
 
 mod fit;
 mod target;

@@ -1,4 +1,4 @@
-//! Which way coordinates point.
+//! The directions of the axes.
 
 use std::ops::Neg;
 

@@ -1,4 +1,4 @@
-//! The axles of a car, by the words of names.
+//! The axles of a car, from the words of names.
 
 use serde::Deserialize;
 

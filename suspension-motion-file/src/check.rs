@@ -1,4 +1,4 @@
-//! What a motion file may say, beyond its grammar. Each refusal names its place.
+//! Rules for motion files beyond their grammar. Each refusal names its place.
 
 mod instants;
 

@@ -1,4 +1,4 @@
-//! What numbers measure, and their units.
+//! Dimensions of numbers, and their units.
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 

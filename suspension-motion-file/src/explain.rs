@@ -1,4 +1,4 @@
-//! What the reader of TOML says of a motion file, with what to do about it.
+//! Errors of the TOML reader in a motion file, with their remedies.
 
 use suspension_listing::did_you_mean::did_you_mean;
 

@@ -1,4 +1,4 @@
-//! Why the program ends early, and its exit codes.
+//! The reasons for which the program ends early, and its exit codes.
 
 use std::fmt;
 use std::io;

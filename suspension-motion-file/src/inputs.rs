@@ -1,4 +1,4 @@
-//! The files that were read: what no result may overwrite.
+//! The input files, which no result may overwrite.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};

@@ -1,5 +1,5 @@
-//! A user who has enough, and work that waits for another program. Signals are the whole process's, and so
-//! is the flag that they set.
+//! Interrupts by the user, also during work that waits for another program. Signals belong to the whole process, and so
+//! does the flag that they set.
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,4 +1,4 @@
-//! Which quantities of a motion file lead: its drives, or a measure in place of one of them.
+//! The quantities that lead in a motion file: its drives, or a measure in place of one of them.
 
 use toml::Spanned;
 

@@ -1,4 +1,4 @@
-//! A mistake as compilers show it on a terminal: the line of the text, with a mark under the place.
+//! A mistake shown on a terminal as compilers do: the line of the text, with a mark under the place.
 
 use std::io::{IsTerminal, stderr};
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! Lists of so many numbers: an array type of serde's would read that many and drop the rest.
+//! Lists with a fixed count of numbers: an array type of serde would read that many and drop the rest.
 
 use std::fmt;
 

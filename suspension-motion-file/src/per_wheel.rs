@@ -1,4 +1,4 @@
-//! What is stated once for all wheels, or of some.
+//! Values stated once for all wheels, or for some of them.
 
 use std::collections::BTreeMap;
 use std::fmt;

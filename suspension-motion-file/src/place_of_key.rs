@@ -1,4 +1,4 @@
-//! Where a key stands that has a place of its own in motion files.
+//! Places of keys that belong in one table of a motion file.
 
 /// The place, in words, of a key that is no name which a listing or a file may give.
 pub(crate) fn place_of_key(key: &str) -> Option<&'static str> {

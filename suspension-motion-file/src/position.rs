@@ -1,4 +1,4 @@
-//! Where a point is: at coordinates, or off another point.
+//! The position of a point: at coordinates, or relative to another point.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Messages on standard error, beside results.
+//! Messages on standard error, separate from results.
 
 use std::fmt::Display;
 use std::io::{Write, stderr};

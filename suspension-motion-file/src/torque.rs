@@ -1,4 +1,4 @@
-//! What bears the torque of a wheel.
+//! The part that bears the torque of a wheel.
 
 use serde::Deserialize;
 

@@ -1,4 +1,4 @@
-//! What a motion file says of tuning: what may be moved, and what is to be reached.
+//! Tuning in a motion file: the points that may move, and the targets.
 
 use serde::Deserialize;
 use toml::Spanned;

@@ -1,4 +1,4 @@
-//! What a file says of the vehicle beside the linkage.
+//! The vehicle data of a file, in addition to the linkage.
 
 use serde::Deserialize;
 use toml::Spanned;

@@ -1,4 +1,4 @@
-//! Moments about angles: which parts they act on, and with which forces.
+//! Moments about angles: the parts on which they act, and their forces.
 //!
 //! What drives, holds or measures an angle acts with a moment on the parts that carry the angle's lines. The angle's equations,
 //! or its derivatives, have forces at the lines' ends in its place: these count as forces on the parts, which pass them on to

@@ -1,4 +1,4 @@
-//! Statements of a listing that are of another mechanism in other axes.
+//! Statements of a listing that describe another mechanism in other axes.
 
 use suspension_listing::form::Form;
 use suspension_listing::system::Quantity;

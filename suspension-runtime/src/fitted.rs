@@ -1,4 +1,4 @@
-//! A listing with room for a model of it.
+//! A listing together with the capacity for its model.
 
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 

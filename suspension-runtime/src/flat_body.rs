@@ -1,4 +1,4 @@
-//! Bodies whose first three points, which carry the others, lie in line.
+//! Bodies whose first three points, which carry the other points, lie in line.
 
 use nalgebra::Vector3;
 use suspension_core::model::constraint::Frame;

@@ -1,4 +1,4 @@
-//! From hardpoints to a model, and to a suspension that moves.
+//! From hardpoints to a model, and to a moving suspension.
 
 use core::fmt;
 

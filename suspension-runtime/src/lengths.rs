@@ -1,4 +1,4 @@
-//! Constant lengths: into the model, and out of it.
+//! Constant lengths, written to the model and read from it.
 
 use nalgebra::Vector3;
 use suspension_core::model::constraint::{Bilinear, Carried, Distance, Frame, OnLine, Product};

@@ -1,4 +1,4 @@
-//! What the solvers ask of a model.
+//! The interface of a model for the solvers.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::model::constraint::Frame;

@@ -1,4 +1,4 @@
-//! What the solver walks: a listing as indices. It is made once of a listing; nothing of it is a number of a
+//! The plan that the solver walks: a listing as indices. It is made once for a listing and has no numbers of a
 //! geometry.
 
 mod clusters;

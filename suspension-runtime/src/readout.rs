@@ -1,4 +1,4 @@
-//! All points and their rates from the unknowns, what the listing measures, and how drives enter.
+//! All points and their rates from the unknowns, the measures of the listing, and how drives enter.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::generated::{dot, moved_along};

@@ -1,4 +1,4 @@
-//! Rows as comma-separated values, each with as many digits as it takes to read the same number.
+//! Rows as comma-separated values, each with the digits needed to read back the same number.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! What stands above rows of numbers.
+//! The heading above rows of numbers.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Rows as JSON: an object with a header, which says units and axes, and the rows, an object each.
+//! Rows as JSON: an object with a header, which states units and axes, and one object per row.
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! What stands in for Parquet in a program that is built without it.
+//! The replacement for Parquet in a program built without it.
 
 use crate::heading::{Header, Heading};
 use crate::target::Target;

@@ -1,4 +1,4 @@
-//! Rows as Parquet: a column each, units and axes as its metadata.
+//! Rows as Parquet: one column per quantity, with units and axes as metadata.
 
 use suspension_parquet::{ParquetError, Table};
 

@@ -1,4 +1,4 @@
-//! Rows of numbers, written in one form or in several.
+//! Rows of numbers, written in one format or in several.
 
 use std::path::PathBuf;
 

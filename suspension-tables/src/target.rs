@@ -1,4 +1,4 @@
-//! Where results go.
+//! The destination of results.
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The chart: what a step takes against the error it makes, for every method.
+//! The chart: the time of a step against its error, for every method.
 
 pub mod axis;
 pub mod baked;

@@ -1,4 +1,4 @@
-//! The details of a car beside each other: what a tick takes, and what they are off by.
+//! The levels of detail of a car compared: the time of a tick, and the errors.
 
 use std::error::Error;
 use std::path::Path;

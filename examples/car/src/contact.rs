@@ -1,4 +1,4 @@
-//! Where a wheel stands on the plane of the road below it.
+//! The contact of a wheel with the plane of the road below it.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! A scripted driver: what the rack and the pedals do at a time.
+//! A scripted driver: the rack and the pedals over time.
 
 use std::f64::consts::PI;
 

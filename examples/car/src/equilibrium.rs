@@ -1,4 +1,4 @@
-//! A corner in the design, at rest: how high it stands on its tyre, and what its spring bears.
+//! A corner in the design, at rest: its height on the tyre, and the force in its spring.
 
 use nalgebra::Vector3;
 

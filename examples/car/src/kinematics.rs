@@ -1,4 +1,4 @@
-//! How a wheel moves on the chassis, whatever computes it.
+//! The motion of a wheel relative to the chassis, for all ways to compute it.
 
 mod baked;
 mod constant;

@@ -1,6 +1,6 @@
-//! A quarter car: a mass that moves up and down, one corner below it, a tyre without friction.
+//! A quarter car: a mass that moves up and down, one corner below it, and a tyre without friction.
 //!
-//! Coordinates are the rise of the mass and the wheel's travel; equations of motion are Kane's with the partial velocities `z` and
+//! The coordinates are the rise of the mass and the wheel's travel. The equations of motion are Kane's, with the partial velocities `z` and
 //! `per_travel.centre` of the wheel centre.
 
 use nalgebra::{Matrix2, Vector2, Vector3};

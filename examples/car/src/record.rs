@@ -1,4 +1,4 @@
-//! What is read off a drive: rows of a table and curves of a plot.
+//! The results of a drive: rows of a table and curves of a plot.
 
 use std::error::Error;
 use std::path::Path;

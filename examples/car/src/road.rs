@@ -1,4 +1,4 @@
-//! The road: a height over the ground plane, the same in every run.
+//! The road: a height above the ground plane, the same in every run.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! The motion of both left corners, baked, and what a car takes of it.
+//! The baked motion of both left corners, and the parts of it that a car uses.
 //!
 //! ```sh
 //! cargo run --release -- bake examples/car/front.toml --drive bump=0.18:0.42 --drive steer=0.32:0.36 --tolerance 1e-5 --points all \

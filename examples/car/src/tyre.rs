@@ -9,8 +9,8 @@
 //! ```
 //!
 //! The slip follows the sliding velocity `v` of the tread over a length `l`, `l ds/dt + |vx| s = v`: the single contact point transient model
-//! of the same book, section 7.2. It makes a tyre at rest a spring, so that a car can stand. Left out: load-dependent
-//! stiffness, camber thrust, aligning moment, rolling resistance; the rolling radius is the loaded one.
+//! of the same book, section 7.2. With it a tyre at rest acts as a spring, so that a car can stand still. The model leaves out load-dependent
+//! stiffness, camber thrust, aligning moment and rolling resistance; the rolling radius is the loaded one.
 
 use nalgebra::Vector2;
 

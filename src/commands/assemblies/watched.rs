@@ -1,4 +1,4 @@
-//! The user before a search for assemblies.
+//! A search for assemblies that shows its progress and can be interrupted.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

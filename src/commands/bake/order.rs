@@ -1,4 +1,4 @@
-//! What a user of the command line orders, carried out on a mechanism.
+//! An order from the command line, carried out on a mechanism.
 
 mod curve;
 mod doubt;

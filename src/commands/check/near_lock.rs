@@ -1,4 +1,4 @@
-//! Locks that are nearer to the design than any suspension moves.
+//! Locks that are nearer to the design than the travel of any suspension.
 
 use suspension_core::listing::DriveKind;
 

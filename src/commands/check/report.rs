@@ -1,4 +1,4 @@
-//! What was checked, for people.
+//! The report of a check, for people.
 
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;

@@ -1,4 +1,4 @@
-//! All that is compared: the design positions, derivatives there, and curves.
+//! The comparison: the design positions, derivatives there, and curves.
 
 use crate::characteristics::Parameter;
 use crate::commands::compare::differences::{

@@ -1,4 +1,4 @@
-//! What both suspensions have, beside each other.
+//! Quantities that both suspensions have, side by side.
 
 use crate::characteristics::{Curves, Line, Title};
 use crate::commands::compare::side::Side;

@@ -1,4 +1,4 @@
-//! Curves of both beside each other.
+//! Curves of both suspensions side by side.
 
 use std::borrow::Cow;
 

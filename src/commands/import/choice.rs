@@ -1,4 +1,4 @@
-//! Which listing of the catalogue a file is of: the one that takes most of its points, and lacks none.
+//! The listing of the catalogue for a file: the one that uses most of its points and lacks none.
 
 use std::cmp::Reverse;
 

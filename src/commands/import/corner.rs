@@ -1,4 +1,4 @@
-//! The points of a file in our axes, on the side that is wanted.
+//! The points of a file in our axes, on the requested side.
 
 use nalgebra::Vector3;
 

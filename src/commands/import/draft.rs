@@ -1,4 +1,4 @@
-//! The motion file that comes of an import.
+//! The motion file that an import writes.
 
 use std::fmt::Write;
 

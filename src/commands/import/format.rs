@@ -1,4 +1,4 @@
-//! Which format a file has.
+//! The format of a file.
 
 use super::hardpoints::Hardpoints;
 use super::names::Names;

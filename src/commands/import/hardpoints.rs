@@ -1,4 +1,4 @@
-//! What a hardpoint file says, whatever its format.
+//! The contents of a hardpoint file, in any format.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! What a file has of a corner.
+//! The data of a corner in a file.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Which axes a file has, by the order of its points.
+//! The axes of a file, from the order of its points.
 
 use suspension_core::listing::{Kind, Parts};
 

@@ -1,4 +1,4 @@
-//! What is assumed of hardpoints, and what is doubtful about them, a sentence each.
+//! Assumptions about hardpoints and doubts about them, one sentence each.
 
 use suspension_core::listing::{Kind, Parts};
 use suspension_listing::did_you_mean::nearest;

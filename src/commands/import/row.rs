@@ -1,4 +1,4 @@
-//! A line of a table: a name and numbers, whatever stands between them.
+//! A line of a table: a name and numbers, with any separators.
 
 use std::ops::Range;
 

@@ -1,8 +1,8 @@
 //! Model files of Lotus Suspension Analysis: the template names the points, the suspension has their coordinates.
 //!
-//! The file is not documented; this reads what can be told from files: behind `TEMP_SETTINGS` a number, the
-//! template's name, how many parts and points it has, the parts' names, and nine lines a point, its name first.
-//! Behind `FRONT SUSPENSION` or `REAR SUSPENSION` are a number, the points' coordinates in the same order, in
+//! The format is not documented; this is its layout in the files that we know. `TEMP_SETTINGS` is followed by a number, the
+//! template's name, the numbers of parts and points, the parts' names, and nine lines for each point, its name first.
+//! `FRONT SUSPENSION` or `REAR SUSPENSION` is followed by a number, the points' coordinates in the same order, in
 //! millimetres, and the tyre's rolling radius.
 
 use std::ops::Range;

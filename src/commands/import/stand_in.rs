@@ -1,4 +1,4 @@
-//! Points that listings need and hardpoint files seldom have, placed by those that they have.
+//! Points that listings need and hardpoint files seldom have, placed from the points that they have.
 
 use super::hardpoints::{Hardpoints, Number, Side};
 use super::names::Names;

@@ -1,4 +1,4 @@
-//! Tables of points: a name and three numbers a line, headings and remarks among them.
+//! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
 use super::hardpoints::{Hardpoints, key_of};
 use super::names::{Names, spelled};

@@ -1,4 +1,4 @@
-//! What a load case does over all places.
+//! The results of a load case over all places.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! What stands first in each row: the place of the loads.
+//! The first columns of each row: the place of the loads.
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{State, Unit};

@@ -1,4 +1,4 @@
-//! What is said where drives bear loads and the springs of the file bear nothing, or those of one side alone do; and of bushes
+//! Notes on drives that bear loads while the springs of the file bear nothing, or only those of one side do; and on bushes
 //! that share a load.
 
 use std::collections::BTreeMap;

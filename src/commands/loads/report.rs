@@ -1,4 +1,4 @@
-//! What a load case does, for people.
+//! The report of a load case, for people.
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 

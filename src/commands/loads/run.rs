@@ -1,4 +1,4 @@
-//! The cases at all places: rows are written, and what the report says is counted.
+//! The cases at all places: rows are written, and the figures of the report are collected.
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};

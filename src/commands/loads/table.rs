@@ -1,4 +1,4 @@
-//! The table of loads: a row a place.
+//! The table of loads: one row per place.
 
 use crate::commands::loads::found::{Found, along};
 use crate::commands::loads::leading::Leading;

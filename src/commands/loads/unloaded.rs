@@ -1,4 +1,4 @@
-//! What bears nothing.
+//! Parts that bear no load.
 
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::line::Line;

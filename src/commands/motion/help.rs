@@ -1,4 +1,4 @@
-//! What `suspension motion --help` explains.
+//! The text of `suspension motion --help`.
 
 use suspension_core::listing::MeasureKind;
 use suspension_runtime::{Listing, catalogue as layouts};

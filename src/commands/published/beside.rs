@@ -1,4 +1,4 @@
-//! A column of the paper and ours beside it.
+//! A column of the paper beside our results.
 
 use crate::commands::published::paper::{self, Entry, Paper};
 use crate::mechanism::{State, Unit};

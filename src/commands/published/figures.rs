@@ -1,4 +1,4 @@
-//! What the paper's Fig. 4 and Fig. 5 show, as text and as plots.
+//! The contents of the paper's Fig. 4 and Fig. 5, as text and as plots.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! The paper's tables as printed, its misprints, and our results beside them.
+//! The paper's tables as printed, its misprints, and our results for comparison.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

@@ -1,4 +1,4 @@
-//! What a step takes.
+//! The time of a step.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What changes do, for people.
+//! The report of sensitivities, for people.
 
 use std::fmt::Write;
 

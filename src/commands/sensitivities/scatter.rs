@@ -1,4 +1,4 @@
-//! How quantities scatter where hardpoints do.
+//! The scatter of quantities due to that of hardpoints.
 
 use crate::commands::sensitivities::number::{DIGITS, Number};
 use crate::number::{rounded, without_rounding};

@@ -1,4 +1,4 @@
-//! Which derivatives the page has.
+//! The derivatives on the page.
 
 use crate::characteristics::{Derivative, Parameter, Rise, Way};
 use crate::mechanism::{Description, Unit};

@@ -1,4 +1,4 @@
-//! How a wheel moves, as vehicle models take it: in metres and radians, in the axes of ISO 8855.
+//! The motion of a wheel for vehicle models: in metres and radians, in the axes of ISO 8855.
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,4 +1,4 @@
-//! What was moved and what was reached, for people.
+//! The report of tuning, for people: the moves and the results.
 
 use crate::mechanism::Description;
 use crate::number::{counted, number, rounded};

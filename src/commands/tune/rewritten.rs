@@ -1,4 +1,4 @@
-//! The text of a motion file with other points: all else stays as it was written.
+//! The text of a motion file with changed points; everything else stays as written.
 
 use std::ops::Range;
 

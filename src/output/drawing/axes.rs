@@ -1,4 +1,4 @@
-//! What tells directions and sizes on a drawing: the axes of space, and a scale or rulers.
+//! Directions and sizes on a drawing: the axes of space, and a scale or rulers.
 
 use plotters::prelude::*;
 

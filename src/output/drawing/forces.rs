@@ -1,4 +1,4 @@
-//! Forces in a drawing: along links, and arrows of what acts.
+//! Forces in a drawing: forces along links, and arrows for loads.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{Pos, VPos};

@@ -1,4 +1,4 @@
-//! Where names stand beside their points.
+//! The places of names beside their points.
 
 use plotters::style::text_anchor::HPos;
 

@@ -1,4 +1,4 @@
-//! From space to the sheet.
+//! The projection from space to the sheet.
 
 use nalgebra::Vector3;
 

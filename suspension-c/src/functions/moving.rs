@@ -1,4 +1,4 @@
-//! Functions for a chassis that moves.
+//! Functions for a moving chassis.
 
 /// Functions of every listing for a chassis that moves.
 #[doc(hidden)]

@@ -1,4 +1,4 @@
-//! How Rust's names and types are spelled in C.
+//! The spelling of Rust's names and types in C.
 
 use core::fmt::{self, Display, Formatter, Write};
 

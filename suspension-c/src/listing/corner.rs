@@ -1,4 +1,4 @@
-//! Functions of a suspension that moves.
+//! Functions of a moving suspension.
 #![allow(unsafe_code, reason = "names for the linker")]
 
 use suspension_core::nalgebra::Vector3;

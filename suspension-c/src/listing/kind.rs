@@ -1,4 +1,4 @@
-//! What of a listing has names.
+//! The kinds of parts that have names in a listing.
 
 /// A kind of what has names: points are 0, drives 1, measures 2, wheels 3, parts 4.
 pub type Kind = i32;

@@ -1,4 +1,4 @@
-//! What forces at the points of a suspension do.
+//! The effects of forces at the points of a suspension.
 
 use std::borrow::ToOwned;
 use std::string::String;

@@ -1,4 +1,4 @@
-//! A suspension that moves, whatever the size of its model, over rows of numbers.
+//! A moving suspension with a model of any size, over rows of numbers.
 
 use std::boxed::Box;
 

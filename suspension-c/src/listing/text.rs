@@ -1,4 +1,4 @@
-//! Functions that read a listing and tell what is in it.
+//! Functions that read a listing and report its parts.
 #![allow(unsafe_code, reason = "names for the linker")]
 
 use super::kind::Kind;

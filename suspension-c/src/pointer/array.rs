@@ -1,4 +1,4 @@
-//! Arrays of the caller's.
+//! Arrays of the caller.
 #![allow(unsafe_code, reason = "how many they are is C's promise")]
 
 use core::marker::PhantomData;

@@ -1,4 +1,4 @@
-//! Whether the equations can determine the unknowns: counts and structural rank.
+//! A check of whether the equations can determine the unknowns: counts and structural rank.
 
 use proc_macro2::Span;
 use syn::{Error, Ident};

@@ -1,4 +1,4 @@
-//! Whether the names in the generated code are different from each other and from the user's.
+//! A check that the names in the generated code differ from each other and from the user's.
 
 use proc_macro2::Span;
 

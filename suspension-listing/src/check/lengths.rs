@@ -1,4 +1,4 @@
-//! Whether a length is kept by one statement alone.
+//! A check that only one statement keeps a length.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Mistakes of mirror images are reported at the statements that they are images of.
+//! Mistakes in mirror images, reported at the original statements.
 
 use proc_macro2::Span;
 use syn::Error;

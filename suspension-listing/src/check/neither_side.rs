@@ -1,4 +1,4 @@
-//! What is named for neither side beside a mirror, and is of one all the same.
+//! Parts beside a `mirror` that are named for neither side but belong to one.
 
 use proc_macro2::Span;
 use syn::{Error, Ident};

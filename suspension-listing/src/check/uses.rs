@@ -1,4 +1,4 @@
-//! Whether the chassis points are used.
+//! A check that the chassis points are used.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Which pivots are large enough, and in which positions.
+//! The pivots that are large enough, and the positions in which they are.
 
 /// A pivot must be at least this part of the largest entry of its column in the design position,
 /// so that multipliers stay below 5 there.

@@ -1,4 +1,4 @@
-//! Which of the admissible entries an attempt prefers as the next pivot.
+//! The choice of the next pivot among the admissible entries.
 
 use crate::random::Lcg;
 

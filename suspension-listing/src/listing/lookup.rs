@@ -1,4 +1,4 @@
-//! What a listing declares, and where.
+//! The declarations of a listing, and their places.
 
 use proc_macro2::Span;
 use syn::Ident;

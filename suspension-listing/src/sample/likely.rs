@@ -1,8 +1,8 @@
-//! Designs for a listing that states none: what the choice of pivots goes by in place of its own.
+//! Sample designs for a listing that states no positions; the choice of pivots uses them.
 //!
-//! They are as corners of vehicles are drawn, x forward, y left and z up: points lie farther out the fewer
-//! joints there are between them and the wheel, hinges are parallel to axes, and coordinates are round
-//! numbers, so that links lie square to axes and arms are symmetric.
+//! They resemble typical corners of vehicles, x forward, y left and z up: the fewer joints there are between a point and
+//! the wheel, the farther out it lies. Hinges are parallel to axes and coordinates are round
+//! numbers, so that links are square to axes and arms are symmetric.
 
 use std::collections::BTreeMap;
 

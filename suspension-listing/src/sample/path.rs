@@ -1,6 +1,6 @@
-//! Positions along the motion: from the design, each drive of a free point is moved both ways by the
+//! Positions along the motion: from the design, each drive of a free point moves both ways along the
 //! tangent.
-//! Lengths drift a little on the way, which the size of pivots does not notice.
+//! Lengths drift a little on the way, which hardly affects the size of pivots.
 
 use super::MOST_UNKNOWNS;
 use super::gradient::gradients;

@@ -1,4 +1,4 @@
-//! `angle square: a -> c, d -> e;`: two lines whose angle stays as it is in the design. Something keeps the length of
+//! `angle square: a -> c, d -> e;`: two lines whose angle stays as in the design. Other statements must keep the length of
 //! each.
 
 use syn::{Ident, Token};

@@ -1,4 +1,4 @@
-//! `body plate: c, d, e;`: a rigid body. Its first three points, its frame, must not lie in line.
+//! `body plate: c, d, e;`: a rigid body. Its first three points, the frame, must not be in line.
 
 use syn::{Error, Ident};
 

@@ -1,4 +1,4 @@
-//! `couple rack: c.y = d.y;`: coordinates that move as one. What is on the left stays, less what is on the right, as it is
+//! `couple rack: c.y = d.y;`: coordinates that move as one. The left side less the right side keeps its value
 //! in the design.
 
 use syn::{Ident, Token};

@@ -1,4 +1,4 @@
-//! `drive lift: e.z;`: a quantity that is prescribed. Of free points it is an equation; a coordinate of
+//! `drive lift: e.z;`: a prescribed quantity. For free points it is an equation; a coordinate of
 //! a chassis point moves the point.
 
 mod kept;

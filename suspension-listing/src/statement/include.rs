@@ -1,8 +1,8 @@
-//! `include front: steered_axle at [2.6, 0.0, 0.0];` or `include left: "corner.linkage";`: all that another listing states,
-//! each of its names with this one's before it, its positions moved.
+//! `include front: steered_axle at [2.6, 0.0, 0.0];` or `include left: "corner.linkage";`: all statements of another listing,
+//! with the name of the include as a prefix of its names, and its positions moved.
 //!
-//! What is included is renamed as text, and then read as if it stood here. What it names without declaring it is of the
-//! listing around.
+//! The included listing is renamed as text, and then read as if it were written here. A name that it uses without declaring it refers to the
+//! including listing.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! `measure gauge: length(a -> hub);`: a quantity that is read off the points.
+//! `measure gauge: length(a -> hub);`: a quantity computed from the points.
 
 use syn::Ident;
 

@@ -1,8 +1,8 @@
-//! `mirror: left -> right;`: all that is named `left`, as a whole or between underscores, once more on the other side of the
+//! `mirror: left -> right;`: every point and statement with the word `left` in its name, as a whole or between underscores, again on the other side of the
 //! vehicle, named `right`.
 //!
-//! A statement is mirrored as text: names exchange the two words, and positions and directions the sign of y. The copies
-//! have the places of what they are copies of.
+//! A statement is mirrored as text: the two words are exchanged in names, and the sign of y is changed in positions and directions. The copies
+//! have the places of their originals.
 
 mod image;
 

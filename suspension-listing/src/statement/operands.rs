@@ -1,4 +1,4 @@
-//! What the texts of statements have in common: names, brackets, doc comments.
+//! The common syntax of statements: names, brackets, doc comments.
 
 use proc_macro2::TokenStream;
 use syn::ext::IdentExt;

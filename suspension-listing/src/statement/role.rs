@@ -1,5 +1,5 @@
 //! `wheel: d -> hub;`: the spin axis, outboard, with the wheel's centre last. `kingpin: c -> d;`: upwards. Several
-//! wheels have names, `wheel left: d -> hub;`, and each kingpin that of its wheel.
+//! wheels have names, `wheel left: d -> hub;`, and each kingpin has the name of its wheel.
 
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token};

@@ -1,4 +1,4 @@
-//! How statements begin.
+//! The first words of statements.
 
 use syn::Ident;
 use syn::parse::ParseStream;

@@ -1,4 +1,4 @@
-//! Which body has which points, and which points are rigid to each other.
+//! The points of each body, and the points that are rigid to each other.
 
 use super::{Body, Site, SiteMotion, System, distance_between};
 use crate::name::Name;

@@ -1,4 +1,4 @@
-//! Where the Jacobian is not always zero, and what of it elimination takes out first.
+//! The non-zero entries of the Jacobian, and those that are eliminated first.
 
 use std::collections::BTreeSet;
 

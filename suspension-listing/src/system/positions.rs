@@ -1,4 +1,4 @@
-//! Where the points are.
+//! The positions of the points.
 
 use super::{Point, Site, System};
 use crate::form::Equations;

@@ -1,4 +1,4 @@
-//! How large a text may be that is read at run time: enough for any corner of a vehicle, and little enough that
+//! The limits of a text read at run time: large enough for any corner of a vehicle, and small enough that
 //! no text takes long or much memory.
 
 use syn::{Error, Ident};

@@ -1,5 +1,5 @@
-//! What the equations of each form become in the generated code. The register below is the only place that
-//! tells the forms apart.
+//! The generated code for the equations of each form. Only the register below
+//! distinguishes the forms.
 
 mod along;
 mod bilinear;

@@ -1,4 +1,4 @@
-//! What an equation gives the Jacobian, as data.
+//! The entries of an equation in the Jacobian, as data.
 
 use proc_macro2::TokenStream;
 

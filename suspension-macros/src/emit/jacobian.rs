@@ -1,4 +1,4 @@
-//! The dense Jacobian: each equation puts what it is by its points into its rows.
+//! The dense Jacobian: each equation writes its derivatives with respect to its points into its rows.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,4 +1,4 @@
-//! Constant lengths: into the model, and out of it.
+//! Constant lengths, written to the model and read from it.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

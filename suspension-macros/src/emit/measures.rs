@@ -1,4 +1,4 @@
-//! What the listing measures, read off the points with the rates.
+//! The measures of the listing, computed from the points, with rates.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! What the inputs' rates contribute to velocity and acceleration: `-dF/du udot`.
+//! The contribution of the inputs' rates to velocity and acceleration: `-dF/du udot`.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,4 +1,4 @@
-//! Short names of equations and unknowns, of which the elimination makes those of its entries.
+//! Short names of equations and unknowns, from which the elimination makes the names of its entries.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Unrolled solutions with the factors, and with their transpose.
+//! Unrolled back-substitutions with the factors, and with their transpose.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,4 +1,4 @@
-//! What the emitted methods have in common: points, frames and carried points under their names.
+//! Terms common to the emitted methods: points, frames and carried points under their names.
 
 use proc_macro2::{Literal, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};

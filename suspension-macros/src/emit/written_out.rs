@@ -1,4 +1,4 @@
-//! Functions that are written out where they are called.
+//! Functions inlined in the generated code at their calls.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! The equations of a linkage among their neighbours: `F(q; u) = c` over complex numbers.
+//! The family of equations around those of a linkage: `F(q; u) = c` over complex numbers.
 
 mod line;
 

@@ -1,4 +1,4 @@
-//! How long a search may take, and how much it may find.
+//! Limits of the time and the results of a search.
 
 /// What work that may take long is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! The parts of a mechanism that can be put together one after another: its block triangular form.
+//! The parts of a mechanism that can be assembled one after another: its block triangular form.
 //!
 //! Duff, Erisman and Reid, Direct Methods for Sparse Matrices, chapter 6. Both corners of an axle follow from the rack, and a
 //! rocker from the corner whose pushrod it holds: their assemblies multiply, but are found one part at a time.

@@ -1,4 +1,4 @@
-//! General planes in the place of a given coordinate's.
+//! General planes in place of the plane of a given coordinate.
 
 use nalgebra::{Complex, SMatrix};
 

@@ -1,11 +1,11 @@
-//! What a segment is off by, measured against the solver between the places of the fit.
+//! The error of a segment, measured against the solver between the places of the fit.
 //!
 //! The difference between polynomial and motion is sampled at the 32 Chebyshev points of each
 //! segment. A polynomial of degree `d` nowhere exceeds its largest value at `m` such points by a
-//! factor of more than `1 / cos(pi d / (2 m))` (Ehlich and Zeller 1964, Math. Z. 86): that factor,
-//! with `d = 8`, is applied. What the difference has beyond degree 8 is taken from its Chebyshev
-//! coefficients up to degree 31 and added. So the bound holds wherever the motion has no more
-//! beyond degree 31 in one segment than rounding leaves visible, which its coefficients' decay
+//! factor of more than `1 / cos(pi d / (2 m))` (Ehlich and Zeller 1964, Math. Z. 86). This factor
+//! is applied with `d = 8`. The part of the difference beyond degree 8 is taken from its Chebyshev
+//! coefficients up to degree 31 and added. The bound therefore holds if the part of the motion
+//! beyond degree 31 in one segment is hidden by rounding, which the decay of its coefficients
 //! shows; it is not a proof.
 
 use std::f64::consts::PI;

@@ -1,4 +1,4 @@
-//! A motion along what leads it, wherever it is asked for.
+//! A motion along its drive or measure, at any place.
 
 use std::fmt;
 

@@ -1,8 +1,8 @@
-//! How a segment is fitted: the polynomial of degree five that has given derivatives at given
+//! The fit of a segment: the polynomial of degree five that has given derivatives at given
 //! places.
 //!
-//! Degree five for every continuity: a cubic is looked up in three fifths of the time, but takes
-//! three times the memory at 1e-6 m, and more at less.
+//! The degree is five for every continuity: a cubic is looked up in three fifths of the time, but takes
+//! three times the memory at 1e-6 m, and more at smaller tolerances.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! A baked motion as a file that people read and compilers take.
+//! A baked motion as a file for people and compilers.
 
 mod about;
 mod c;

@@ -1,4 +1,4 @@
-//! Baking the motion of two drives, as travel and steer, into
+//! Baking the motion of two drives, for example travel and steer, into a
 //! [`suspension_core::baked::Surface`].
 
 mod plane;

@@ -1,4 +1,4 @@
-//! What there is to move along: heave and roll of axles, travel of single wheels, steering.
+//! The motions for curves: heave and roll of axles, travel of single wheels, steering.
 
 use std::sync::atomic::AtomicBool;
 

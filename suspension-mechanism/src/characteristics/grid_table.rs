@@ -1,4 +1,4 @@
-//! Quantities at the places of a grid, with their derivatives with respect to each drive, in the file's units.
+//! Quantities at the places of a grid and their derivatives with respect to each drive, in the file's units.
 
 use suspension_core::Signal;
 

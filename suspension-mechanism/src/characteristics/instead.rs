@@ -1,4 +1,4 @@
-//! What can be named in place of a quantity that a design does not have under that name.
+//! Suggestions for a quantity that a design does not have under the given name.
 
 use crate::characteristics::parameters::columns;
 use crate::mechanism::{Description, Names, SteeringWheel};

@@ -1,4 +1,4 @@
-//! Curves over the travel of a wheel, whatever drives it.
+//! Curves over the travel of a wheel, for any drives.
 
 use crate::characteristics::curves::{Curves, Line, Sort};
 use crate::characteristics::parameters::symbol_per;

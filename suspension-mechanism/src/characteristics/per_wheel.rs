@@ -1,4 +1,4 @@
-//! Derivatives with respect to the height of a wheel, the other wheels held at theirs, whatever drives them.
+//! Derivatives with respect to the height of a wheel with the other wheels held, for any drives.
 
 use nalgebra::DMatrix;
 

@@ -1,4 +1,4 @@
-//! Derivatives with respect to the travel of the wheel, whatever drives it.
+//! Derivatives with respect to the travel of the wheel, for any drives.
 
 use crate::characteristics::parameters::{Derivative, Parameter, symbol_per};
 use crate::characteristics::way::Way;

@@ -1,4 +1,4 @@
-//! From where to where a drive is moved, as an option has it.
+//! The range over which a drive is moved, from an option.
 
 use std::str::FromStr;
 

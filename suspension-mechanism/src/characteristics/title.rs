@@ -1,4 +1,4 @@
-//! What numbers are called for people.
+//! Titles of numbers for people.
 
 use std::fmt;
 

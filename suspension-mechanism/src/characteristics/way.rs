@@ -1,4 +1,4 @@
-//! What drives do to a wheel or an axle.
+//! The way in which drives move a wheel or an axle.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What a scene needs, and what it can have.
+//! The needs of a scene, and the methods that meet them.
 
 use suspension_core::step::bounded::Outputs;
 

@@ -1,4 +1,4 @@
-//! The ways to put a mechanism together.
+//! The ways to assemble a mechanism.
 
 use nalgebra::SVector;
 use suspension_core::listing::{DriveKind, Kind, Parts};

@@ -1,4 +1,4 @@
-//! A mechanism of other hardpoints and lengths.
+//! A mechanism with changed hardpoints and lengths.
 
 use nalgebra::Vector3;
 use suspension_core::{Inputs, Motion, Newton, Signal, Still, Values, assemble};

@@ -1,4 +1,4 @@
-//! How a mechanism changes with its hardpoints and lengths.
+//! The derivatives of a mechanism with respect to its hardpoints and lengths.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;

@@ -1,4 +1,4 @@
-//! From what a file says to a mechanism at its design position.
+//! From the contents of a file to a mechanism at its design position.
 
 use nalgebra::Vector3;
 use suspension_core::listing::Parts;

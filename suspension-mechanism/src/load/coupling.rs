@@ -1,4 +1,4 @@
-//! How the travel of wheels is bound to that of others, as on a twist beam.
+//! Wheels whose travel depends on that of others, as on a twist beam.
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 

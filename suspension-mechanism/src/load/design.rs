@@ -1,4 +1,4 @@
-//! The design position: where the mechanism is assembled and its markers are attached.
+//! The design position, at which the mechanism is assembled and its markers are attached.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The refusal of bodies whose first three points, which carry the others, lie in line.
+//! The refusal of bodies whose first three points, which carry the other points, lie in line.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What the listing of a motion file includes.
+//! Listings included by the listing of a motion file.
 
 use std::cell::RefCell;
 use std::ops::Range;

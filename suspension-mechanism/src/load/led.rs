@@ -1,4 +1,4 @@
-//! To the first instant of a motion that a measure leads.
+//! From the design to the first instant of a motion that a measure leads.
 
 use suspension_core::Values;
 use suspension_core::path::{Curve, Led};

@@ -1,4 +1,4 @@
-//! Which listing a motion file is about: one of the catalogue, one in a file beside it, or one that it states.
+//! The listing of a motion file: one of the catalogue, one in a file beside it, or one that it states.
 
 use std::ops::Range;
 use std::path::Path;

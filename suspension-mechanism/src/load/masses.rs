@@ -1,4 +1,4 @@
-//! The masses of a motion file, by the numbers of what it names.
+//! The masses of a motion file, with its names replaced by indices.
 
 use nalgebra::{Matrix3, Vector3};
 use suspension_core::inertia::RigidBody;

@@ -1,4 +1,4 @@
-//! What a file says that its author may not have meant.
+//! Notes on statements of a file that its author may not have meant.
 
 pub(super) mod contradicted_drives;
 pub(super) mod contradicted_wheels;

@@ -1,5 +1,5 @@
-//! A point that lies far from all others: one of its coordinates is in another unit, or its decimal point has slipped, as it
-//! seems.
+//! A point that lies far from all others: one of its coordinates is probably in another unit, or its decimal point has
+//! slipped.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Whether a file's own motion is within reach, for commands that work from the design position.
+//! A check of whether a file's own motion can be reached, for commands that work from the design position.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};

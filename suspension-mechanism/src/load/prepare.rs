@@ -1,4 +1,4 @@
-//! From what a file says to a mechanism in the configuration of the first instant.
+//! From the contents of a file to a mechanism in the configuration of the first instant.
 
 use suspension_core::{Motion, Values};
 

@@ -1,4 +1,4 @@
-//! What is asked of the loading of a file.
+//! A request to load a file.
 
 use suspension_runtime::Listing;
 

@@ -1,4 +1,4 @@
-//! The springs of a motion file, by the numbers of their measures.
+//! The springs of a motion file, with the indices of their measures.
 
 use suspension_listing::did_you_mean::unknown;
 use suspension_runtime::Listing;

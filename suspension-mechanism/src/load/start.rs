@@ -1,4 +1,4 @@
-//! To the first instant of a motion that its drives lead.
+//! From the design to the first instant of a motion that its drives lead.
 
 use suspension_core::{Motion, Values};
 

@@ -1,4 +1,4 @@
-//! What a motion file states for single commands: load cases, tolerances, tuning.
+//! Statements of a motion file for single commands: load cases, tolerances, tuning.
 
 use std::ops::Range;
 

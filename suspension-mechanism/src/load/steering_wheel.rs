@@ -1,4 +1,4 @@
-//! The steering wheel: how far it moves the drive of steering, and which way.
+//! The steering wheel: the ratio and the direction in which it moves the drive of steering.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! The tolerances of a motion file, by what they are of.
+//! The tolerances of a motion file, by hardpoint and length.
 
 use suspension_listing::did_you_mean::unknown;
 

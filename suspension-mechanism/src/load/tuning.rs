@@ -1,4 +1,4 @@
-//! What a motion file says of tuning, by the numbers of what it names.
+//! Tuning as a motion file states it, with its names replaced by indices.
 
 mod moves;
 mod naming;

@@ -1,4 +1,4 @@
-//! The mechanism of a file in other axes than its own.
+//! The mechanism of a file in axes other than its own.
 
 use toml::Spanned;
 

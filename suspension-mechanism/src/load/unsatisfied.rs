@@ -1,4 +1,4 @@
-//! What the points of a file do not satisfy.
+//! The equations that the points of a file do not satisfy.
 
 use nalgebra::SVector;
 

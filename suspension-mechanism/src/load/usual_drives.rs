@@ -1,4 +1,4 @@
-//! Drives that wheels have by their names, where the file does not say which ones move and steer them.
+//! Drives of wheels found by name, if the file does not state which drives move and steer them.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What a motion file says of the vehicle.
+//! The vehicle data of a motion file.
 
 mod forces;
 mod per_wheel;

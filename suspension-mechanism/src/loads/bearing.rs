@@ -1,4 +1,4 @@
-//! What measures bear in place of drives.
+//! The loads that measures bear in place of drives.
 
 use nalgebra::{DMatrix, DVector};
 

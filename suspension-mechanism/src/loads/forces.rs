@@ -1,4 +1,4 @@
-//! Forces at the points of a mechanism: what loads at places of bodies and in measures come to.
+//! Forces at the points of a mechanism that are equivalent to loads at places of bodies and in measures.
 
 use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;

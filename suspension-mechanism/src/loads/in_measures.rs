@@ -1,4 +1,4 @@
-//! What acts in measures: at the points of each and on bodies that carry one of them.
+//! Loads in measures: they act at the points of each measure and on bodies that carry one of these points.
 
 use nalgebra::Vector3;
 

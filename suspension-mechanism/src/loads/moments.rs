@@ -1,4 +1,4 @@
-//! Moments about angles, on the parts that carry their lines.
+//! Moments about angles, which act on the parts that carry the lines.
 
 use nalgebra::Vector3;
 use suspension_runtime::Statement;

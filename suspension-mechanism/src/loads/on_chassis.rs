@@ -1,4 +1,4 @@
-//! What the chassis bears at each of its points: that of all that is joined there together.
+//! The force on the chassis at each of its points, the sum of all parts that are joined there.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What a load case does.
+//! The result of a load case.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! Where a load acts.
+//! The place at which a load acts.
 
 use crate::mechanism::Wheel;
 

@@ -1,4 +1,4 @@
-//! Drives that bear loads which springs of the file could, or one more spring, that of the other side.
+//! Drives that bear loads which springs of the file could bear, or another spring on the other side.
 
 use crate::kinematics::Kinematics;
 use crate::loads::forces::{ROUNDING, summed};

@@ -1,4 +1,4 @@
-//! How a mechanism changes with its design.
+//! The derivatives of a mechanism with respect to its design.
 
 use nalgebra::Vector3;
 

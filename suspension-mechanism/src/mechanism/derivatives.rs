@@ -1,4 +1,4 @@
-//! Derivatives of the points at a place with respect to the drives, each computed once, where one asks for it.
+//! Derivatives of the points at a place with respect to the drives, each computed once, on demand.
 
 use std::cell::OnceCell;
 

@@ -1,4 +1,4 @@
-//! What is known of a mechanism without its equations.
+//! The description of a mechanism without its equations.
 
 use nalgebra::Vector3;
 

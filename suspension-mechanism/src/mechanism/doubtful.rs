@@ -1,4 +1,4 @@
-//! Values of a drive that seem to be in another unit, or counted from elsewhere, than the file's.
+//! Values of a drive that seem to be in another unit than the file's, or counted from elsewhere.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! From polynomials of time to what the solver is given.
+//! From polynomials of time to the inputs of the solver.
 
 use suspension_core::listing::Part;
 use suspension_core::solve::report::Report;

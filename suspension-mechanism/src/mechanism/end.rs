@@ -1,4 +1,4 @@
-//! How a motion ends.
+//! The end of a motion.
 
 use crate::failure::Failure;
 use crate::mechanism::words::advice;

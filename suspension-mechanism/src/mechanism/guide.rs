@@ -1,4 +1,4 @@
-//! Lines on the chassis on which points slide, as that of a rack.
+//! Lines on the chassis on which points slide, for example that of a rack.
 
 use nalgebra::Vector3;
 use suspension_listing::Kind;

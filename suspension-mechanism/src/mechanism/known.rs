@@ -1,4 +1,4 @@
-//! What is known of a place before its derivatives are computed.
+//! The data of a place before its derivatives are computed.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::Motion;

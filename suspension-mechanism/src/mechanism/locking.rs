@@ -1,4 +1,4 @@
-//! Where a motion that its drives lead ends: the drive that turns there, and the link or the hinge that is in the way.
+//! The end of a motion that its drives lead: the drive that turns there, and the link or hinge that limits it.
 
 use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};

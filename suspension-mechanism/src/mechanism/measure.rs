@@ -1,4 +1,4 @@
-//! What a linkage measures, where an angle about an axis does not jump at half a turn.
+//! The measures of a linkage, in which an angle about an axis does not jump at half a turn.
 
 use std::f64::consts::TAU;
 

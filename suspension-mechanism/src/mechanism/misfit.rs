@@ -1,4 +1,4 @@
-//! Which link keeps a mechanism from following its drives, and how long it would have to be; or which hinge.
+//! The link that keeps a mechanism from following its drives, and the length that it would need; or the hinge.
 
 use nalgebra::SVector;
 use suspension_core::solve::lu::Lu;

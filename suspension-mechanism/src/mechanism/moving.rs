@@ -1,4 +1,4 @@
-//! A mechanism on its way, by its drives or by a measure in place of one.
+//! A mechanism in motion, led by its drives or by a measure in place of one.
 
 use suspension_core::path::Led;
 use suspension_core::solve::report::Report;

@@ -1,4 +1,4 @@
-//! What a listing calls its parts, and what they are.
+//! Names of a listing's parts, and their kinds.
 
 use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};

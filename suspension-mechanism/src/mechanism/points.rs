@@ -1,4 +1,4 @@
-//! The points of a mechanism, whatever its linkage.
+//! The points of a mechanism, for any linkage.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! Where a mechanism is, in numbers that have derivatives.
+//! The position of a mechanism, in numbers that have derivatives.
 
 use nalgebra::Vector3;
 use suspension_core::Signal;

@@ -1,4 +1,4 @@
-//! The mechanism at one place of its motion, whatever its linkage.
+//! The mechanism at one place of its motion, for any linkage.
 
 use std::rc::Rc;
 

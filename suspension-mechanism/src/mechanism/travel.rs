@@ -1,4 +1,4 @@
-//! What a file that does not name the drives of travel would say.
+//! Suggestions for a file that does not name the drives of travel.
 
 use crate::mechanism::names::Names;
 use crate::mechanism::vehicle::Wheel;

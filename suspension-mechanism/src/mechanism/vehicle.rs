@@ -1,4 +1,4 @@
-//! The wheels of a listing, and what a motion file says of their vehicle.
+//! The wheels of a listing, and the vehicle data of a motion file.
 
 use std::f64::consts::TAU;
 use std::rc::Rc;

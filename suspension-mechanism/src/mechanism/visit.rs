@@ -1,4 +1,4 @@
-//! What is read at the places of a grid.
+//! The quantities read at the places of a grid.
 
 mod place;
 mod visitor;

@@ -1,4 +1,4 @@
-//! Readings of how a suspension bears the forces of brakes and drive.
+//! Readings of the support of brake and drive forces by the suspension.
 
 use crate::file::Dimension;
 use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};

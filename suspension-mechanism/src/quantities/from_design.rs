@@ -1,4 +1,4 @@
-//! Readings of each wheel against where it is at the design position.
+//! Readings of each wheel relative to its design position.
 
 use crate::file::Dimension;
 use crate::mechanism::{Axle, Names};

@@ -1,4 +1,4 @@
-//! An axle as it rolls: its left contact point rises as fast as the right one falls.
+//! An axle in roll: its left contact point rises as fast as the right one falls.
 
 use nalgebra::Vector3;
 use suspension_core::wheel::{

@@ -1,4 +1,4 @@
-//! What masses are at the wheels: readings by kinetic energy.
+//! Effective masses at the wheels: readings by kinetic energy.
 
 use crate::file::Dimension;
 use crate::mechanism::{Movement, Names, State};

@@ -1,4 +1,4 @@
-//! Where the points of a state are, in the axes of ISO 8855.
+//! The positions of a state's points, in the axes of ISO 8855.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! What reads quantities of one state.
+//! The reader of the quantities of one state.
 
 use std::cell::OnceCell;
 use std::ops::Deref;

@@ -1,4 +1,4 @@
-//! How the numbers of a quantity are read of a state.
+//! The computation of a quantity's numbers from a state.
 
 use nalgebra::Vector3;
 

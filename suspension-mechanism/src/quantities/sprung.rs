@@ -1,4 +1,4 @@
-//! What springs do at the wheels: readings by virtual work.
+//! The effects of springs at the wheels: readings by virtual work.
 
 use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;

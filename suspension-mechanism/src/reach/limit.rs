@@ -1,4 +1,4 @@
-//! What limits a drive.
+//! The limits of a drive.
 
 use crate::mechanism::{Mechanism, Suspension, Unit};
 use crate::number::rounded;

@@ -1,4 +1,4 @@
-//! When a motion meets an end of a drive's range.
+//! The time at which a motion meets an end of a drive's range.
 
 use crate::mechanism::Description;
 

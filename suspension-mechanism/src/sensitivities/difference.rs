@@ -1,5 +1,5 @@
-//! Quantities that have no derivatives of their own, as what springs do, by the difference of sixth order
-//! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)` over suspensions built anew, `h` a thousandth of their size.
+//! Sensitivities of quantities without exact derivatives, for example the effects of springs, by the difference of sixth order
+//! `(45 (f1 - f_1) - 9 (f2 - f_2) + f3 - f_3) / (60 h)` over rebuilt suspensions, with `h` a thousandth of their size.
 
 use nalgebra::DMatrix;
 

@@ -1,5 +1,5 @@
-//! Least squares within boxes: steps of Levenberg and Marquardt over those unknowns that are not held by their boxes,
-//! cut where they leave them. No library was found that has boxes and the `nalgebra` of this crate.
+//! Least squares within boxes: Levenberg-Marquardt steps over the unknowns that their boxes do not hold,
+//! cut where they leave the boxes. We found no library that has boxes and uses the `nalgebra` of this crate.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

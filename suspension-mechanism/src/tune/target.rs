@@ -1,4 +1,4 @@
-//! What is to be reached.
+//! A target of tuning.
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,4 +1,4 @@
-//! Solutions with the factors, made in place.
+//! Back-substitution with the factors, in place.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::model::constraint::Frame;

@@ -1,4 +1,4 @@
-//! `Carried`: the points of a body beside those of its frame.
+//! `Carried`: the points of a body outside its frame.
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;

@@ -1,4 +1,4 @@
-//! The list of the forms, which [`walk`] goes through: what a new form is added to.
+//! The list of the forms, which [`walk`] goes through; add a new form here.
 
 use suspension_listing::form::Form;
 use suspension_listing::system::System;

@@ -1,4 +1,4 @@
-//! Where an equation stands.
+//! The place of an equation.
 
 use suspension_listing::name::Name;
 use suspension_listing::system::System;

@@ -1,4 +1,4 @@
-//! `Product`: two lines at an angle that stays.
+//! `Product`: two lines at a constant angle.
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;

@@ -1,4 +1,4 @@
-//! `Stretch`: two points a length apart that is an unknown.
+//! `Stretch`: two points at a distance that is an unknown.
 
 use nalgebra::Vector3;
 use suspension_core::Scalar;

@@ -1,4 +1,4 @@
-//! Where lengths are kept.
+//! The places of lengths.
 
 use suspension_listing::name::Name;
 use suspension_listing::system::{self, System, distance_between, pair_name};

@@ -1,4 +1,4 @@
-//! Where parts stand in a listing.
+//! The places of parts in a listing.
 
 use suspension_listing::form::Form;
 use suspension_listing::name::Name;

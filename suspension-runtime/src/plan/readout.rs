@@ -1,4 +1,4 @@
-//! How drives enter, and what is read off the points, as indices.
+//! How drives enter, and the quantities computed from the points, as indices.
 
 use suspension_core::listing::{DriveKind, MeasureKind, WheelPlaces};
 use suspension_listing::name::Name;

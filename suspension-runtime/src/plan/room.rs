@@ -1,4 +1,4 @@
-//! Whether a plan fits into the tables of a size.
+//! A check of whether a plan fits into the tables of a size.
 
 use super::Plan;
 use crate::model::counts_of_constants;

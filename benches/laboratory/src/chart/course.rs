@@ -1,4 +1,4 @@
-//! The motion that all methods go through: instants and what is prescribed at them.
+//! The motion that all methods follow: instants, and the inputs at them.
 
 use suspension_core::{Scalar, Signal, Values};
 

@@ -1,4 +1,4 @@
-//! Equations of the mechanism, each in coordinates of its own.
+//! Formulations of the mechanism's equations, each in its own coordinates.
 
 pub mod absolute;
 pub mod five_links;

@@ -1,4 +1,4 @@
-//! Names beside points, none on another.
+//! Names beside points, without overlap.
 
 /// A rectangle of the drawing: left, top, right, bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! How long single steps take, the worst ones too, with and without other load.
+//! The time of single steps, including the worst, with and without other load.
 
 use std::hint::black_box;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,4 +1,4 @@
-//! What the chart asks of a method.
+//! The interface of a method for the chart.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,4 @@
-//! Newton's method with a dense factorisation, to the tolerance of the core's.
+//! Newton's method with a dense factorisation, to the same tolerance as the core's.
 
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use suspension_core::solve::lu::Lu;

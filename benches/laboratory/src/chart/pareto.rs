@@ -1,4 +1,4 @@
-//! What no other is both faster and more accurate than.
+//! The Pareto front: methods that no other method beats in both time and accuracy.
 
 /// The indices of the points that no other point equals or beats in both coordinates, in order of
 /// the first one. Of equal points the first counts.

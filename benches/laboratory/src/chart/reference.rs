@@ -1,4 +1,4 @@
-//! The motion to about 30 digits, that errors are measured against.
+//! The reference motion to about 30 digits, from which errors are measured.
 
 use std::iter::repeat;
 

@@ -1,4 +1,4 @@
-//! A method put to the test: the worst error of a whole motion, and steps to be timed.
+//! The trial of a method: the worst error of a whole motion, and steps to be timed.
 
 use std::marker::PhantomData;
 use std::sync::atomic::AtomicBool;

@@ -1,4 +1,4 @@
-//! What is varied: noise of the start, length of the steps, distance from a turning point.
+//! The varied quantities: noise of the start, length of the steps, distance from a turning point.
 
 use nalgebra::SVector;
 use rand_distr::{Distribution, StandardNormal, StandardUniform};

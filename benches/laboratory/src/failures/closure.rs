@@ -1,4 +1,4 @@
-//! The same mechanism with its knuckle closed in two ways.
+//! The same mechanism with two formulations of its knuckle.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::{attia2003, five_link};

@@ -1,4 +1,4 @@
-//! The map: a line a method, a column an axis, in each cell the shares of outcomes.
+//! The map: one line per method, one column per axis, and in each cell the shares of outcomes.
 
 use maud::{Markup, html};
 

@@ -1,4 +1,4 @@
-//! Millions of steps back and forth through a motion: what a method forgets, it drifts by.
+//! Millions of steps back and forth through a motion, which show the drift of a method.
 
 use std::fmt::LowerExp;
 use std::marker::PhantomData;

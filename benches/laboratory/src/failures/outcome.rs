@@ -1,4 +1,4 @@
-//! What became of a trial.
+//! The outcome of a trial.
 
 use nalgebra::{SVector, Vector3};
 

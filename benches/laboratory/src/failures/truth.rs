@@ -1,4 +1,4 @@
-//! The motion that results are held against, followed in fine steps.
+//! The motion with which results are compared, followed in fine steps.
 
 use nalgebra::SVector;
 use suspension_core::solve::motion::Prescribed;

@@ -1,4 +1,4 @@
-//! A corner's energy, and what it gains and loses: for tests.
+//! A corner's energy, its gains and losses, for tests.
 
 use super::{Corner, Ground, Torque};
 use crate::chassis::Frame;

@@ -1,7 +1,7 @@
-//! What a corner does to the equations of motion.
+//! The contribution of a corner to the equations of motion.
 //!
-//! Kane's equations with the speeds of the chassis, the rate of travel and the wheel's angular velocity about its axis. The unsprung
-//! mass is in the wheel centre. The wheel's moment of inertia is the one about its axis, so that its spin stands in an equation of its own
+//! These are Kane's equations with the speeds of the chassis, the rate of travel and the wheel's angular velocity about its axis. The unsprung
+//! mass is at the wheel centre. The wheel has a moment of inertia only about its axis. Its spin therefore has its own equation
 //! and loads the carrier with the gyroscopic moment `-I spin (turning x axis)`.
 
 use nalgebra::{Matrix3, Matrix6, Vector6};

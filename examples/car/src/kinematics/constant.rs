@@ -1,4 +1,4 @@
-//! Constant ratios: what changes with the drives changes by the rates that it has in the design.
+//! Constant ratios: all quantities change with the drives at their rates in the design.
 
 use nalgebra::Vector3;
 use suspension_core::Signal;

@@ -1,4 +1,4 @@
-//! Kinematics as tables of K&C data have them: places some way apart, and linear between them.
+//! Kinematics from tables like K&C data: places at intervals, linear between them.
 
 use suspension_core::Signal;
 use suspension_core::baked::Outside;

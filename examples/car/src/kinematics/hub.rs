@@ -1,4 +1,4 @@
-//! What the equations of motion take of a corner.
+//! The data of a corner that the equations of motion use.
 
 use nalgebra::Vector3;
 use suspension_core::{Linkage, Real, Signal, Values};

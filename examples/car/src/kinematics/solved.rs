@@ -1,4 +1,4 @@
-//! Kinematics from the linkage's equations, to rounding or at a fixed cost: the stepper and its numbers decide.
+//! Kinematics from the linkage's equations, to rounding or at a fixed cost, depending on the stepper and its numbers.
 
 use suspension_core::directions::Directions;
 use suspension_core::error::{Cause, Explain};

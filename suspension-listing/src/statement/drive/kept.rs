@@ -1,4 +1,4 @@
-//! Whether lengths are kept that an angle needs, and are not that a drive prescribes.
+//! A check that the lengths that an angle needs are kept, and that a length that a drive prescribes is not.
 
 use syn::{Error, Ident};
 

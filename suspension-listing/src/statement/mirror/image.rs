@@ -1,4 +1,4 @@
-//! The image of a statement as text: names exchange the words of the sides, positions and directions the sign of y.
+//! The image of a statement as text, with the words of the sides exchanged in names and the sign of y changed in positions and directions.
 
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 

@@ -1,4 +1,4 @@
-//! How a quantity is written.
+//! The syntax of a quantity.
 
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Token, parenthesized};

@@ -1,4 +1,4 @@
-//! What a baked file says of itself, whatever its drives.
+//! The comments of a baked file about itself, for any drives.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What the headers in C99 have in common.
+//! Code common to the headers in C99.
 
 use crate::bake::source::Titled;
 use crate::bake::source::about::commented;

@@ -1,4 +1,4 @@
-//! What the modules of Rust have in common.
+//! Code common to the Rust modules.
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::Titled;

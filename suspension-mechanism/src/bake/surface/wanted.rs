@@ -1,4 +1,4 @@
-//! What to bake of two drives, and why it may not be.
+//! The motion of two drives to bake, and the reasons for which it may be refused.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What bears the load of a drive in a load case.
+//! The measure that bears the load of a drive in a load case.
 
 use suspension_listing::did_you_mean::unknown;
 

@@ -1,4 +1,4 @@
-//! What a file says of drives that the mechanism at its design contradicts.
+//! Statements of a file about drives that the mechanism at its design contradicts.
 
 use suspension_core::Values;
 

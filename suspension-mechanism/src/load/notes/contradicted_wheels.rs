@@ -1,4 +1,4 @@
-//! What a file says of wheels that the mechanism at its design contradicts.
+//! Statements of a file about wheels that the mechanism at its design contradicts.
 
 use nalgebra::Vector3;
 use suspension_core::Values;

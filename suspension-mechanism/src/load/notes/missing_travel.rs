@@ -1,4 +1,4 @@
-//! Wheels without a drive of travel, where the file states what needs one.
+//! Wheels without a drive of travel, if the file states something that needs one.
 
 use toml::Spanned;
 

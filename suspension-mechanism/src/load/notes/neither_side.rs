@@ -1,4 +1,4 @@
-//! A point that is named for neither side of the vehicle, and joined from both.
+//! A point that is named for neither side of the vehicle but joined to both.
 
 use nalgebra::Vector3;
 use suspension_core::Values;

@@ -1,4 +1,4 @@
-//! What numbers of a file beside its points say that their author may not have meant.
+//! Notes on numbers of a file, other than points, that its author may not have meant.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What the points of a wheel say that their author may not have meant.
+//! Notes on the points of a wheel that their author may not have meant.
 
 use nalgebra::Vector3;
 

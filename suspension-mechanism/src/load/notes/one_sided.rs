@@ -1,4 +1,4 @@
-//! Masses of one side of the vehicle alone.
+//! Masses on only one side of the vehicle.
 
 use suspension_runtime::Listing;
 

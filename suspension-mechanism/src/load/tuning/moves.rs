@@ -1,4 +1,4 @@
-//! What a motion file lets `suspension tune` move.
+//! The points and lengths that a motion file lets `suspension tune` move.
 
 use nalgebra::Vector3;
 use toml::Spanned;

@@ -1,4 +1,4 @@
-//! What a motion file names of a mechanism, by number.
+//! The parts of a mechanism that a motion file names, by index.
 
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;

@@ -1,4 +1,4 @@
-//! What a motion file wants `suspension tune` to reach.
+//! The targets that a motion file sets for `suspension tune`.
 
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;

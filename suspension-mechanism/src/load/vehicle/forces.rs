@@ -1,4 +1,4 @@
-//! How the axles share the forces of brakes and drive, and what bears their torques.
+//! The shares of the axles in the forces of brakes and drive, and the parts that bear their torques.
 
 use toml::Spanned;
 

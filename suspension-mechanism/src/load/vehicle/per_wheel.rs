@@ -1,4 +1,4 @@
-//! What a motion file states of wheels, read and checked.
+//! The wheel data of a motion file, read and checked.
 
 use std::ops::Range;
 

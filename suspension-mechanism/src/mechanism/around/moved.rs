@@ -1,4 +1,4 @@
-//! The states that springs and masses need: wheels that move up and down alone, and both of an axle together.
+//! The states that springs and masses need: a single wheel moving up and down, and both wheels of an axle together.
 
 use nalgebra::{Matrix2, Vector2};
 use suspension_core::{Signal, Values};

@@ -1,4 +1,4 @@
-//! A place of a grid, and what keeps a visit from some of them.
+//! A place of a grid, and the reasons for which a visit skips some places.
 
 use crate::mechanism::gradient::Gradient;
 use crate::mechanism::positions::Positions;

@@ -1,4 +1,4 @@
-//! How far each wheel is from where it is at the design position: there it is zero.
+//! The displacement of each wheel from its design position.
 
 use suspension_core::signal::Number as _;
 

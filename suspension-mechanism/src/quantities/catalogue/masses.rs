@@ -1,4 +1,4 @@
-//! What masses are at the wheels.
+//! Effective masses at the wheels.
 
 use crate::quantities::inert::of_wheels;
 use crate::quantities::quantity::{Quantity, Shown};

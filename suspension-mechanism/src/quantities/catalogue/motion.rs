@@ -1,4 +1,4 @@
-//! The motion itself: time, drives, points, and how the carrier turns.
+//! The motion itself: time, drives, points, and the rotation of the carrier.
 
 use nalgebra::Vector3;
 use suspension_core::body::{angular_acceleration, angular_velocity};

@@ -1,4 +1,4 @@
-//! What the linkage measures, and what the solver says of its solution.
+//! The measures of the linkage, and the solver's report on its solution.
 
 use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};

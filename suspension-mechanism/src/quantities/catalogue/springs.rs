@@ -1,4 +1,4 @@
-//! What springs and anti-roll bars do at the wheels.
+//! The effects of springs and anti-roll bars at the wheels.
 
 use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};

@@ -1,4 +1,4 @@
-//! How the carrier moves in travel: roll centre, instant centres, support of brakes and drive.
+//! The motion of the carrier in travel: roll centre, instant centres, support of brakes and drive.
 
 use nalgebra::Vector3;
 use suspension_core::wheel::InstantCentre;

@@ -1,4 +1,4 @@
-//! Where a file has the points of its listing, and which of them it moves.
+//! The positions of the listing's points in a file, and the points that the file moves.
 
 use nalgebra::Vector3;
 use suspension_runtime::Listing;

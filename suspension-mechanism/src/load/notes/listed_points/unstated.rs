@@ -1,4 +1,4 @@
-//! Points that stay where the listing has them, while those that the file states around them are elsewhere.
+//! Points that stay where the listing has them, while the file moves the points around them.
 
 use suspension_core::listing::{Kind, Parts};
 use suspension_runtime::Listing;
