@@ -1,4 +1,4 @@
-//! What a look-up in a baked curve costs, over the published motion.
+//! The cost of a look-up in a baked curve, over the published motion.
 //!
 //! Ids are `baked/FUNCTION/LINKAGE/f64` with `position`, `velocity` and `acceleration`, each
 //! including the ones before it: the wheel's pose (six outputs) to 1e-6 m, with a first derivative

@@ -1,4 +1,4 @@
-//! What a configuration costs, on the published motion.
+//! The cost of a configuration, on the published motion.
 //!
 //! Ids are `group/function/linkage/number`:
 //! - `kernel`: `residual`, `factor` and `solve` of the generated code;

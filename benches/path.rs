@@ -1,4 +1,4 @@
-//! What following a curve costs, on the published mechanism with its drive free.
+//! The cost of following a curve, on the published mechanism with its drive free.
 //!
 //! Ids are `path/function/linkage/number`:
 //! - `step`: one step of predictor and corrector, once round the closed curve again and again;

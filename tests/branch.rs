@@ -1,4 +1,4 @@
-//! Which assembly the paper's printed initial guess leads to, and where a motion ends.
+//! The assembly found from the paper's printed initial guess, and the ends of motions.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Named;

@@ -1,4 +1,4 @@
-//! What a step computes: operations counted by a number that counts them.
+//! The operations of a step, counted by a number type that records them.
 
 mod headers;
 mod number;

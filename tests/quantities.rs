@@ -1,4 +1,4 @@
-//! What the catalogue of quantities has for linkages with and without a wheel.
+//! The catalogue of quantities for linkages with and without a wheel.
 
 use suspension_mechanism::mechanism::{Length, Names, Unit, Wheel, WheelPoints};
 use suspension_mechanism::quantities::{Shown, catalogue, columns};

@@ -1,4 +1,4 @@
-//! What all sensitivities of a design cost, beside one state of it.
+//! The cost of all sensitivities of a design, compared with one state of it.
 //!
 //! Ids are `linkage/function`, of linkages of the catalogue:
 //!

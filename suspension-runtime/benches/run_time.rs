@@ -1,4 +1,4 @@
-//! What reading a listing at run time costs: the model that walks its text beside the one that `linkage!` writes.
+//! The cost of a listing read at run time: the walked model compared with the code that `linkage!` generates.
 //!
 //! Ids are `group/back end/linkage`:
 //! - `step`: position, velocity and acceleration at a fixed cost, in steps of 1 ms along an oscillation of every

@@ -1,4 +1,4 @@
-//! Where `assemble` leads to, in rooms of all sizes.
+//! The results of `assemble`, for models of all capacities.
 
 use suspension_core::linkages::double_wishbone;
 use suspension_core::nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! How far steps are from the motion, by their length, corrections, prediction and outputs.
+//! The errors of steps, by length, corrections, prediction and outputs.
 
 use suspension_core::linkage::Factors as _;
 use suspension_core::solve::tolerance::Tolerance;

@@ -1,4 +1,4 @@
-//! How far a drive may jump in a bounded step, and what that leaves in its rates: the figures of docs/limits.md and docs/controller.md.
+//! The largest jump of a drive in a bounded step, and the part of it that stays in the rates: the figures of docs/limits.md and suspension-core/docs/controller.md.
 
 use suspension_core::linkages::double_wishbone::{Corner, Drives, Model, Points};
 use suspension_core::step::bounded::Outputs;

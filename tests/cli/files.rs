@@ -1,4 +1,4 @@
-//! Where results are written.
+//! The places to which results are written.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What `--help` says of each command.
+//! The text of `--help` of each command.
 
 use super::program::{folder, run, text};
 

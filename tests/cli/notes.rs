@@ -1,4 +1,4 @@
-//! What the program remarks on a file that runs.
+//! The program's notes on a file that runs.
 
 mod doubtful;
 mod sides;

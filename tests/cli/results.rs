@@ -1,4 +1,4 @@
-//! What a motion that runs to its end gives.
+//! The results of a motion that runs to its end.
 
 use super::program::{Rows, edited, example, folder, rows, run, text};
 use crate::support::{self, Reference};

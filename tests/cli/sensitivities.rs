@@ -1,4 +1,4 @@
-//! What moving a hardpoint does.
+//! The effects of moving a hardpoint.
 
 mod axle;
 

@@ -1,4 +1,4 @@
-//! What springs do at the wheels, against differences of their energy.
+//! The effects of springs at the wheels, compared with differences of their energy.
 
 use std::collections::BTreeMap;
 

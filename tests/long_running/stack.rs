@@ -1,4 +1,4 @@
-//! How much of a stack steps take on a host: see docs/limits.md.
+//! The stack that steps take on a host: see docs/limits.md.
 
 use std::thread;
 

@@ -1,4 +1,4 @@
-//! What holds for every linkage: derivatives against differences.
+//! Checks for every linkage: derivatives against differences.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::listing::Part;

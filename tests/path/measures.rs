@@ -1,4 +1,4 @@
-//! What leads is chosen at run time among the measures that a listing states.
+//! The leading quantity is chosen at run time among the measures of a listing.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Named;

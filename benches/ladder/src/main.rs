@@ -1,4 +1,4 @@
-//! What a linkage costs as it grows.
+//! The cost of a linkage as it grows.
 //!
 //! Writes listings of ladders of 1 to 40 bodies, expands them with the macro's own code, compiles
 //! them and runs them. Results go to `ladder.csv` and `ladder.svg` in the folder of `--out`.

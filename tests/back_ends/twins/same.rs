@@ -1,4 +1,4 @@
-//! What is the same to the bit.
+//! Comparisons to the bit.
 
 use nalgebra::Vector3;
 use suspension_core::listing::{Kind, Part, Parts};

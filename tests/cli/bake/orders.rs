@@ -1,4 +1,4 @@
-//! Which ranges are baked, and what is said of those that are not.
+//! The ranges that are baked, and the messages about those that are not.
 
 use super::super::program::{example, folder, run, text};
 

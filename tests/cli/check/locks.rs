@@ -1,4 +1,4 @@
-//! What is said of locks, and of motions that lock.
+//! Messages about locks, and about motions that lock.
 
 use super::super::program::{CORNER, folder, run, text};
 use super::{arm, check, line};

@@ -1,4 +1,4 @@
-//! Where forces are least and greatest, and the tables of grids and motions.
+//! The places of the least and greatest forces, and the tables of grids and motions.
 
 use super::super::program::{Rows, folder, rows, run, text};
 use super::{BRAKING, loaded};

@@ -1,4 +1,4 @@
-//! Which places a sweep reaches.
+//! The places that a sweep reaches.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What every answer must be.
+//! The requirements for every result.
 
 use nalgebra::SVector;
 use suspension_core::signal::ChassisMotion;

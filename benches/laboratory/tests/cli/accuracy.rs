@@ -1,4 +1,4 @@
-//! How exact the chart's methods are.
+//! The accuracy of the chart's methods.
 
 use suspension_laboratory::chart::rows::Row;
 

@@ -1,4 +1,4 @@
-//! What engines are given and what they tell, laid out as in `native/car.h`. SI units; vectors in world axes but in the design.
+//! The inputs and outputs of the engines, laid out as in `native/car.h`. SI units; vectors are in world axes except in the design.
 
 use std::ffi::c_void;
 

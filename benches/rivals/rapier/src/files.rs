@@ -1,4 +1,4 @@
-//! What the other rivals are given, and what they write.
+//! The input and output files, the same as those of the other rivals.
 
 use std::path::Path;
 

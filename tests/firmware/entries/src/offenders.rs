@@ -1,4 +1,4 @@
-//! What firmware must not do, for the search to find.
+//! Deliberate offenders, which the search must find.
 
 extern crate alloc;
 

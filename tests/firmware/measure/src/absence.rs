@@ -1,4 +1,4 @@
-//! What firmware must not reach: panics, formatting, allocation and floating point in software.
+//! Code that firmware must not reach: panics, formatting, allocation and floating point in software.
 
 use std::sync::LazyLock;
 

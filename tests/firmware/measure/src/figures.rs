@@ -1,4 +1,4 @@
-//! What a mode costs on a target.
+//! The costs of a mode on a target.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What a call reaches: its symbols, its size and its deepest stack.
+//! The reach of a call: its symbols, its size and its deepest stack.
 
 use std::collections::{BTreeSet, HashMap};
 

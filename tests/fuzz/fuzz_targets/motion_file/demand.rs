@@ -1,4 +1,4 @@
-//! What is demanded of any text that is read as a motion file.
+//! Requirements for any text that is read as a motion file.
 
 use std::ops::ControlFlow;
 
