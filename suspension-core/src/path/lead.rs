@@ -1,13 +1,14 @@
 //! Change of drive: a motion led by any quantity of the points, in place of one of the drives.
 //!
-//! With `x = (q, h)`, the entry of the local parameter held in `e` and `z`, and `y` the tangent whose
-//! entry there is 1, a Newton step on `F(x) = 0`, `g(x) = target` is
+//! The curve `F(x) = 0` has the entries `x = (q, h)`, one of which is its local parameter. `M` is the Jacobian with that
+//! entry held, `e` the correction without it, and `y` the tangent whose entry there is 1. A Newton step on `F(x) = 0`,
+//! `g(x) = target` is
 //!
 //! ```text
 //! M e = F,   dx = -e + y (target - g + g' e) / (g' y),
 //! ```
 //!
-//! and velocity and acceleration follow from the rates of the target in the same way: `g` is affine
+//! and velocity and acceleration follow from the rates of the target in the same way: the rate of `g` is affine
 //! in the velocities, and its second rate in the accelerations.
 
 use crate::arithmetic::scalar::Real;
