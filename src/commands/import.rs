@@ -92,7 +92,7 @@ impl Arguments {
             let known = choice::known_names(&names);
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
-        let source = Source::read(file)?;
+        let source = with_line_ends(Source::read(file)?);
         let stated = format::read(&source, &names)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| file.with_extension("toml"));
@@ -183,6 +183,14 @@ impl Arguments {
         };
         as_left.corner(left.stated, left.names, Some(Side::Right))
     }
+}
+
+/// The file, its lines ended by line feeds where carriage returns alone end them, as spreadsheets on a Mac write them.
+fn with_line_ends(source: Source) -> Source {
+    if source.text().contains('\n') {
+        return source;
+    }
+    Source::new(source.name(), source.text().replace('\r', "\n"))
 }
 
 fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {

@@ -87,6 +87,15 @@ impl<'a> Row<'a> {
         fields.any(|field| field.contains(|c: char| c.is_ascii_digit()))
     }
 
+    /// Whether a field begins as a number does, as that of `150 mm`.
+    pub(super) fn begins_a_number(&self) -> bool {
+        let mut fields = self.fields.iter();
+        fields.any(|field| {
+            let unsigned = field.trim_start_matches(['+', '-', '.']);
+            unsigned.starts_with(|c: char| c.is_ascii_digit())
+        })
+    }
+
     /// The name: what stands before the coordinates, or else behind them, as in reports of Lotus.
     pub(super) fn name(&self) -> String {
         let first = self.found().map_or(self.fields.len(), |(first, _)| first);
@@ -120,7 +129,10 @@ impl<'a> Row<'a> {
     /// The fields that are neither numbers nor sides, types or units.
     fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
         let is_word = |field: &&str| {
-            let is_type = ["real", "deg", "rad"].contains(field) || unit(field).is_some();
+            let is_type = ["real", "deg", "rad"]
+                .iter()
+                .any(|name| field.eq_ignore_ascii_case(name));
+            let is_type = is_type || unit(field).is_some();
             self.number(field).is_none() && sides_of(field).is_none() && !is_type
         };
         fields.iter().copied().filter(is_word).collect()
@@ -173,7 +185,9 @@ fn fields(line: &str, separator: char) -> Vec<&str> {
         quote.is_none() && (c == separator || is_blank || "=:[](){}".contains(c))
     };
     let fields = line.split(apart);
+    // Between blanks a comma may follow a number, as in `name 1, 2, 3`.
+    let around = if separator == ' ' { "'\"," } else { "'\"" };
     let fields =
-        fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c)));
+        fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || around.contains(c)));
     fields.filter(|field| !field.is_empty()).collect()
 }

@@ -10,7 +10,13 @@ use crate::mechanism::Axes;
 
 /// Whether a text is such a file.
 pub(super) fn is_subsystem(text: &str) -> bool {
-    lines(text).any(|(_, line)| ["[MDI_HEADER]", "[HARDPOINT]"].contains(&line))
+    lines(text).any(|(_, line)| matches!(&*block(line), "MDI_HEADER" | "HARDPOINT"))
+}
+
+/// The block that a line begins, in capitals, whatever remark stands behind; nothing of other lines.
+fn block(line: &str) -> String {
+    let name = line.strip_prefix('[').and_then(|line| line.split_once(']'));
+    name.map_or("", |(name, _)| name.trim()).to_uppercase()
 }
 
 /// Reads a subsystem file.
@@ -20,15 +26,15 @@ pub(super) fn is_subsystem(text: &str) -> bool {
 /// [`Failure::Input`] at a known point without three numbers, and at a unit of length that is none of ours.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Adams);
-    let mut block = "";
+    let mut within = String::new();
     for (place, line) in lines(source.text()) {
         if line.starts_with('[') {
-            block = line;
+            within = block(line);
             continue;
         }
-        match block {
-            "[HARDPOINT]" | "[PARAMETER]" => add(&mut stated, &Row::of(place, line), names)?,
-            "[UNITS]" => {
+        match &*within {
+            "HARDPOINT" | "PARAMETER" => add(&mut stated, &Row::of(place, line), names)?,
+            "UNITS" => {
                 let words = spelled(line);
                 match words.split_once('_') {
                     Some(("length", length)) => {

@@ -49,7 +49,7 @@ pub(super) fn add(
     let (key, _) = key_of(&name);
     let coordinates = row.coordinates();
     if let Some(name) = before_number(&name, names).filter(|_| coordinates.is_none()) {
-        return Err(no_number(stated, name, row));
+        return Err(misread(stated, name, row, names));
     }
     match (coordinates, row.numbers().as_slice()) {
         (Some(at), _) if !key.is_empty() => {
@@ -57,11 +57,10 @@ pub(super) fn add(
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
             [value] => stated.add_number(&name, row.sides(), value, row.place.clone()),
-            _ => return Err(no_number(stated, &name, row)),
+            _ => return Err(misread(stated, &name, row, names)),
         },
-        (_, [_, ..]) if names.is_point(&key) => {
-            let message = format!("point `{name}` needs three numbers in a row: x, y, z");
-            return Err(stated.source.refuse(&row.place, message));
+        _ if names.is_point(&key) && row.begins_a_number() => {
+            return Err(misread(stated, &name, row, names));
         }
         (None, [_]) => {
             let meant = names.number_meant(&key);
@@ -75,17 +74,24 @@ pub(super) fn add(
     Ok(())
 }
 
-fn no_number(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>) -> Failure {
-    let message =
-        format!("`{name}` needs one number behind it, with a decimal point and without a unit");
+/// What the row of a known name needs.
+fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
+    let message = if names.is_number(&key_of(name).0) {
+        format!("`{name}` needs one number behind it, with a decimal point and without a unit")
+    } else {
+        format!(
+            "point `{name}` needs three numbers in a row: x, y, z, with decimal points and without units"
+        )
+    };
     stated.source.refuse(&row.place, message)
 }
 
-/// The name of a number that a blank parts from one: the comma behind it is that of a decimal.
+/// A known name that a blank parts from a number: the comma behind it is that of a decimal.
 fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
     let (name, number) = words.split_once(' ')?;
     number.trim().parse::<f64>().ok()?;
-    names.is_number(&key_of(name).0).then_some(name)
+    let (key, _) = key_of(name);
+    (names.is_number(&key) || names.is_point(&key)).then_some(name)
 }
 
 /// Units of length that are none of motion files.

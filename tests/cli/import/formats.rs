@@ -53,6 +53,7 @@ fn all_formats_have_the_same_points() {
     let with_blanks = CORNER.map(|(name, [x, y, z])| format!("  {name}   {x}  {y} {z}  # bush\n"));
     let german = CORNER.map(|(name, [x, y, z])| format!("\"{name}\";{x},0;{y},000;{z},0;bush\n"));
     let assigned = CORNER.map(|(name, [x, y, z])| format!("{name} = [{x}, {y}, {z}];\n"));
+    let mixed = CORNER.map(|(name, [x, y, z])| format!("{name} {x}, {y}, {z}\n"));
     let numbered = CORNER.map(|(name, [x, y, z])| format!("{x}\t{y}\t{z}\tPOINT ( 3 ) = {name}\n"));
     let of_model =
         CORNER.map(|(name, [x, y, z])| format!(".car.susp.ground.hpl_{name} {x} {y} {z}\n"));
@@ -67,6 +68,8 @@ fn all_formats_have_the_same_points() {
         ),
         ("a.txt", with_blanks.concat()),
         ("a.csv", german.concat()),
+        ("a.csv", mixed.concat()),
+        ("a.csv", table(&CORNER).replace('\n', "\r")),
         ("a.m", assigned.concat()),
         ("a.txt", numbered.concat()),
         ("a.lst", of_model.concat()),
@@ -100,11 +103,16 @@ fn angles_and_the_radius_are_read_where_a_format_has_them() {
     };
     let (axle, radius) = offset("a.csv", &table(&CORNER));
     assert_eq!((axle, radius), (vec![0.0, -100.0, 0.0], None));
-    let (axle, _) = offset("a.sub", &subsystem("mm", 1.0));
-    assert!(
-        (axle[2] / -axle[1] - -0.02_f64.tan()).abs() < 1e-15,
-        "{axle:?}"
-    );
+    let file = subsystem("mm", 1.0);
+    let remarked = file.replace("[PARAMETER]", "[PARAMETER]   $ as measured");
+    let small = file.replace("[PARAMETER]", "[ parameter ]");
+    for file in [file.to_uppercase(), file, remarked, small] {
+        let (axle, _) = offset("a.sub", &file);
+        assert!(
+            (axle[2] / -axle[1] - -0.02_f64.tan()).abs() < 1e-15,
+            "{axle:?}"
+        );
+    }
     let (_, radius) = offset("a.shk", &model());
     assert_eq!(radius, Some(229.5));
     let file = table(&CORNER) + "TYRE ROLLING RADIUS (mm): 229\ntoe [deg], 1.0\n";

@@ -164,6 +164,24 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
         ),
         (
             "a.csv",
+            corner.replace("150, -175, 120", "150 mm, -175 mm, 120 mm"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and without units",
+        ),
+        (
+            "a.csv",
+            corner.replace("lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers",
+        ),
+        (
+            "a.csv",
+            corner.replace("150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""),
+            vec![],
+            "a.csv:2:1: point `lca_rear` needs three numbers",
+        ),
+        (
+            "a.csv",
             corner.replace("-175", "inf"),
             vec![],
             "a.csv:2:1: point `lca_rear` needs three numbers",
