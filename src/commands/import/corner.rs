@@ -15,6 +15,8 @@ pub(super) struct Corner {
     pub(super) side: Side,
     /// Whether it was on the other side before.
     pub(super) mirrored: bool,
+    /// The side that the file has its points and numbers of.
+    pub(super) of: Side,
 }
 
 impl Corner {
@@ -41,6 +43,7 @@ impl Corner {
                     at,
                     side: Side::Left,
                     mirrored: false,
+                    of: Side::Left,
                 }),
                 Some(_) => Err(format!(
                     "--side is for corners; {} has both sides",
@@ -70,6 +73,7 @@ impl Corner {
             at: at.into_iter().map(mirror).collect(),
             side,
             mirrored,
+            of: named,
         })
     }
 

@@ -54,7 +54,7 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
         corner,
         ..
     } = imported;
-    let radius = number(stated, names, "wheel_radius", corner.side)?;
+    let radius = number(stated, names, "wheel_radius", corner.of)?;
     Some([format!("{:?}", radius.value), stated.line(&radius.place)])
 }
 

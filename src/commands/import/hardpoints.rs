@@ -136,11 +136,11 @@ impl<'a> Hardpoints<'a> {
 
     /// Adds a number.
     pub(super) fn add_number(&mut self, name: &str, sides: Sides, value: f64, place: Range<usize>) {
-        let side = match sides {
-            Sides::One(side) => Some(side),
-            Sides::Unsaid | Sides::Mirrored => None,
+        let (key, prefixed) = key_of(name);
+        let side = match (prefixed, sides) {
+            (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
+            _ => None,
         };
-        let (key, _) = key_of(name);
         self.numbers.push(Number {
             key,
             side,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::program::folder;
-use super::{CORNER, IN_OUR_AXES, import, listed, table};
+use super::{CORNER, IN_OUR_AXES, Imported, import, listed, table};
 
 /// The corner with its coordinates multiplied, x, y, z, and a prefix before its names.
 fn corner(prefix: &str, signs: [f64; 3]) -> String {
@@ -149,6 +149,49 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
         let axle = imported.motion["points"]["axle"]["offset"][1].as_float();
         assert_eq!(axle, Some(-100.0 * y));
     }
+}
+
+/// The tangents of toe and camber by which an axle point is marked off its wheel centre.
+fn angles(imported: &Imported, axle: &str) -> [f64; 2] {
+    let offset = imported.motion["points"][axle]["offset"].as_array();
+    let offset = offset.expect("three").iter();
+    let offset: Vec<f64> = offset.filter_map(toml::Value::as_float).collect();
+    [
+        -offset[0] / offset[1].abs(),
+        offset[2] / offset[0].hypot(offset[1]),
+    ]
+}
+
+fn assert_angles(imported: &Imported, axle: &str, degrees: [f64; 2]) {
+    let [toe, camber] = degrees.map(|angle| angle.to_radians().tan());
+    let found = angles(imported, axle);
+    assert!(
+        (found[0] - toe).abs() < 1e-15 && (found[1] - camber).abs() < 1e-15,
+        "{axle}: {found:?}"
+    );
+}
+
+#[test]
+fn a_mirror_image_has_the_angles_and_the_radius_of_its_corner() {
+    let folder = folder();
+    let numbers = "toe_angle, left, 0.4\ncamber_angle, left, -1.3\ntire_radius, left, 229\n";
+    let file = corner("hpl_", [1.0; 3]) + numbers;
+    for (option, axle) in [("--side=right", "axle"), ("--axle", "right_axle")] {
+        let imported = import(folder.path(), "a.csv", &file, &[option]);
+        assert_angles(&imported, axle, [0.4, -1.3]);
+        let radius = imported.motion["vehicle"]["wheel_radius"].as_float();
+        assert_eq!(radius, Some(229.0));
+    }
+}
+
+#[test]
+fn each_side_has_the_angles_under_its_names() {
+    let folder = folder();
+    let sides = corner("hpl_", [1.0; 3]) + &corner("hpr_", [1.0, -1.0, 1.0]);
+    let numbers = "pvl_toe_angle, 0.4\npvr_toe_angle, 0.1\ncamber_angle, -1.3\n";
+    let imported = import(folder.path(), "a.csv", &(sides + numbers), &[]);
+    assert_angles(&imported, "left_axle", [0.4, -1.3]);
+    assert_angles(&imported, "right_axle", [0.1, -1.3]);
 }
 
 /// In the names' axes the corner is on the left; in those that are stated on the right.
