@@ -299,6 +299,31 @@ fn a_point_of_several_moves_is_not_held() {
 }
 
 /// As a sweep is given a count of places, or one number.
+/// A name may begin as a shorter one does: `camber_to_ground`, `kingpin_offset`.
+#[test]
+fn every_quantity_that_sensitivities_tell_may_be_a_target() {
+    let folder = folder();
+    let drives = "steer = 0.34\nbump_left = 0.3\nbump_right = 0.3";
+    let axle =
+        |tune: &str| file("steered_axle", drives, tune).replace("0.3 }", "0.3, wheelbase = 2.6 }");
+    std::fs::write(folder.path().join("a.toml"), axle("")).expect("written");
+    let told = run(folder.path(), &["sensitivities", "a.toml"]);
+    let lines = text(&told.stdout)
+        .lines()
+        .filter(|line| !line.starts_with(' '));
+    let names = lines.filter_map(|line| Some(line.split_once(": ")?.0));
+    let names: Vec<&str> = names
+        .filter(|name| !name.contains(' ') && !name.ends_with(".toml"))
+        .collect();
+    assert!(names.contains(&"left_camber_to_ground"), "{names:?}");
+    for name in names {
+        let targets = target(name, 0.0, 1e9);
+        let moves =
+            "[tune.moves.rack]\npoints = [\"rack_left\"]\nalong = \"z\"\nby = [-0.001, 0.001]\n";
+        met(folder.path(), &axle(&(moves.to_owned() + &targets)));
+    }
+}
+
 #[test]
 fn a_range_has_two_numbers() {
     let folder = folder();

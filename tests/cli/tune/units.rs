@@ -96,6 +96,11 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
             "unknown quantity `toe_deg`; did you mean `toe`? Quantities are named without a unit",
         ),
         (
+            &FLAT.replace("of = \"toe\"", "of = \"camber_to_ground_deg\""),
+            2,
+            "unknown quantity `camber_to_ground_deg`; did you mean `camber_to_ground`? Quantities are named without a unit",
+        ),
+        (
             &FLAT.replace("of = \"toe\"", "of = \"wheel_rate\""),
             2,
             "there is no `wheel_rate` of this mechanism",

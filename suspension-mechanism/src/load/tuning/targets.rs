@@ -61,9 +61,10 @@ impl Targets<'_> {
         if let Some(message) = zero_at_design(wanted, self.0.mechanism) {
             return refuse(message);
         }
-        if !names.contains(&&**wanted)
-            && let Some(meant) = of_wheels(wanted, names.iter().copied())
-        {
+        if let Some(found) = names.iter().position(|name| name == wanted) {
+            return Ok(columns.swap_remove(found));
+        }
+        if let Some(meant) = of_wheels(wanted, names.iter().copied()) {
             return refuse(format!(
                 "unknown quantity `{wanted}`; did you mean {meant}?"
             ));
@@ -71,25 +72,20 @@ impl Targets<'_> {
         if let Some(message) = not_of_this(wanted, self.0.mechanism) {
             return refuse(message);
         }
-        if let Some(name) = names
-            .iter()
-            .find(|name| wanted.starts_with(&format!("{name}_")))
-        {
+        let begun = |name: &&&str| wanted.starts_with(&format!("{name}_"));
+        if let Some(name) = names.iter().filter(begun).max_by_key(|name| name.len()) {
             return refuse(format!(
                 "unknown quantity `{wanted}`; did you mean `{name}`? Quantities are named without a unit"
             ));
         }
-        let Some(found) = names.iter().position(|name| name == wanted) else {
-            let message = unknown("quantity", wanted, &names);
-            // A long list is cut where it is printed.
-            let all = format!(
-                "; suspension sensitivities {} prints all",
-                self.0.source.name()
-            );
-            let is_answered = message.ends_with('?');
-            return refuse(message + if is_answered { "" } else { &all });
-        };
-        Ok(columns.swap_remove(found))
+        let message = unknown("quantity", wanted, &names);
+        // A long list is cut where it is printed.
+        let all = format!(
+            "; suspension sensitivities {} prints all",
+            self.0.source.name()
+        );
+        let is_answered = message.ends_with('?');
+        refuse(message + if is_answered { "" } else { &all })
     }
 
     /// The axes over which a target is stated, and what is wanted along them.
