@@ -65,7 +65,8 @@ impl Source {
             |error| {
                 let valid = error.utf8_error().valid_up_to();
                 let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);
-                Err(Self::new(&name, text).refuse(&(valid..valid), "is not text in UTF-8"))
+                let message = "is not text in UTF-8; save it in that encoding";
+                Err(Self::new(&name, text).refuse(&(valid..valid), message))
             },
             |text| Ok(Self::new(&name, text)),
         )

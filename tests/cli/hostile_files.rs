@@ -28,7 +28,7 @@ fn refused_content(content: impl AsRef<[u8]>) -> String {
 fn bytes_that_are_no_text() {
     let message = refused_content(b"linkage = \"attia2003\"\nunit = \"\xff\xfe\"");
     assert!(
-        message.starts_with("bad.toml:2:9: is not text in UTF-8"),
+        message.starts_with("bad.toml:2:9: is not text in UTF-8; save it in that encoding"),
         "{message}"
     );
     refused_content([0_u8; 1000]);

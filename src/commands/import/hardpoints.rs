@@ -135,18 +135,43 @@ impl<'a> Hardpoints<'a> {
     }
 
     /// Adds a number.
-    pub(super) fn add_number(&mut self, name: &str, sides: Sides, value: f64, place: Range<usize>) {
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] where its side has another one under the name.
+    pub(super) fn add_number(
+        &mut self,
+        name: &str,
+        sides: Sides,
+        value: f64,
+        place: Range<usize>,
+    ) -> Result<(), Failure> {
         let (key, prefixed) = key_of(name);
         let side = match (prefixed, sides) {
             (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
             _ => None,
         };
+        let same = |other: &&Number| other.key == key && other.side == side;
+        if let Some(first) = self
+            .numbers
+            .iter()
+            .find(same)
+            .filter(|first| first.value != value)
+        {
+            let message = format!(
+                "`{name}` stands in {} already, as {}; leave one of them",
+                self.line(&first.place),
+                first.value
+            );
+            return Err(self.source.refuse(&place, message));
+        }
         self.numbers.push(Number {
             key,
             side,
             value,
             place,
         });
+        Ok(())
     }
 
     /// The points of one corner, and those of no side; of two corners the left one unless the other is wanted.

@@ -152,8 +152,8 @@ impl<'a> Row<'a> {
 
 fn sides_of(field: &str) -> Option<Sides> {
     match field.to_ascii_lowercase().as_str() {
-        "left" => Some(Sides::One(Side::Left)),
-        "right" => Some(Sides::One(Side::Right)),
+        "left" | "l" => Some(Sides::One(Side::Left)),
+        "right" | "r" => Some(Sides::One(Side::Right)),
         "left/right" => Some(Sides::Mirrored),
         "single" => Some(Sides::Unsaid),
         _ => None,

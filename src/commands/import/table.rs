@@ -39,7 +39,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point that does not have three numbers, and at an angle or radius that cannot be read.
+/// [`Failure::Input`] at a known point that does not have three numbers, and at an angle or radius that cannot be read or has
+/// two values.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -56,7 +57,7 @@ pub(super) fn add(
             stated.add_point(&name, row.sides(), at, row.place.clone());
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
-            [value] => stated.add_number(&name, row.sides(), value, row.place.clone()),
+            [value] => stated.add_number(&name, row.sides(), value, row.place.clone())?,
             _ => return Err(misread(stated, &name, row, names)),
         },
         _ if names.is_point(&key) && row.begins_a_number() => {

@@ -172,6 +172,25 @@ fn assert_angles(imported: &Imported, axle: &str, degrees: [f64; 2]) {
 }
 
 #[test]
+fn a_column_of_sides_may_have_their_first_letters() {
+    let folder = folder();
+    let of = |side: &str, y: f64| {
+        let rows = corner("", [1.0, y, 1.0]);
+        let rows = rows
+            .lines()
+            .map(|row| row.replacen(", ", &format!(", {side}, "), 1));
+        rows.collect::<Vec<_>>().join("\n") + "\n"
+    };
+    let file = of("L", 1.0) + &of("r", -1.0);
+    for (side, y) in [("left", 1.0), ("right", -1.0)] {
+        let imported = import(folder.path(), "a.csv", &file, &["--side", side]);
+        assert_eq!(imported.points(), expected(y));
+        let said = format!("the corner is the {side} one");
+        assert!(imported.notes.contains(&said), "{}", imported.notes);
+    }
+}
+
+#[test]
 fn a_mirror_image_has_the_angles_and_the_radius_of_its_corner() {
     let folder = folder();
     let numbers = "toe_angle, left, 0.4\ncamber_angle, left, -1.3\ntire_radius, left, 229\n";

@@ -194,6 +194,12 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
         ),
         (
             "a.csv",
+            format!("{corner}toe_angle, 0.1\ntoe_angle, 0.1\ntoe_angle, 0.2\n"),
+            vec![],
+            "a.csv:18:1: `toe_angle` stands in a.csv:16 already, as 0.1; leave one of them",
+        ),
+        (
+            "a.csv",
             format!("name, y, x, z\n{corner}"),
             vec![],
             "a.csv:1:1: the columns are y, x, z",
