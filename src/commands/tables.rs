@@ -166,7 +166,8 @@ the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: a
 and toe, and ry is 0. Lengths that are measured under names with
 the word spring, damper, or bar are lSpring, lDamp, lStabi; without a measure named so the length of a spring of [springs] that is no
 bar is lSpring. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, the right wheel as the left one's mirror
-image, where the listing has one wheel or both are that, else the wheel's side.
+image, where the listing has one wheel or both are that, else the wheel's side. Rows begin with SuspR where [vehicle] has axle = \"rear\",
+or the wheel is named rear_left, say, else with SuspF.
 
 Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which
 neither form has: its tables are those of heave, both wheel centres rising alike; where drives are no heights, exactly so at the

@@ -324,6 +324,39 @@ fn every_quantity_that_sensitivities_tell_may_be_a_target() {
     }
 }
 
+/// There is no Ackermann percentage where the wheels are hardly steered.
+#[test]
+fn a_place_without_a_value_is_told() {
+    let folder = folder();
+    let drives = "steer = 0.34\nbump_left = 0.3\nbump_right = 0.3";
+    let moves =
+        "[tune.moves.rack]\npoints = [\"rack_left\"]\nalong = \"z\"\nby = [-0.001, 0.001]\n";
+    for (from, wanted, place) in [
+        (
+            0.0,
+            "value",
+            "steer = 0.34 m, bump_left = 0.3 m, bump_right = 0.3 m",
+        ),
+        (
+            0.02,
+            "change",
+            "the design position, which `change` counts from",
+        ),
+    ] {
+        let over = format!("over = {{ steer = [{from:?}, 0.03] }}\n{wanted}");
+        let target = target("ackermann", 0.0, 1.0).replace("value", &over);
+        let file = file("steered_axle", drives, &(moves.to_owned() + &target));
+        let file = file.replace("0.3 }", "0.3, wheelbase = 2.6 }");
+        let output = tuned(folder.path(), &file);
+        assert_eq!(output.status.code(), Some(3), "{output:?}");
+        let said = text(&output.stderr);
+        let expected = format!(
+            "a.toml: target `ackermann`: `ackermann` has no value at {place}; suspension motion --help says where it has one\n"
+        );
+        assert!(said.ends_with(&expected), "{said}");
+    }
+}
+
 #[test]
 fn a_range_has_two_numbers() {
     let folder = folder();

@@ -97,7 +97,7 @@ impl Grid {
     }
 
     /// The drives at a place.
-    pub(super) fn drives_at(&self, place: usize) -> Vec<f64> {
+    pub(crate) fn drives_at(&self, place: usize) -> Vec<f64> {
         let mut drives = self.start.clone();
         for (axis, at) in self.axes.iter().zip(self.along(place)) {
             for (drive, value) in &axis[at.number] {

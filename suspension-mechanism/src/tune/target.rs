@@ -111,13 +111,33 @@ impl Target {
     ) -> Result<Deviations, Failure> {
         self.deviations(mechanism).ok_or_else(|| {
             let visited = self.visited(mechanism, self.over.clone());
-            let out_of_reach = visited.and_then(|visited| visited.out_of_reach(source));
-            let why = out_of_reach.unwrap_or_else(|| {
-                let quantity = &self.reading.column.name;
-                format!("`{quantity}` has no value at some of its places")
-            });
+            let out_of_reach = visited
+                .as_ref()
+                .and_then(|visited| visited.out_of_reach(source));
+            let why = out_of_reach.unwrap_or_else(|| self.has_no_value(mechanism, visited));
             Failure::Solver(format!("{source}: target `{}`: {why}", self.name))
         })
+    }
+
+    /// The sentence about the first of the places where there is no such number, or about the design position, which changes count from.
+    fn has_no_value(&self, mechanism: &dyn Kinematics, visited: Option<Visited<f64>>) -> String {
+        let places = visited.map_or_else(Vec::new, |visited| visited.places);
+        let without = places
+            .iter()
+            .position(|place| place.is_none_or(|value| !value.is_finite()));
+        let grid = Grid::new(mechanism, self.over.clone(), From::Start).ok();
+        let place = match without.zip(grid) {
+            Some((place, grid)) => {
+                let drives = mechanism.given(&grid.drives_at(place));
+                let drives = mechanism
+                    .names
+                    .drives_in_words(&drives, mechanism.unit, None);
+                format!("at {drives}")
+            }
+            None => "at the design position, which `change` counts from".to_owned(),
+        };
+        let quantity = self.reading.title(mechanism);
+        format!("`{quantity}` has no value {place}; suspension motion --help says where it has one")
     }
 
     fn visited(&self, mechanism: &dyn Kinematics, over: Vec<Axis>) -> Option<Visited<f64>> {
