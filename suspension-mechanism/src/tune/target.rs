@@ -125,7 +125,7 @@ impl Target {
         let without = places
             .iter()
             .position(|place| place.is_none_or(|value| !value.is_finite()));
-        let grid = Grid::new(mechanism, self.over.clone(), From::Start).ok();
+        let grid = Grid::new(mechanism, self.over.clone(), CountedFrom::Start).ok();
         let place = match without.zip(grid) {
             Some((place, grid)) => {
                 let drives = mechanism.given(&grid.drives_at(place));
