@@ -34,7 +34,7 @@ pub struct Options {
 pub enum Command {
     /// Solves the motion that a file describes.
     ///
-    /// Without --csv, --json, --parquet and --plots, prints a summary.
+    /// Prints a summary unless --csv, --json, --parquet or --plots is given.
     Motion(motion::Arguments),
     /// Lists all assemblies of a file's mechanism at values of its drive.
     ///
@@ -42,44 +42,44 @@ pub enum Command {
     Assemblies(assemblies::Arguments),
     /// Bakes the motion of a file along one drive into a source file.
     ///
-    /// A piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
+    /// The file holds a piecewise polynomial within a tolerance of the solver, looked up in a few nanoseconds:
     /// for scenes of many vehicles, and for controllers.
     Bake(bake::Arguments),
     /// Checks the design position of a file's mechanism.
     ///
-    /// Freedom, rank, conditioning, how far drives are from locks, and what looks mistaken.
+    /// Reports freedom, rank, conditioning, how far drives are from locks, and what looks mistaken.
     Check(check::Arguments),
     /// Compares the kinematics of two files' mechanisms.
     ///
-    /// Values at the design positions, derivatives, and where curves differ most.
+    /// Prints values at the design positions, derivatives, and where curves differ most.
     Compare(compare::Arguments),
-    /// Draws the mechanism of a file at its first instant, or at its design position where that is out of reach.
+    /// Draws the mechanism of a file at its first instant, or at its design position if that is out of reach.
     ///
-    /// Chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel, as SVG.
+    /// The SVG shows chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel.
     Draw(draw::Arguments),
-    /// Makes a motion file of an engineer's hardpoints.
+    /// Makes a motion file from an engineer's hardpoints.
     ///
     /// Reads tables of points, subsystem files of Adams/Car and model files of Lotus.
     Import(import::Arguments),
     /// Lists the catalogue of layouts, or prints the statements of one.
     ///
-    /// Of each its name, what it is, its drives and its measures.
+    /// The list gives each layout's name, description, drives and measures.
     List(list::Arguments),
     /// Prints the forces in a file's mechanism under its load cases.
     ///
-    /// What drives bear, tension of links, forces at the joints of bodies and on the chassis; with --drive over a grid.
+    /// Forces on drives, tensions of links, and forces at the joints of bodies and on the chassis; with --drive over a grid.
     Loads(loads::Arguments),
     /// Finds how far each drive of a file leads the mechanism, and what ends its range.
     ///
-    /// Follows the whole curve of configurations, also where the drive cannot lead.
+    /// Follows the whole curve of configurations, even where the drive cannot lead.
     Range(range::Arguments),
-    /// Prints what moving each hardpoint does to the quantities of a design.
+    /// Prints how the quantities of a design change when a hardpoint moves.
     ///
     /// Camber, toe, bump steer, motion ratios and all others, per coordinate and per length.
     Sensitivities(sensitivities::Arguments),
     /// Writes the kinematics of a file's mechanism on one page.
     ///
-    /// A drawing, all quantities with their derivatives, and curves over travel and steering, as HTML.
+    /// The HTML page has drawings, all quantities with their derivatives, and curves over travel and steering.
     Sheet(sheet::Arguments),
     /// Solves a file's mechanism on a grid of its drives.
     ///
@@ -87,11 +87,11 @@ pub enum Command {
     Sweep(sweep::Arguments),
     /// Writes the kinematics of a wheel as tables for vehicle models.
     ///
-    /// Camber, toe and movement of the wheel over jounce for CarSim, or a linear suspension for CarMaker.
+    /// CarSim gets camber, toe and movement of the wheel over jounce; CarMaker gets a linear suspension.
     Tables(tables::Arguments),
     /// Moves hardpoints of a file within boxes until curves are met.
     ///
-    /// Bump steer, camber gain, roll centre, motion ratio and all others; writes a motion file.
+    /// Curves of bump steer, camber gain, roll centre, motion ratio or any other quantity. Writes a motion file.
     Tune(tune::Arguments),
 }
 
@@ -177,16 +177,16 @@ pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> Exi
 }
 
 const NOTES: &str = "\
-Units: lengths in the unit that a motion file states (m, mm or in; the published motion: m), times in
-seconds, angles in radians or, where the file says so, degrees; tables and plots are in millimetres or degrees where
+Units: lengths are in the unit that the motion file states (m, mm or in; m for the published motion), times in
+seconds, angles in radians or, if the file says so, degrees. Tables and plots are in millimetres or degrees where
 they say so.
 
-Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre:
-it is assumed to lie 0.10 m outboard (+y) of point 8, the spin axis parallel to y, where theta = pi/2.
-Camber, toe and the height of the wheel centre rest on this assumption; Tables 2 and 3 do not.
+Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre. We assume it
+0.10 m outboard (+y) of point 8 at theta = pi/2, so that the spin axis is parallel to y there. Camber, toe and
+wheel-centre height depend on this assumption; Tables 2 and 3 do not.
 
-Fig. 5 has the paper's kingpin angle, positive where the top leans outboard; kingpin_rad in the CSV file
-has the usual sign, positive where it leans inboard.
+Fig. 5 shows the paper's kingpin angle, positive where the top leans outboard. kingpin_rad in the CSV file has the
+usual sign, positive where the top leans inboard.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 no configuration was found (see
 suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";

@@ -23,21 +23,21 @@ use crate::output::target::Target;
 /// What `suspension motion` is given.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
-    /// The motion file (TOML): linkage, points, lengths, instants, drives.
+    /// The motion file (TOML): linkage, points, lengths, instants and drives.
     file: PathBuf,
     /// Write every row as comma-separated values to PATH, or to standard output for `-`. Missing
-    /// folders are made.
+    /// folders are created.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     csv: Option<PathBuf>,
-    /// Write every row as JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows
-    /// under the same names.
+    /// Write JSON to PATH, or to standard output for `-`: a header with units and axes, and every row under the same
+    /// names.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     json: Option<PathBuf>,
-    /// Write the rows as Parquet to PATH, units and axes as its metadata; needs a program built with the feature
+    /// Write the rows as Parquet to PATH, with units and axes as metadata. The program must be built with the feature
     /// `parquet`.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     parquet: Option<PathBuf>,
-    /// Draw wheel-centre height, kingpin and camber angle as SVG into the folder DIR.
+    /// Draw wheel-centre height, kingpin angle and camber angle as SVG into the folder DIR.
     #[arg(long, value_name = "DIR", help_heading = "Plots")]
     plots: Option<PathBuf>,
 }

@@ -45,7 +45,7 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
         "Over bump",
         "Over steer",
         "motion ratio: damper per bump",
-        "<code>toe</code>: of the spin axis",
+        "<code>toe</code>: the angle of the spin axis",
     ] {
         assert!(page.contains(heading), "{heading}");
     }

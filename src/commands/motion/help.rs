@@ -96,98 +96,98 @@ The file:
   linkage = "attia2003"              # or another of `suspension list`; in its place
                                      # listing = "corner.linkage", a file of statements beside this one, or
                                      # statements = '''...''' with the statements themselves
-  unit = "m"                         # or "mm" or "in": of all lengths here, and of results; no conversion
-  angle = "rad"                      # or "deg"; "rad" if left out: of all angles here, and of results
-  axes = "ISO 8855"                  # or "Adams" or "SAE"; may be left out: of all coordinates here, and of results
+  unit = "m"                         # or "mm" or "in": the unit of all lengths here and in results; no conversion
+  angle = "rad"                      # or "deg": the unit of all angles here and in results; "rad" if left out
+  axes = "ISO 8855"                  # or "Adams" or "SAE": the axes of all coordinates here and in results; may be left out
   [points]                           # chassis points, free points and markers, each by name
   p1 = [-1.396, -0.025, -0.082]
-  p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, off another point
-  [lengths]                          # optional: all lengths; free points are then a guess for the assembly, and
-  d6_1 = 0.445872                    # need not satisfy the statements; without it, points that do not are noted or refused
-  [design]                           # optional: the drives' values at which the mechanism is
-  theta = 1.5707963267948966         # assembled and markers with an offset are attached; else as the
-                                     # points are, as markers with coordinates always are
-  [vehicle]                          # optional: what more quantities need
-  wheel_radius = 0.3                 # in the unit: contact point, scrub radius, mechanical trail, roll centre;
-                                     # of several axles { front = 0.30, rear = 0.31 }
-  travel = "bump"                    # the drive that moves the wheel up and down; of several wheels one each,
-                                     # { left = "bump_left", right = "bump_right" }; if left out, the drive
-                                     # named bump_left or left_bump for the wheel left, or bump
+  p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, stated as an offset from another point
+  [lengths]                          # optional: all lengths. Free points are then a first guess and need not satisfy the
+  d6_1 = 0.445872                    # statements; without [lengths], points that do not are noted or refused
+  [design]                           # optional: the drives' values at which the mechanism is assembled and markers with an
+  theta = 1.5707963267948966         # offset are attached; without it they are as the points state. Markers with
+                                     # coordinates are always attached as the points state
+  [vehicle]                          # optional: values that some quantities need
+  wheel_radius = 0.3                 # in the unit; gives contact point, scrub radius, mechanical trail, roll centre;
+                                     # for several axles { front = 0.30, rear = 0.31 }
+  travel = "bump"                    # the drive that moves the wheel up and down; for several wheels one each,
+                                     # { left = "bump_left", right = "bump_right" }; if left out, for the wheel left the
+                                     # drive named bump_left or left_bump, else bump
   steer = "steer"                    # the drive that steers it, likewise; if left out, steer_left, left_steer or steer
-  rack_per_turn = 0.052              # how far that drive moves in a turn of the steering wheel, in the unit (the C-factor):
-                                     # angle of the steering wheel, steering ratio
-  steering_box_ratio = 16.0          # in place of rack_per_turn where that drive is an angle, as of a pitman arm: the angle of
-                                     # the steering wheel for that of the arm, degrees per degree
-  wheelbase = 2.6                    # in the unit: Ackermann, turning circle
-  axle = "front"                     # or "rear": with wheelbase and the next three anti-dive, anti-lift, anti-squat
-  cg_height = 0.5                    # of the car's centre of gravity above the ground, in the unit
-  brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1; of several axles, whose wheels
+  rack_per_turn = 0.052              # how far that drive moves per turn of the steering wheel, in the unit (the C-factor);
+                                     # gives the angle of the steering wheel and the steering ratio
+  steering_box_ratio = 16.0          # in place of rack_per_turn if that drive is an angle, such as that of a pitman arm: the
+                                     # angle of the steering wheel per angle of the arm, in degrees per degree
+  wheelbase = 2.6                    # in the unit; gives Ackermann and turning circle
+  axle = "front"                     # or "rear"; gives, with wheelbase and the next three, anti-dive, anti-lift, anti-squat
+  cg_height = 0.5                    # the height of the car's centre of gravity above the ground, in the unit
+  brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1; for several axles, whose wheels
                                      # are named front_left and so on, { front = 0.6, rear = 0.4 } and no `axle`
-  drive_share = 1.0                  # the axle's share of the drive force, where the axle is driven
-  drive_torque = "chassis"           # what bears the drive's torque, chassis (shafts) or carrier (motors in the wheels); if left
-                                     # out, the chassis, or the axle where one body carries both wheels (a de Dion
-                                     # axle needs it stated); brake_torque likewise, carrier if left out
+  drive_share = 1.0                  # the axle's share of the drive force, if the axle is driven
+  drive_torque = "chassis"           # the part that bears the drive torque: chassis (shafts) or carrier (motors in the wheels);
+                                     # if left out, the chassis, or the axle if one body carries both wheels (state it
+                                     # for a de Dion axle). brake_torque likewise: carrier if left out
   [time]                             # in seconds; or: instants = [0.0, 0.25, 0.5]
   start = 0.0
   stop = 1.95                        # the last instant is the last multiple of step within stop
   step = 0.05
   [drives]                           # polynomials of time in seconds, constant first,
-  theta = [0.7, 0.5, 0.125]          # in the units of angles or lengths; a number alone
+  theta = [0.7, 0.5, 0.125]          # in the units of angles or lengths; a single number
                                      # holds the drive there
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
-  [springs.spring]                   # optional: springs and bars, for forces, wheel rate and roll rate, by any name
+  [springs.spring]                   # optional: springs and bars of any name, for forces, wheel rate and roll rate
   along = "damper"                   # a measure
-  rate = 28000.0                     # N per unit of length, of an angle N m per unit of angle
-  load = 3800.0                      # N, of an angle N m: what it presses at the design position, positive where it makes
-                                     # the measure larger
+  rate = 28000.0                     # N per unit of length; for an angle N m per unit of angle
+  load = 3800.0                      # N, for an angle N m: the force or moment at the design position, positive where it
+                                     # makes the measure larger
   [masses]                           # of parts, and load cases: see suspension loads --help
   [loads.braking]
   [tolerances]                       # of points and links: see suspension sensitivities --help
-  [tune]                             # what may be moved, what is to be reached: see suspension tune --help
+  [tune]                             # what may move and what to reach: see suspension tune --help
 
 Results:
 
-One row an instant, its columns named here as for attia2003; lengths and angles are in
-the file's units (with angle = "deg" camber_deg in place of camber_rad, omega in deg/s):
+Each instant has one row. The columns have these names for attia2003; lengths and angles are in the file's units (with
+angle = "deg", camber_deg in place of camber_rad and omega in deg/s):
 
 "#;
 
 const AXLE: &str = "
 Results of axles:
 
-Where a listing names its wheels, all columns of a wheel are there for each, with its name before them: left_camber_rad,
-right_camber_rad. A linkage with two wheels, one on each side, as steered_axle, has what follows too; one with
-several axles, whose wheels are named front_left, front_right, rear_left and so on, has it of each, as front_track_m:
+If a listing names its wheels, each wheel has all the columns of a wheel, with its name before them: left_camber_rad,
+right_camber_rad. A linkage with two wheels, one on each side, such as steered_axle, also has the columns below. A linkage
+with several axles, whose wheels are named front_left, front_right, rear_left and so on, has them for each axle:
+front_track_m.
 
 ";
 
 const EXIT_CODES: &str = r#"
 Axes:
 
-All are right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z
-down. Points, offsets, coordinates and axes in statements (wheel_centre.z, angle(a -> b, z)), drives and measures among
-them, are in those of the file, and so are coordinates, velocities and derivatives per drive in results; angles and
-offsets of the wheel have the signs above in any. A layout of the catalogue has its points turned to the file's axes.
-The header of JSON, sheet, check and summary name the axes; a CSV file has no place for them. What a linkage lacks, a kingpin say, has no columns, nor has what the
-[vehicle] table leaves out.
+All are right-handed: ISO 8855 x forward, y left, z up; Adams x rearward, y right, z up; SAE x forward, y right, z down.
+The file's axes apply to points, offsets, and coordinates and axes in statements (wheel_centre.z, angle(a -> b, z)), drives
+and measures included. They also apply to coordinates, velocities and derivatives per drive in results. Angles and offsets
+of the wheel have the signs above in all axes. The points of a catalogue layout are turned to the file's axes. The header of
+JSON, sheet, check and summary name the axes; a CSV file has no place for them. Quantities that a linkage lacks, such as
+those of a kingpin, have no columns, nor do those for which the [vehicle] table lacks a value.
 
 The published motion:
 
-In examples/attia2003.toml the wheel centre, point 11, is an assumption: the paper prints no
-coordinates for it. It is put 0.10 m outboard (+y) of point 8, on a spin axis parallel to y,
-where theta = pi/2.
+The paper prints no coordinates for the wheel centre, point 11. examples/attia2003.toml assumes it
+0.10 m outboard (+y) of point 8, on a spin axis parallel to y, at theta = pi/2.
 
 Exit codes:
   0    done
   1    a result cannot be written
   2    wrong input (file:line:column says where), or --csv names the motion file
-  3    no configuration was found: the motion stops short of its last instant (where what leads
-       it turns, say), or the points do not assemble in the design position, or the first instant
-       is out of reach from there
+  3    no configuration was found: the motion stops short of its last instant (for example where
+       the drive or measure that leads it turns), or the points do not assemble in the design
+       position, or the first instant is out of reach from there
   130  interrupted (Ctrl-C, SIGTERM or SIGHUP)
-Where the motion stops short or is interrupted, the rows up to there are in the CSV file.
+If the motion stops short or is interrupted, the tables have the rows up to there.
 
 Example:
   suspension motion examples/five_link.toml --csv motion.csv --plots plots"#;

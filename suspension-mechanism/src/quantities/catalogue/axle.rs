@@ -25,7 +25,8 @@ catalogue! {
     TRACK: "track" {
         name: "track",
         sign: "",
-        definition: "from the right contact point to the left one, along y; its derivatives are the change of track",
+        definition: "the distance from the right contact point to the left one, along y; its derivatives are the \
+                     change of track",
         source: "ISO 8855",
         shown: Shown::InTables,
         read: |names| of_both(names, Dimension::Length, true, track),
@@ -33,7 +34,7 @@ catalogue! {
     TRACK_CHANGE: "change of track" {
         name: "track_change",
         sign: "positive where the track is wider",
-        definition: "track less that at the design position",
+        definition: "the track less its value at the design position",
         source: "as track",
         shown: Shown::InTables,
         read: |names| of_both_from_design(names, Dimension::Length, |now, design| track(now) - track(design)),
@@ -41,7 +42,7 @@ catalogue! {
     STEER_ANGLE: "steer angle" {
         name: "steer_angle",
         sign: "positive where the wheel points to the left",
-        definition: "of the plane of the wheel from the x axis in the x-y plane, toe included",
+        definition: "the angle of the plane of the wheel from the x axis in the x-y plane, toe included",
         source: "ISO 8855",
         shown: Shown::InTables,
         read: |names| of_steered_wheels(names, steer_angle),
@@ -49,8 +50,8 @@ catalogue! {
     ACKERMANN: "Ackermann percentage" {
         name: "ackermann",
         sign: "100 where the normals of both wheels meet on the line of the rear axle, 0 where they are parallel",
-        definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track / \
-                     wheelbase; none where they are less than a degree on average",
+        definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track \
+                     / wheelbase; none where the steer angles are less than a degree on average",
         source: "given the outer wheel, as in the reports of Simscape Multibody",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -61,8 +62,8 @@ catalogue! {
     ACKERMANN_ERROR: "Ackermann error" {
         name: "ackermann_error",
         sign: "positive where the inner wheel is steered further than ideally",
-        definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where they are \
-                     less than a degree on average",
+        definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where \
+                     the steer angles are less than a degree on average",
         source: "as ackermann",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -73,8 +74,9 @@ catalogue! {
     TURNING_RADIUS: "radius of the turning circle" {
         name: "turning_radius",
         sign: "",
-        definition: "kerb to kerb, of the outer contact point about a centre on the line of the rear axle, wheelbase / \
-                     sin(outer); none where the steer angles are less than a degree on average, or the outer wheel is turned the other way",
+        definition: "kerb to kerb: the radius of the path of the outer contact point about a centre on the line of \
+                     the rear axle, wheelbase / sin(outer); none where the steer angles are less than a degree on \
+                     average, or the outer wheel is turned the other way",
         source: "half the turning circle",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -83,10 +85,11 @@ catalogue! {
     AXLE_ROLL_CENTRE: "roll centre of the axle" {
         name: "axle_roll_centre",
         sign: "in the axes and from the origin of the file",
-        definition: "where, seen from the front, the normals to the velocities of both contact points meet in roll: the left one \
-                     rises as fast as the right one falls, each as a point of its carrier. The axle may be asymmetric, and each \
-                     wheel has a drive of travel. Where both normals are level, as of trailing arms, it is on the ground in the \
-                     middle, without derivatives",
+        definition: "the point where, seen from the front, the normals to the velocities of both contact points meet \
+                     in roll. In roll the left contact point rises as fast as the right one falls, each as a point of \
+                     its carrier. The axle may be asymmetric; each wheel needs a drive of travel. Where both normals \
+                     are level, as of trailing arms, the roll centre is on the ground in the middle, without \
+                     derivatives",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: of_roll_centre,
@@ -94,9 +97,9 @@ catalogue! {
     ROLL_CAMBER: "roll camber" {
         name: "roll_camber",
         sign: "positive where the top of the wheel leans further outboard as the left wheel rises",
-        definition: "the derivative of the camber angle, to the chassis, with respect to the roll angle of the axle: the angle of \
-                     the line through both contact points from the y axis, seen from the front, where the left one rises as fast as \
-                     the right one falls",
+        definition: "the derivative of the camber angle, relative to the chassis, with respect to the roll angle of \
+                     the axle. The roll angle is that of the line through both contact points from the y axis, seen \
+                     from the front, while the left one rises as fast as the right one falls",
         source: "roll camber coefficient, relative to the chassis",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.camber),
@@ -104,7 +107,7 @@ catalogue! {
     ROLL_STEER: "roll steer" {
         name: "roll_steer",
         sign: "positive where the wheel turns to the left as the left wheel rises",
-        definition: "the derivative of the steer angle with respect to the roll angle of the axle, which is that of roll_camber",
+        definition: "the derivative of the steer angle with respect to the roll angle of the axle, as defined for roll_camber",
         source: "roll steer coefficient",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.steer),
@@ -112,9 +115,9 @@ catalogue! {
     HEAVE_RATE: "wheel rate in heave" {
         name: "heave_rate",
         sign: "positive where the springs push back",
-        definition: "the wheel rate of each wheel where both wheel centres rise alike, which ride frequencies follow from: half of \
-                     that of the axle, whose wheels have drives of their own. Where both sides stand alike an anti-roll bar has no \
-                     part in it",
+        definition: "the wheel rate of each wheel where both wheel centres rise alike, from which ride frequencies \
+                     follow. It is half the rate of the axle, whose wheels have drives of their own. Where both sides \
+                     stand alike, an anti-roll bar adds nothing to it",
         source: "virtual work",
         shown: Shown::InTables,
         read: |names| sprung::of_heave(names, |sprung| sprung.rate),
@@ -122,8 +125,9 @@ catalogue! {
     ROLL_RATE: "roll rate of the axle" {
         name: "roll_rate",
         sign: "positive where the springs push back",
-        definition: "of springs and bars together, the left wheel centre rising as fast as the right one falls: sum rate \
-                     (ds/dp)^2 - F d2s/dp2 with p the angle of the line through the wheel centres in the front view",
+        definition: "the rate of springs and bars together while the left wheel centre rises as fast as the right one \
+                     falls: sum rate (ds/dp)^2 - F d2s/dp2, with p the angle of the line through the wheel centres in \
+                     the front view",
         source: "virtual work; without the tyres",
         shown: Shown::InTables,
         read: |names| sprung::of_roll(names, |sprung| sprung.rate),

@@ -9,7 +9,7 @@ catalogue! {
     WHEEL_TRAVEL: "wheel travel" {
         name: "wheel_travel",
         sign: "positive upwards: bump",
-        definition: "the height of the wheel centre above that at the design position",
+        definition: "the height of the wheel centre above its height at the design position",
         source: "as reports of kinematics and compliance have it",
         shown: Shown::InTables,
         read: |names| of_moved(names, false, |now, design| now.centre.z - design.centre.z),
@@ -17,7 +17,7 @@ catalogue! {
     RECESSION: "recession" {
         name: "recession",
         sign: "positive where the wheel moves rearward",
-        definition: "how far the wheel centre is behind where it is at the design position, along x",
+        definition: "how far the wheel centre is behind its design position, along x",
         source: "as wheel_travel",
         shown: Shown::InTables,
         read: |names| of_moved(names, false, |now, design| design.centre.x - now.centre.x),
@@ -25,7 +25,7 @@ catalogue! {
     HALF_TRACK_CHANGE: "change of half track" {
         name: "half_track_change",
         sign: "positive outboard",
-        definition: "how far the contact point is outboard of where it is at the design position, along y",
+        definition: "how far the contact point is outboard of its design position, along y",
         source: "as wheel_travel",
         shown: Shown::InTables,
         read: |names| of_moved(names, true, |now, design| {
@@ -36,7 +36,7 @@ catalogue! {
     WHEELBASE_CHANGE: "change of wheelbase" {
         name: "wheelbase_change",
         sign: "positive where the wheel moves away from the other axle",
-        definition: "how far the contact point is from where it is at the design position, along x: what the wheel adds to the \
+        definition: "how far the contact point is from its design position, along x: what the wheel adds to the \
                      wheelbase of its side",
         source: "as wheel_travel",
         vehicle: "`axle`",

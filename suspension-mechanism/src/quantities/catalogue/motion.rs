@@ -23,7 +23,7 @@ catalogue! {
     DRIVES: "drives" {
         name: "",
         sign: "",
-        definition: "what each prescribes; where a measure stands in for a drive, the value that the drive has there",
+        definition: "the value that each prescribes; where a measure stands in for a drive, the value that the drive has there",
         source: "`drive` of the listing",
         shown: Shown::InBoth,
         read: |names| {

@@ -8,7 +8,9 @@ catalogue! {
     MEASURES: "measures" {
         name: "",
         sign: "",
-        definition: "what the linkage measures; its derivative per drive is a motion ratio, negative where a length gets shorter. An angle about an axis is within half a turn of its design value",
+        definition: "the measures of the linkage; the derivative of a measure with respect to a drive is a motion \
+                     ratio, negative where a length gets shorter. An angle about an axis is within half a turn of its \
+                     design value",
         source: "`measure` of the listing",
         shown: Shown::InBoth,
         read: |names| {
@@ -20,7 +22,7 @@ catalogue! {
     ITERATIONS: "iterations of Newton's method" {
         name: "iterations",
         sign: "",
-        definition: "from the instant before, steps in between included",
+        definition: "since the previous instant, including steps in between",
         source: "the solver",
         shown: Shown::InTables,
         read: |_| number(Dimension::Count, |state| state.iterations as f64),
@@ -28,7 +30,7 @@ catalogue! {
     RESIDUAL: "largest residual" {
         name: "residual",
         sign: "",
-        definition: "of any equation, (|d|^2 - L^2) / (2 L) of a length",
+        definition: "over all equations; (|d|^2 - L^2) / (2 L) for a length",
         source: "the solver",
         shown: Shown::InTables,
         read: |_| number(Dimension::Length, |state| state.residual),

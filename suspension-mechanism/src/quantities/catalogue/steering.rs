@@ -12,9 +12,10 @@ catalogue! {
     VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {
         name: "virtual_kingpin",
         sign: "positive where the top of the axis leans inboard",
-        definition: "of the screw axis about which the wheel's carrier turns in steering, the other drives held. Where the wheel's \
-                     height drives the travel, it turns at constant height; where a damper's length does, it turns with the spring \
-                     locked, as in Adams/Car, and the axis of a carrier on two ball joints is its kingpin",
+        definition: "the angle of the screw axis about which the wheel's carrier turns in steering, the other drives \
+                     held. If travel is driven by the wheel's height, the carrier turns at constant height. If it is \
+                     driven by a damper's length, the carrier turns with the spring locked, as in Adams/Car, and the \
+                     axis of a carrier on two ball joints is its kingpin",
         source: "as kingpin",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {
@@ -24,7 +25,7 @@ catalogue! {
     VIRTUAL_CASTER: "caster angle of the virtual steering axis" {
         name: "virtual_caster",
         sign: "positive where the top of the axis leans rearwards",
-        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        definition: "the angle of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as caster",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Angle, false, |moving| {
@@ -34,7 +35,7 @@ catalogue! {
     VIRTUAL_SCRUB_RADIUS: "scrub radius of the virtual steering axis" {
         name: "virtual_scrub_radius",
         sign: "positive where the axis meets the ground inboard of the contact point",
-        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        definition: "for the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as scrub_radius",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Length, true, |moving| {
@@ -44,7 +45,7 @@ catalogue! {
     VIRTUAL_TRAIL: "mechanical trail of the virtual steering axis" {
         name: "virtual_trail",
         sign: "positive where the axis meets the ground ahead of the contact point",
-        definition: "of the screw axis of the wheel's carrier in steering, the other drives held",
+        definition: "for the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as mechanical_trail",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::Length, true, |moving| {
@@ -54,8 +55,8 @@ catalogue! {
     VIRTUAL_PITCH: "pitch of the virtual steering axis" {
         name: "virtual_pitch",
         sign: "positive where the carrier moves up the axis as it turns left",
-        definition: "how far the carrier moves along the screw axis for a unit of angle about it; zero where steering moves no \
-                     ball joint of the kingpin",
+        definition: "how far the carrier moves along the screw axis per unit of angle about it; zero where steering \
+                     moves no ball joint of the kingpin",
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
         read: |names| of_moving(names, |_| Along::Steer, Dimension::LengthPerAngle, false, Moving::pitch),
@@ -64,10 +65,10 @@ catalogue! {
         name: "steering_wheel_angle",
         sign: "positive where the steering wheel is turned to the left: the way that turns the road wheels to the left at the \
                design position, whichever way the rack is counted",
-        definition: "from the design position, where it is zero: one turn for each rack_per_turn by which the drive of steering moves, or \
-                     steering_box_ratio times the angle by which it turns. It has no columns of derivatives, which are the same at all \
-                     places: with respect to that drive a turn by rack_per_turn, or steering_box_ratio, with its sign, and zero with \
-                     respect to the others",
+        definition: "the angle from the design position: one turn for each rack_per_turn by which the drive of \
+                     steering moves, or steering_box_ratio times the angle by which it turns. It has no columns of \
+                     derivatives because they are constant: a turn by rack_per_turn, or steering_box_ratio, with its \
+                     sign, with respect to that drive, and zero with respect to the others",
         source: "ISO 8855",
         vehicle: "rack_per_turn or steering_box_ratio",
         shown: Shown::InTables,

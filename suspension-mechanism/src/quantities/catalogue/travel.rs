@@ -16,10 +16,11 @@ catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
         name: "roll_centre",
         sign: "positive above the contact point",
-        definition: "where, seen from the front, the normal to the velocity of the contact point meets the middle of the vehicle, \
-                     y = 0: the contact point moves with the carrier, in travel. It is the roll centre of the axle where that is symmetric \
-                     and its wheels are independent. A wheel that another one moves, on one body or a twist beam, has none, and its \
-                     axle has axle_roll_centre; one in the middle of the vehicle, a motorcycle's say, has none either",
+        definition: "the height at which, seen from the front, the normal to the velocity of the contact point meets \
+                     the middle of the vehicle, y = 0; the contact point moves with the carrier, in travel. It is the \
+                     roll centre of the axle if the axle is symmetric and its wheels are independent. A wheel that \
+                     another wheel moves, on one body or a twist beam, has none; its axle has axle_roll_centre. A \
+                     wheel in the middle of the vehicle, as of a motorcycle, has none either",
         source: "kinematic roll centre; SAE J670",
         shown: Shown::InTables,
         read: |names| of_independent(names, |rolling| !rolling.is_in_middle(names), Dimension::Length, |moving| {
@@ -29,9 +30,9 @@ catalogue! {
     JACKING: "jacking by lateral force" {
         name: "jacking",
         sign: "positive where a force on the contact point towards the middle of the vehicle lifts the body",
-        definition: "the part of such a force that lifts the body, of an axle of independent wheels: 100 v_y / v_z, with v the \
-                     velocity in travel of the contact point as a point of the carrier, v_y outboard. It is the slope of the line \
-                     from the contact point to the roll centre",
+        definition: "the part of a lateral force that lifts the body, for an axle of independent wheels: 100 v_y / \
+                     v_z, with v the velocity in travel of the contact point as a point of the carrier, v_y outboard. \
+                     It is the slope of the line from the contact point to the roll centre",
         source: "virtual work; Milliken 1995, chapter 17",
         shown: Shown::InTables,
         read: |names| of_independent(names, |_| true, Dimension::Percent, |moving| {
@@ -41,8 +42,9 @@ catalogue! {
     FRONT_CENTRE: "instant centre in the front view" {
         name: "front_centre",
         sign: "in the axes of the file",
-        definition: "of the wheel's carrier in travel, the other wheel of its axle held at its height, in the plane x = constant \
-                     through the wheel centre; none where the carrier does not turn in that view",
+        definition: "the instant centre of the wheel's carrier in travel, in the plane x = constant through the wheel \
+                     centre; the other wheel of the axle is held at its height. There is none where the carrier does \
+                     not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
         read: |names| of_moving_place(names, |rolling| travel(names, rolling), &[Axis::Y, Axis::Z], |moving| {
@@ -53,7 +55,7 @@ catalogue! {
     FRONT_ARM: "swing arm in the front view" {
         name: "front_arm",
         sign: "positive where the instant centre lies inboard",
-        definition: "from the instant centre in the front view to the wheel centre, along y",
+        definition: "the distance from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
         read: |names| of_moving(names, |rolling| travel(names, rolling), Dimension::Length, false, |moving| {
@@ -63,9 +65,9 @@ catalogue! {
     SIDE_CENTRE: "instant centre in the side view" {
         name: "side_centre",
         sign: "in the axes of the file",
-        definition: "of the wheel's carrier in travel, in the plane y = constant through the wheel centre; none where the \
-                     carrier does not turn in that view. Where one wheel moves the other, on one body or a twist beam, it is in \
-                     heave: both wheel centres rise alike",
+        definition: "the instant centre of the wheel's carrier in travel, in the plane y = constant through the wheel \
+                     centre. There is none where the carrier does not turn in that view. Where one wheel moves the \
+                     other, on one body or a twist beam, the motion is heave: both wheel centres rise alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
         read: |names| of_moving_place(names, |rolling| side_view(names, rolling), &[Axis::X, Axis::Z], |moving| {
@@ -76,7 +78,7 @@ catalogue! {
     SIDE_ARM: "swing arm in the side view" {
         name: "side_arm",
         sign: "positive where the instant centre lies behind",
-        definition: "from side_centre to the wheel centre, along x",
+        definition: "the distance from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
         read: |names| of_moving(names, |rolling| side_view(names, rolling), Dimension::Length, false, |moving| {
@@ -86,9 +88,10 @@ catalogue! {
     BRAKE_ANGLE: "support angle of outboard brakes" {
         name: "brake_angle",
         sign: "positive where the contact point moves forward in bump",
-        definition: "of the path in travel of the contact point, as a point of the carrier, from the vertical in the \
-                     side view, atan2(v_x, |v_z|) with v_z upwards; its tangent is anti-dive or anti-lift without the car's share. \
-                     Where one wheel moves the other, on one body or a twist beam, it is in heave: both wheel centres rise alike",
+        definition: "the angle of the path in travel of the contact point, as a point of the carrier, from the \
+                     vertical in the side view, atan2(v_x, |v_z|) with v_z upwards. Its tangent is anti-dive or \
+                     anti-lift without the car's share. Where one wheel moves the other, on one body or a twist beam, \
+                     the motion is heave: both wheel centres rise alike",
         source: "side-view support angle, brake torque borne by the carrier",
         shown: Shown::InTables,
         read: |names| of_support_angle(names, Torque::Carrier),
@@ -96,9 +99,9 @@ catalogue! {
     DRIVE_ANGLE: "support angle of inboard drive" {
         name: "drive_angle",
         sign: "positive where the wheel centre moves forward in bump",
-        definition: "of the path in travel of the wheel centre, from the vertical in the side view, atan2(v_x, |v_z|) \
-                     with v_z upwards; its tangent is anti-squat without the car's share. Where one wheel moves the other, it is in heave, \
-                     as brake_angle",
+        definition: "the angle of the path in travel of the wheel centre from the vertical in the side view, \
+                     atan2(v_x, |v_z|) with v_z upwards. Its tangent is anti-squat without the car's share. Where one \
+                     wheel moves the other, the motion is heave, as for brake_angle",
         source: "side-view support angle, drive torque borne by the chassis",
         shown: Shown::InTables,
         read: |names| of_support_angle(names, Torque::Chassis),
@@ -106,7 +109,7 @@ catalogue! {
     ANTI_DIVE: "anti-dive" {
         name: "anti_dive",
         sign: "positive where braking pushes the front wheels down",
-        definition: "of a front axle, 100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
+        definition: "for a front axle, 100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
                      drive_angle with brake_torque = 'chassis'",
         source: "Gillespie 1992, chapter 7",
         vehicle: "brake_share, wheelbase and cg_height",
@@ -116,7 +119,7 @@ catalogue! {
     ANTI_LIFT: "anti-lift" {
         name: "anti_lift",
         sign: "positive where braking pulls the rear wheels up",
-        definition: "of a rear axle, -100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
+        definition: "for a rear axle, -100 tan(angle) brake_share wheelbase / cg_height; angle is brake_angle, or \
                      drive_angle with brake_torque = 'chassis'",
         source: "Gillespie 1992, chapter 7",
         vehicle: "brake_share, wheelbase and cg_height",
@@ -126,9 +129,9 @@ catalogue! {
     ANTI_SQUAT: "anti-squat" {
         name: "anti_squat",
         sign: "positive where driving pushes the rear wheels down",
-        definition: "of a rear axle, -100 tan(angle) drive_share wheelbase / cg_height; angle is drive_angle where the \
-                     chassis bears the drive_torque, brake_angle where the carrier does, as an axle with the differential \
-                     in it",
+        definition: "for a rear axle, -100 tan(angle) drive_share wheelbase / cg_height; angle is drive_angle if the \
+                     chassis bears the drive_torque, brake_angle if the carrier does, such as an axle with the \
+                     differential in it",
         source: "Gillespie 1992, chapter 7",
         vehicle: "drive_share, wheelbase and cg_height",
         shown: Shown::InTables,
@@ -137,7 +140,7 @@ catalogue! {
     ANTI_LIFT_IN_DRIVE: "anti-lift in drive" {
         name: "anti_lift_in_drive",
         sign: "positive where driving pulls the front wheels up",
-        definition: "of a front axle, 100 tan(angle) drive_share wheelbase / cg_height; angle as in anti_squat",
+        definition: "for a front axle, 100 tan(angle) drive_share wheelbase / cg_height; angle as in anti_squat",
         source: "Gillespie 1992, chapter 7",
         vehicle: "drive_share, wheelbase and cg_height",
         shown: Shown::InTables,

@@ -31,7 +31,7 @@ catalogue! {
     KINGPIN: "kingpin angle" {
         name: "kingpin",
         sign: "positive where the top of the kingpin leans inboard",
-        definition: "from the vertical in the y-z plane, atan2(-k_y, k_z) on the left",
+        definition: "the angle of the kingpin from the vertical in the y-z plane, atan2(-k_y, k_z) on the left",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_kingpin_and_spin_axis(names, kingpin_angle),
@@ -39,7 +39,7 @@ catalogue! {
     CASTER: "caster angle" {
         name: "caster",
         sign: "positive where the top of the kingpin leans rearwards",
-        definition: "from the vertical in the x-z plane, atan2(-k_x, k_z)",
+        definition: "the angle of the kingpin from the vertical in the x-z plane, atan2(-k_x, k_z)",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_kingpin(names, caster),
@@ -47,7 +47,7 @@ catalogue! {
     CAMBER: "camber angle" {
         name: "camber",
         sign: "positive where the top of the wheel leans outboard",
-        definition: "of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|)",
+        definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|)",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, camber),
@@ -55,7 +55,8 @@ catalogue! {
     CAMBER_TO_GROUND: "camber angle to the ground" {
         name: "camber_to_ground",
         sign: "positive where the top of the wheel leans outboard",
-        definition: "of the spin axis from the ground, asin(-s_z / |s|); differs where the wheel is steered",
+        definition: "the angle of the spin axis from the ground, asin(-s_z / |s|); it differs from camber where the \
+                     wheel is steered",
         source: "Adams/Car",
         shown: Shown::InTables,
         read: |names| of_spin_axis(names, camber_to_ground),
@@ -63,7 +64,7 @@ catalogue! {
     TOE: "toe angle" {
         name: "toe",
         sign: "positive where the front of the wheel points inboard",
-        definition: "of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|)",
+        definition: "the angle of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|)",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, toe),
@@ -71,7 +72,8 @@ catalogue! {
     SCRUB_RADIUS: "scrub radius" {
         name: "scrub_radius",
         sign: "positive where the kingpin meets the ground inboard of the contact point",
-        definition: "from where the kingpin meets the ground to the contact point, along the horizontal part of the spin axis",
+        definition: "the distance from the point where the kingpin meets the ground to the contact point, along the \
+                     horizontal part of the spin axis",
         source: "ISO 8855, steering-axis offset at ground",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_ground(names, SteeringAxis::inboard_of),
@@ -79,7 +81,8 @@ catalogue! {
     MECHANICAL_TRAIL: "mechanical trail" {
         name: "mechanical_trail",
         sign: "positive where the kingpin meets the ground ahead of the contact point",
-        definition: "from the contact point to where the kingpin meets the ground, along the heading of the wheel",
+        definition: "the distance from the contact point to the point where the kingpin meets the ground, along the \
+                     heading of the wheel",
         source: "ISO 8855, castor offset at ground",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_ground(names, SteeringAxis::ahead_of),
@@ -87,7 +90,8 @@ catalogue! {
     KINGPIN_OFFSET: "kingpin offset at the wheel centre" {
         name: "kingpin_offset",
         sign: "positive where the kingpin passes inboard of the wheel centre",
-        definition: "at the height of the wheel centre, along the horizontal part of the spin axis",
+        definition: "the distance from kingpin to wheel centre at the height of the wheel centre, along the \
+                     horizontal part of the spin axis",
         source: "ISO 8855, steering-axis offset at wheel centre",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_centre(names, SteeringAxis::inboard_of),
@@ -95,7 +99,8 @@ catalogue! {
     CASTER_OFFSET: "caster offset at the wheel centre" {
         name: "caster_offset",
         sign: "positive where the kingpin passes ahead of the wheel centre",
-        definition: "at the height of the wheel centre, along the heading of the wheel",
+        definition: "the distance from kingpin to wheel centre at the height of the wheel centre, along the heading \
+                     of the wheel",
         source: "ISO 8855, castor offset at wheel centre",
         shown: Shown::InTables,
         read: |names| of_kingpin_at_centre(names, SteeringAxis::ahead_of),
