@@ -27,14 +27,15 @@ use page::Page;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// How far the drive that moves the wheel up and down changes, from the design position, in the file's unit: the wheel's travel
-    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
+    /// How far the drive that moves the wheel up and down changes from the design position, in the file's unit. If the
+    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// The same of the drive that steers; without it 30 mm to either side, of an angle 0.2 rad.
+    /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
-    /// Write the page to PATH, or to standard output for `-`; without it to out/NAME_sheet.html, NAME being that of the motion file.
+    /// Write the page to PATH, or to standard output for `-`. Without it the page goes to out/NAME_sheet.html, where NAME
+    /// is the motion file's name.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -151,16 +152,17 @@ fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Ve
 }
 
 const NOTES: &str = "\
-One HTML page without anything from elsewhere, which any browser shows and prints: drawings at the design
-position, that of the file's points, and faintly at both ends of the travel; all quantities there with their definitions and their
-derivatives with respect to the drives of travel and steering, bump camber, bump steer and motion ratios among them, and where a
-drive of travel is no height, as a damper's length or an angle, `per wheel travel`: per rise of the wheel centre; curves over
-travel, or over heave and roll of an axle, also over the travel of the wheel where the drive is no height, and over steering; and
-all points. The [vehicle] table of the file (suspension motion --help) names the drives of travel and steering and gives the wheel
-radius, which all quantities at the ground need, and the car's data for anti-dive.
+One HTML page, complete in itself, which any browser shows and prints. It has drawings at the design position (that of the
+file's points) and faintly at both ends of the travel; all quantities at the design position with their definitions; their
+derivatives with respect to the drives of travel and steering, among them bump camber, bump steer and motion ratios; curves
+over travel, or over heave and roll of an axle, and over steering; and all points. Where a drive of travel is not a height
+but, for example, a damper's length or an angle, the page also has derivatives `per wheel travel`, per rise of the wheel
+centre, and curves over wheel travel. The [vehicle] table of the file (suspension motion --help) names the drives of travel
+and steering; it gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
-A browser makes a PDF of it, of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html; and a
-picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html, of an axle twice as high.
+A browser turns the page into a PDF of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html
+or into a picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html (twice as high
+for an axle).
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the page is
 written), 130 interrupted.
