@@ -25,7 +25,8 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Count the assemblies at the design position too, behind all else: it takes seconds, of a steered beam axle minutes.
+    /// Also count the assemblies at the design position, after everything else. This takes seconds, or minutes for a
+    /// steered beam axle.
     #[arg(long)]
     assemblies: bool,
 }
@@ -140,21 +141,21 @@ fn count_assemblies(
 }
 
 const NOTES: &str = "\
-Reads a file as the other commands do and prints of its design position, that of the file's points:
+Prints a report on the design position, which is that of the file's points:
 
-  points, equations, freedom  what the listing states; each drive leads one degree of freedom
-  residual                    by how much the equations are off where the design assembles
-  rank                        of the Jacobian: equations that depend on each other are named, one of them is redundant,
+  points, equations, freedom  what the listing states; each drive controls one degree of freedom
+  residual                    how far the equations are off where the design assembles
+  rank                        of the Jacobian; the report names equations that depend on each other (one of them is redundant)
                               and unknowns that no equation determines
-  conditioning                the singular values of the Jacobian: near zero the design is near a singularity. Equations and
-                              unknowns are lengths, so that they have no unit and need no scaling
-  elimination                 the smallest pivot in the order that real-time steps keep, and the pivot growth: how much elimination may
-                              magnify rounding errors there; 1000 or less is good
-  reach                       of each drive from the design position, the others held as there: the nearest lock to either side
-                              and, where it is known, the link, or the body on its hinge or joint, that is in the way;
-                              suspension range goes from the first instant, and has the whole curve
-  motion                      whether the file's own motion is within reach, from its first instant to its last
-  notes                       what the file says that its author may not have meant, and locks very near the design
+  conditioning                the singular values of the Jacobian; a value near zero means that the design is near a singularity.
+                              Equations and unknowns are lengths, so these values have no unit and need no scaling
+  elimination                 the smallest pivot in the order that real-time steps keep, and the pivot growth: how much elimination
+                              may magnify rounding errors there; 1000 or less is good
+  reach                       for each drive, from the design position with the other drives held: the nearest lock to either side
+                              and, where it is known, the link that is in the way, or the body on its hinge or joint.
+                              suspension range starts from the first instant and follows the whole curve
+  motion                      whether the file's own motion is within reach from its first instant to its last
+  notes                       statements of the file that its author may not have meant, and locks very near the design
   assemblies                  with --assemblies: how many ways there are to put the parts together
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is
