@@ -29,16 +29,16 @@ use side::Side;
 pub struct Arguments {
     /// A motion file (TOML), see suspension motion --help.
     a: PathBuf,
-    /// Another; where its unit or its axes are others, its numbers are converted to those of the first.
+    /// Another motion file; numbers in another unit or other axes are converted to those of A.
     b: PathBuf,
-    /// How far the drives that move the wheels up and down change, from the design positions, in the unit of A: the wheel's travel
-    /// where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
+    /// How far the drives that move the wheels up and down change from the design positions, in the unit of A. If the
+    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// The same of the drive that steers; without it 30 mm to either side, of an angle 0.2 rad.
+    /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
-    /// Draw the curves of both, a chart each, on a page of HTML.
+    /// Draw the curves of both files on a page of HTML, one chart for each quantity.
     #[arg(long, value_name = "PATH")]
     html: Option<PathBuf>,
     /// Write the differences as comma-separated values to PATH, or to standard output for `-`.
@@ -115,28 +115,31 @@ fn converted([own, first]: [&Loaded<'_>; 2]) -> Option<String> {
 }
 
 const NOTES: &str = "\
-Of both suspensions at their design positions, those of the files' points: all quantities that both have, their
-derivatives with respect to travel and steering, as bump camber, bump steer and motion ratios, and of each curve over
-travel and steering where the two differ most. A difference is B - A. The layouts may be different; quantities have
-the same name in all, and those that only one has are named above the tables. Positions and drives are in the axes and the unit of A; quantities with signs of their own, as camber and
-toe, are the same in all axes. The files' [vehicle] tables say what the listings do not, as for suspension sheet.
+Compares all quantities that both suspensions have: their values at the design positions (those of the files' points), their
+derivatives with respect to travel and steering, such as bump camber, bump steer and motion ratios, and the places where
+their curves over travel and steering differ most. A difference is B - A. The layouts may be different: quantities have the
+same names in all layouts, and the report names those that only one of the files has above its tables. Positions and drives
+are in the axes and the unit of A; quantities with signs of their own, such as camber and toe, are the same in all axes. The
+[vehicle] tables of the files state what the listings do not, as for suspension sheet.
 
-`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel go upwards in all.
-Wheels and drives of the same name are compared with each other; where only one of the files has named wheels, each of them is
-compared with the wheel of the other.
+`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel always go
+upwards. Wheels and drives of the same name are compared with each other; where only one of the files names its wheels, each
+of them is compared with the wheel of the other file.
 
-Where equal changes of the two drives do not move the same wheels equally far, as of a height and a damper's length, or of a height and
-heave, derivatives are `per wheel travel`: per rise of one wheel centre, those of the other wheels held; and curves are `over wheel
-travel`, motion ratios among them: of each file, between the 61 places of its drive, the cubic through the four nearest. Roll is
-compared over the travel of the wheel that rises; how far the other one falls is among what is compared.
+Equal changes of the two drives may not move the same wheels equally far, for example those of a height and a damper's
+length, or of a height and heave. Then derivatives are `per wheel travel`: per rise of one wheel centre, the other wheel
+centres held. Curves, including those of motion ratios, are `over wheel travel`: for each file, the cubic through the four
+nearest of the 61 places of its drive. Roll is compared over the travel of the wheel that rises; the fall of the other wheel
+is one of the quantities compared.
 
-The table of --csv has a row a number: of (design, per travel or per wheel travel, per steer, over travel or over wheel travel, over
-roll or over roll by wheel travel, over steer; of a second wheel per travel 2), quantity, unit, at (the change of the drive, or the
-wheel's travel, where the curves differ most, for people; empty where they differ by rounding alone, or by the same everywhere), a,
-b, difference; angles in degrees.
+The table of --csv has a row for each number, with the columns `of`, quantity, unit, at, a, b and difference; angles are in
+degrees. The column `of` has design, per travel or per wheel travel, per steer, over travel or over wheel travel, over roll
+or over roll by wheel travel, over steer; for a second wheel per travel 2. The column `at`, meant for people, has the change
+of the drive, or the wheel travel, where the curves differ most; it is empty where they differ by rounding alone, or by the
+same amount everywhere.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (what there is is
-compared), 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (the part before the
+lock is compared), 130 interrupted.
 
 Example:
   suspension compare examples/double_wishbone.toml examples/macpherson.toml --html out/compared.html";
