@@ -25,10 +25,10 @@ use report::Report;
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {
-    /// The motion file (TOML), as for `suspension motion`.
+    /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// The drive's own values, as the file's [drives] have them, not changes from the design, in the file's units.
-    /// Without it that of the file's first instant.
+    /// Values of the drive in the file's units: its own, as in [drives], not changes from the design. Without it the
+    /// value at the file's first instant.
     #[arg(
         long,
         value_name = "VALUE",
@@ -37,8 +37,7 @@ pub struct Arguments {
         value_parser = number("this is not a number; the motion file stands before --at, which takes all that follow it")
     )]
     at: Vec<f64>,
-    /// The drive; needed with --at where the linkage has several. The others are held as at the
-    /// file's first instant.
+    /// The drive of --at; needed if the linkage has several. The other drives are held as at the file's first instant.
     #[arg(long, value_name = "NAME", requires = "at")]
     drive: Option<String>,
     /// Write every assembly as comma-separated values to PATH, or to standard output for `-`.
@@ -103,29 +102,28 @@ fn enumerate(
 }
 
 const NOTES: &str = "\
-An assembly is a way to put the parts together at the given value of the drive. Distances are from
-the configuration of the file's first instant: over all coordinates of free points, and of the
-point that lies farthest away. A singular value of the Jacobian near zero, as `suspension check` has it, is a singularity near by,
-where two assemblies meet.
-Mirrored are points on the wrong side of those that links join them to: such an assembly has all
-lengths but cannot be built. A `body` is never mirrored.
+An assembly is a way to put the parts together at the given value of the drive. The table gives the distance of each
+assembly from the configuration at the file's first instant, over all coordinates of free points and for the point that is
+farthest away, and is ordered by it. A singular value of the Jacobian near zero, as in `suspension check`, means that a
+singularity is near, where two assemblies meet. Mirrored points are on the wrong side of the points to which links join
+them: such an assembly has all lengths but cannot be built. A `body` is never mirrored. The CSV file has one row for each
+assembly, with every free point and marker.
 
-The list is ordered by distance; one row each in the CSV file, with every free point and marker.
+How: the mechanism is divided into parts that can be put together one after the other, such as the rack, either corner, or
+the rocker of a pushrod. Over complex numbers, all assemblies of a part with general dimensions (lengths and chassis points)
+are connected. The search finds them from random starts and by going round loops of such dimensions, and follows them from
+there to the dimensions of the file. The trace test confirms that none is missing: a general plane takes the place of a
+coordinate that a drive or another part gives, and as it turns, a sum over all assemblies changes linearly. Some assemblies
+with a plane go to infinity as the plane becomes that of the coordinate. A complex assembly cannot be built. The numbers
+come from rounded arithmetic and are not a proof.
 
-How: the mechanism is put together part by part, as far as one part does not need the other: the rack, either corner, the rocker
-of a pushrod. Over complex numbers all assemblies of a part of general dimensions, lengths and chassis points, hang together. They are
-found from random starts and by going round loops of such parts, and followed from there to
-the file's. The trace test confirms that none is missing: a general plane takes the place of a coordinate that a drive or another
-part gives, and as it turns a sum over all assemblies changes linearly. Of those with a plane some go to infinity as it becomes
-the coordinate's. A complex assembly cannot be built. The numbers are those of rounded arithmetic, not a proof.
+The search takes seconds, or minutes where a whole axle is one part: a steered beam axle has 1,104 assemblies with general
+dimensions. On a terminal it shows how many it has found. An interrupt (Ctrl-C) ends the search; the assemblies found so far
+are followed to the file's lengths and listed, and the list says that it may not be complete. Another interrupt stops that
+too. The search of a part ends by itself after 20,000 paths; the list has at most 10,000 assemblies.
 
-It takes seconds, and minutes where a whole axle is one part, as a steered beam axle is: of 1,104 assemblies with general
-dimensions. On a terminal it shows how many it has found. An interrupt (Ctrl-C) ends the search; what it has found is followed to
-the file's lengths and listed, and the list says that it may not be complete. Another interrupt gives that up. The search of a
-part ends by itself after 20,000 paths; the list has 10,000 assemblies at most.
-
-Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no
-assembly at a value, or the file's first instant is out of reach, 130 interrupted: what was found is kept.
+Exit codes: 0 done, 1 the table cannot be written, 2 wrong input or no such drive, 3 there is no assembly at a value, or
+the file's first instant is out of reach, 130 interrupted (what was found is kept).
 
 Example:
   suspension assemblies examples/five_link.toml --at 0.7 1.2 --csv assemblies.csv";
