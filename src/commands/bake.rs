@@ -24,24 +24,24 @@ use order::{Order, Ordered, Wished, WishedMeasure};
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {
-    /// The motion file (TOML), as for `suspension motion`.
+    /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// The drive, where the linkage has several; given twice, a surface over two drives. The others are held as at the
-    /// file's first instant. The range may stand behind the name, in place of --from and --to.
+    /// The drive, if the linkage has several; give it twice for a surface over two drives. The other drives are held as at
+    /// the file's first instant. The range may follow the name, in place of --from and --to.
     #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
     drives: Vec<Wished>,
-    /// A measure of the listing, a damper's length say, in place of the drive that --drive names, over a range of its own
-    /// values in the file's units: the outputs are functions of the measure.
+    /// A measure of the listing, such as a damper's length, in place of the drive that --drive names, over a range of its
+    /// own values in the file's units: the outputs are functions of the measure.
     #[arg(long, value_name = "MEASURE=FROM:TO", conflicts_with_all = ["from", "to"])]
     along: Option<WishedMeasure>,
-    /// The drive's first value, its own, as the file's [drives] have it, not a change from the design, in the
-    /// file's units. Without it the least that it has in the file's motion.
+    /// The drive's first value in the file's units: its own, as in [drives], not a change from the design. Without it the
+    /// least value in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = own_value('X'))]
     from: Option<f64>,
-    /// The drive's last value, its own too; without it the greatest that it has in the file's motion.
+    /// The drive's last value, also its own. Without it the greatest value in the file's motion.
     #[arg(long, value_name = "Y", allow_negative_numbers = true, value_parser = own_value('Y'))]
     to: Option<f64>,
-    /// How far a point may be off, in metres whatever the file's unit.
+    /// The largest error of a point, in metres whatever the file's unit.
     #[arg(
         long,
         value_name = "M",
@@ -50,7 +50,7 @@ pub struct Arguments {
         value_parser = number("M is a number of metres, as 1e-6")
     )]
     tolerance: f64,
-    /// How many derivatives do not jump where segments join: as many as are read.
+    /// How many derivatives are continuous where segments join. Choose as many as your program reads.
     #[arg(long, value_name = "0|1|2", default_value_t = 1, allow_negative_numbers = true, value_parser = derivatives())]
     continuity: u8,
     /// What to bake.
@@ -59,7 +59,8 @@ pub struct Arguments {
     /// The language of the file.
     #[arg(long = "as", value_enum, default_value_t = Form::Rust)]
     language: Form,
-    /// Where to write, `-` for standard output; else out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs, .h or .toml, NAME being the motion file's.
+    /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs,
+    /// .h or .toml, where NAME is the motion file's name.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
 }
@@ -68,15 +69,15 @@ pub struct Arguments {
 enum Points {
     /// Every free point and marker: three outputs each.
     All,
-    /// The wheel, of several the first: centre and spin axis, six outputs.
+    /// The wheel, or the first of several: centre and spin axis, six outputs.
     Wheel,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Form {
-    /// A `static` of `suspension_core::baked`: `Curve`, or `Surface` of two drives.
+    /// A `static` of `suspension_core::baked`: `Curve`, or `Surface` over two drives.
     Rust,
-    /// A header in C99 with a function that evaluates.
+    /// A header in C99 with a function that evaluates the polynomials.
     C,
     /// The numbers alone.
     Toml,
@@ -224,38 +225,37 @@ impl From<Form> for Language {
     }
 }
 
-const NOTES: &str = r#"What is written: polynomials of degree five over segments of equal length, the fewest with which
-the tolerance is met, and a header that says what, from which file, range, units, tolerance asked
-and reached, segments and bytes. Outputs are the coordinates of points; of the wheel, its centre
-and its spin axis (unit length, outboard), which counts as a point one metre from the centre: the
-turn about the axis is the wheel's own and not baked.
+const NOTES: &str = r#"The file has polynomials of degree five over segments of equal length, as few as meet the tolerance, and a header that
+states what was baked, from which file, range, units, tolerance asked for and reached, segments and bytes. The outputs are
+the coordinates of points; for the wheel they are its centre and its spin axis (unit length, outboard). The tolerance counts
+the axis as a point one metre from the centre. The turn about the axis is the wheel's own and is not baked.
 
-Whatever the file's unit of angles, a baked drive that is an angle is in radians.
+A baked drive that is an angle is in radians, whatever the file's unit of angles.
 
-The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the
-places where polynomial and motion meet, and holds for motions as smooth as their decay shows
-there; it is a bound from samples, not a proof. The header also has what derivatives are off by.
+The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the places where polynomial and
+motion meet. It holds for motions as smooth as their decay at these points shows; it is a bound from samples, not a proof.
+The header also has the errors of the derivatives.
 
-Outside its range a curve has no value: Rust returns an error that holds the nearest end, C
-returns 1. Near a turning point of the drive positions move as a square root does, which no
-polynomial follows: the range is refused, and the message has one that is possible.
+Outside its range a curve has no value: Rust returns an error that holds the nearest end, C returns 1. Near a turning point
+of the drive, positions change like a square root, which no polynomial follows: bake refuses the range and names one that is
+possible.
 
-Along a measure the outputs are functions of that, their derivatives those with respect to it; it leads in place of the
-drive, also where that turns. Where the measure itself turns back within the range, or is not reached, the range is
-refused, with one that is possible.
+Along a measure, the outputs are functions of the measure and their derivatives are with respect to it. The measure leads in
+place of the drive, even where the drive turns. If the measure itself turns back within the range, or does not reach it,
+bake refuses the range and names one that is possible.
 
-Over two drives, as travel and steering, it is a surface of patches, checked at points all over each; it joins with at
-most one derivative.
+Over two drives, such as travel and steering, the result is a surface of patches, checked at points all over each patch; at
+most one derivative is continuous across patches.
 
   Rust  a `static` of suspension_core::baked::Curve or Surface: no heap, no operating system
   C     a header (C99) with a function, no library
   TOML  the numbers
 
-Names in the file are made of its own, so that a program can have several: out/my_wheel_by_theta.h
-has the function my_wheel_by_theta.
+Names in the file derive from the file's own name, so that a program can have several: out/my_wheel_by_theta.h has the
+function my_wheel_by_theta.
 
-Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the
-mechanism does not go through the range, or not within the tolerance, 130 interrupted.
+Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the mechanism does not go
+through the range, or not within the tolerance, 130 interrupted.
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
