@@ -30,10 +30,11 @@ use scatter::Scatter;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Print the quantities whose names begin so, as camber or toe; given several times, all of these. Without it all.
+    /// Print the quantities whose names begin with NAME, such as camber or toe; give the option several times for several.
+    /// Without it all.
     #[arg(long = "of", value_name = "NAME")]
     of: Vec<String>,
-    /// How many hardpoint coordinates and lengths are printed of each, those with the largest effect first.
+    /// How many hardpoint coordinates and lengths to print for each quantity, those with the largest effect first.
     #[arg(
         long,
         value_name = "COUNT",
@@ -42,13 +43,13 @@ pub struct Arguments {
         value_parser = whole_number::<usize>("COUNT", 1)
     )]
     largest: usize,
-    /// How many suspensions are built with random changes, of a file with [tolerances]; without it 1000.
+    /// How many suspensions to build with random changes, for a file with [tolerances]. Without it 1000.
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = whole_number::<usize>("COUNT", 2))]
     samples: Option<usize>,
-    /// What the random changes begin with, of a file with [tolerances]: the same number gives the same ones; without it 1.
+    /// The seed of the random changes, for a file with [tolerances]: the same number gives the same changes. Without it 1.
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, value_parser = whole_number::<u64>("NUMBER", 0))]
     seed: Option<u64>,
-    /// Write all as comma-separated values to PATH, or to standard output for `-`, a row for each coordinate and length.
+    /// Write all numbers as comma-separated values to PATH, or to standard output for `-`: a row for each coordinate and length.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
 }
@@ -169,31 +170,31 @@ const SAMPLES: usize = 1000;
 const SEED: u64 = 1;
 
 const NOTES: &str = "\
-Of each quantity at the design position, and of its derivative with respect to each drive (bump steer is that of toe),
-the hardpoint coordinates and link lengths that change it most, per mm (per inch in a file in inches).
+For each quantity at the design position, and for its derivative with respect to each drive (bump steer is the derivative of
+toe), this prints the hardpoint coordinates and link lengths that change it most, per mm (per inch in a file in inches).
 
-A hardpoint is moved alone, with it a marker that the file states off it; the suspension is built of its points and read at
-its own design position, as a drawing is changed. A point on a line between two chassis points, as a rack in its housing, takes
-the line and the other points on it with it where it is moved across: rack_left.z is the height of the rack. Points that do not
-satisfy the listing, as one beside its plane, are changed from where they are assembled. A link's length is changed with the chassis
-points and the drives held, as a turnbuckle does, and markers stay where they are in their bodies; a centre of mass moves with the
-point that [masses] states it by, and one in coordinates stays at these. The numbers are exact derivatives but for rounding, also
-where an instant centre is far away; those of what springs do (wheel_rate, spring_load, roll_rate) are differences of sixth order
-over thousandths of the suspension's size.
+Each hardpoint is moved alone, together with a marker that the file states as an offset from it. The suspension is built from
+the points and read at its own design position, like a changed drawing. If a point lies on a line between two chassis
+points, like a rack in its housing, moving it across the line moves the line and the other points on it too: rack_left.z is
+the height of the rack. Points that do not satisfy the listing, such as one beside its plane, are changed from where they are
+assembled. A link's length is changed with the chassis points and the drives held, as a turnbuckle does; markers stay where
+they are in their bodies. A centre of mass moves with the point by which [masses] states it; one stated in coordinates does
+not move. The numbers are exact derivatives except for rounding, also where an instant centre is far away; those of wheel_rate,
+spring_load and roll_rate, which depend on springs, are sixth-order differences over thousandths of the suspension's size.
 
-With [tolerances] in the file the standard deviation of each quantity is printed too: to first order, and of --samples
-suspensions built with normally distributed changes. A tolerance is the standard deviation of each coordinate of a point, or of
-a link's length, in the unit of the file; all are independent of each other.
+If the file has [tolerances], the standard deviation of each quantity is printed too: to first order, and from --samples
+suspensions built with normally distributed changes. A tolerance is the standard deviation of each coordinate of a point, or
+of a link's length, in the unit of the file; all are independent of each other.
 
   [tolerances]
   tie_ball = 0.0005
   tie_rod = 0.0002
 
-The moves of [tune], a turnbuckle, a shim or a rack's height say, are changes under their own names.
+The moves of [tune], such as a turnbuckle, a shim or a rack's height, are changes under their own names.
 
-The CSV file has a row for each coordinate and length, then for each move, and with tolerances standard_deviation and
-standard_deviation_of_samples; and a column for each number, per unit of length of the file, in that unit and that of its
-angles: camber_rad, camber_rad_per_bump.
+The CSV file has a row for each coordinate and length, then one for each move; with tolerances also the rows
+standard_deviation and standard_deviation_of_samples. It has a column for each number, per unit of length of the file, in
+that unit and the file's unit of angles: camber_rad, camber_rad_per_bump.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the design does not assemble, 130 interrupted.
 
