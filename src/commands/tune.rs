@@ -28,8 +28,8 @@ use rewritten::rewritten;
 pub struct Arguments {
     /// The motion file (TOML) with [tune], see below.
     file: PathBuf,
-    /// Write the motion file with the hardpoints found to PATH; without it beside FILE, as NAME_tuned.toml where there is none
-    /// yet.
+    /// Write the motion file with the hardpoints found to PATH. Without it the file is NAME_tuned.toml beside FILE, which
+    /// must not exist yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -157,25 +157,25 @@ fn check(out: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
 }
 
 const NOTES: &str = "\
-The motion file says what may be moved, and what is to be reached; lengths in its unit, angles in its unit of angles:
+The motion file states what may be moved and what is to be reached, in its units of lengths and angles:
 
   [tune.moves.tie_rod_height]
   points = [\"tie_ball\"]             # these move together; a ball joint is one point
-  mirrored = [\"right_tie_ball\"]     # those of the other side go with them, as in a mirror
+  mirrored = [\"right_tie_ball\"]     # points of the other side, which move as in a mirror
   along = \"z\"                       # \"x\", \"y\", \"z\" or a direction [x, y, z], in the file's axes
   by = [-0.020, 0.020]              # the box: from the least to the greatest
 
   [tune.moves.turnbuckle]
   length = \"tie_rod\"                # or a link's length, the drives held
-  mirrored = [\"right_tie_rod\"]      # links of the other side become longer by as much
+  mirrored = [\"right_tie_rod\"]      # links of the other side, which become longer by as much
   by = [-0.005, 0.005]
 
   [tune.targets.bump_steer]
-  of = \"toe\"                        # a quantity by its name in tables, without the unit; a measure
+  of = \"toe\"                        # a measure, or a quantity by its name in tables without the unit
   over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position
-  change = 0.0                      # from the design position; or value = ...; or of one drive a list, which says how many
-                                    # evenly spaced places there are: change = [0.1, 0.0, 0.2]
-  within = 0.00035                  # how far it may be off, as the quantity: rad, 0.02 deg
+  change = 0.0                      # from the design position; or value = ...; for one drive also a list, whose length
+                                    # is the number of evenly spaced places: change = [0.1, 0.0, 0.2]
+  within = 0.00035                  # the allowed error, in the unit of the quantity: rad, 0.02 deg
 
   [tune.targets.motion_ratio]
   of = \"damper\"
@@ -183,13 +183,13 @@ The motion file says what may be moved, and what is to be reached; lengths in it
   value = -0.65
   within = 0.005
 
-A suspension is built of each trial's points and solved at thirteen places along each drive. The sum of squares of what
-the targets are off, in parts of what is allowed, is made least, from the points of the file. Trials that lock are left
-out. What is near the file's points is found: a better design far from them may be missed.
+For each trial the suspension is built from the trial's points and solved at thirteen places along each drive. Starting from
+the points of the file, tune minimises the sum of squares of the targets' errors, each divided by the allowed error. Trials
+that lock are left out. Tune finds a design near the file's points; it may miss a better one far from them.
 
-A table of the moves and of the targets is printed, and the motion file is written with the points found, all else as it
-stands. Where a move changes what a drive is at the design position, the constant of its law in [drives] changes by as much.
-A marker that the file states off a point goes with it.
+Tune prints a table of the moves and of the targets. It writes the motion file with the points found and leaves all else as
+it is. Where a move changes the value of a drive at the design position, the constant of its law in [drives] changes by as
+much. A marker that the file states as an offset from a point moves with it.
 
 Exit codes: 0 all targets are met, 1 a result cannot be written, 2 wrong input, 3 some targets are not met (the file is
 written), or the design locks before all places of a target, 130 interrupted (the best so far is written).
