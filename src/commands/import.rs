@@ -43,27 +43,27 @@ pub struct Arguments {
     /// The file of hardpoints.
     #[arg(required_unless_present = "names")]
     file: Option<PathBuf>,
-    /// Print the names by which points are known, of each layout of the catalogue.
+    /// Print the point names that import knows for each layout of the catalogue.
     #[arg(long)]
     names: bool,
-    /// The layout; without it the one of the catalogue that takes most of the points, and lacks none.
+    /// The layout. Without it the layout of the catalogue that uses most of the points and lacks none.
     #[arg(long, value_name = "NAME")]
     linkage: Option<String>,
-    /// The unit of lengths: m, mm or in; without it what the file says, or else what its size says.
+    /// The unit of lengths: m, mm or in. Without it the unit that the file states, or else the one that its size suggests.
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<Length>,
-    /// The axes; without it those that the points have.
+    /// The axes. Without it the axes that the points suggest.
     #[arg(long, value_parser = axes())]
     axes: Option<Axes>,
-    /// The corner that is wanted, mirrored where the file has the other alone.
+    /// The corner to import, mirrored if the file has only the other one.
     #[arg(long)]
     side: Option<Side>,
-    /// Make an axle of both corners, on one rack where they are steered; of one corner and its mirror image where the file
-    /// has the other not.
+    /// Make an axle of both corners, on one rack if they are steered. If the file has only one corner, its mirror image is
+    /// the other.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Write the motion file to PATH in place of what is there, an axle's NAME_corner.linkage beside it unless there is one that
-    /// import would not write so. Without it beside FILE, with the ending .toml, where there is none yet.
+    /// Write the motion file to PATH, over a file that is there; an axle's NAME_corner.linkage goes beside it, but never
+    /// over a different one. Without it the motion file is FILE with the ending .toml, which must not exist yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -218,25 +218,25 @@ fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
 }
 
 const NOTES: &str = "\
-Reads, by what is in the file:
+The content of the file decides how it is read:
 
-  tables of points      a name and x, y, z a line, between commas, semicolons, tabs or blanks; headings and
-                        remarks may stand anywhere, as may reports of Lotus Suspension Analysis
-  Adams/Car             subsystem files (.sub); names may have hpl_, hpr_ or hps_ before them
+  tables of points      a name and x, y, z on each line, separated by commas, semicolons, tabs or blanks; headings
+                        and remarks may stand anywhere; so may reports of Lotus Suspension Analysis
+  Adams/Car             subsystem files (.sub); names may begin with hpl_, hpr_ or hps_
   Lotus                 model files (.shk) of one suspension
 
-A table may also have, a line each, toe_angle and camber_angle in degrees (positive: toe-in, top outboard) and
-tire_radius. Beside each point the motion file has the line that the point came from. The program prints its assumptions on
-standard error and writes them at the top of the motion file. A point that hardpoint files do not have, as a second point
-of the spin axis, is placed by the others, and the motion file says how.
+A table may also state toe_angle and camber_angle in degrees (positive: toe-in, top outboard) and tire_radius, each on its
+own line. The motion file quotes the source line of each point beside it. The program prints its assumptions on standard
+error and writes them at the top of the motion file. A point that hardpoint files do not have, such as a second point of the
+spin axis, is placed from the others; the motion file says how.
 
-Where left and right are no mirror images, and with --axle, the motion file is of an axle of both corners, on one rack where they are
-steered; a steered corner is then in a listing beside it, with _corner.linkage behind the name.
+Where left and right are not mirror images, and with --axle, the motion file is of an axle with both corners, on one rack if
+they are steered. A steered corner is then in a listing beside it, named NAME_corner.linkage.
 
-Axes, all right-handed: iso x forward, y left, z up; adams x rearward, y right, z up (of Lotus too); sae x forward,
-y right, z down. The motion file is in iso and in the unit of the file.
+Axes, all right-handed: iso x forward, y left, z up; adams (Lotus too) x rearward, y right, z up; sae x forward, y right,
+z down. The motion file is in iso and in the unit of the file.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, or a suspension cannot be built of it.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, or the file does not give a suspension that can be built.
 
 Example:
   suspension import front.sub
