@@ -19,11 +19,11 @@ use crate::output::target::Target;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Write the SVG to PATH, or to standard output for `-`; without it to out/NAME.svg, NAME being that of the motion file.
+    /// Write the SVG to PATH, or to standard output for `-`. Without it the SVG goes to out/NAME.svg, where NAME is the
+    /// motion file's name.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
-    /// The wheel's radius, in the unit of the file; without it that of the file, or
-    /// else 0.3 m.
+    /// The wheel radius, in the unit of the file. Without it the file's wheel_radius is used, or else 0.3 m.
     #[arg(
         long,
         value_name = "LENGTH",

@@ -15,7 +15,7 @@ use crate::output::files::print;
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {
-    /// Print the statements of this layout, to be copied and changed.
+    /// Print the statements of this layout, to copy and change.
     name: Option<String>,
 }
 
@@ -60,8 +60,8 @@ fn parts(listing: &Listing, kind: Kind, part: fn(usize) -> Part) -> String {
 }
 
 const NOTES: &str = "\
-Each layout has its hardpoints, in metres; a motion file names it, linkage = \"macpherson\", and states the points that
-differ. Where other links are wanted, copy the statements and name the file, listing = \"my.linkage\".
+Each layout comes with hardpoints, in metres. A motion file names the layout, linkage = \"macpherson\", and states the points
+that differ. For other links, copy the statements into a file, change them, and name that file: listing = \"my.linkage\".
 
 Exit codes: 0 done, 1 the list cannot be written, 2 no layout has the name.
 
