@@ -26,9 +26,9 @@ use crate::output::target::Target;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// A drive and COUNT values of it, evenly spaced from FROM to TO, both included, or one value: changes from where it
-    /// is at the design position, in the file's units; the drive's column has its own values. Given several times: a
-    /// grid. Several drives with commas move together, one behind a minus the opposite way: bump_left,-bump_right is roll.
+    /// A drive and COUNT values of it, evenly spaced from FROM to TO (both included), or one value. They are changes from
+    /// the design position, in the file's units; the drive's column has its own values. Give the option several times
+    /// for a grid. Drives joined by commas move together, with a minus the opposite way: bump_left,-bump_right is roll.
     #[arg(
         long = "drive",
         value_name = "NAME=FROM:TO:COUNT",
@@ -36,21 +36,21 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     drives: Vec<Swept>,
-    /// The values are the drives' own, as the file and the columns have them.
+    /// Take the values as the drives' own, as in the file and the columns, not as changes.
     #[arg(long)]
     absolute: bool,
-    /// Derivatives of each quantity with respect to each drive: none, the first, or the second too.
+    /// Derivatives of each quantity with respect to each drive: none, the first, or the first and second.
     #[arg(long, value_name = "0|1|2", default_value_t = 1, allow_negative_numbers = true, value_parser = derivatives())]
     derivatives: u8,
-    /// Write the rows as comma-separated values to PATH, or to standard output for `-`; else to out/NAME_sweep.csv,
-    /// NAME being the motion file's.
+    /// Write the rows as comma-separated values to PATH, or to standard output for `-`. Without --csv, --json and --parquet
+    /// they go to out/NAME_sweep.csv, where NAME is the motion file's name.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
-    /// Write the rows as JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows
-    /// under the same names; then there is no CSV file unless --csv is given too.
+    /// Write JSON to PATH, or to standard output for `-`: a header with units and axes, and the rows under the same
+    /// names.
     #[arg(long, value_name = "PATH")]
     json: Option<PathBuf>,
-    /// Write the rows as Parquet to PATH, units and axes as its metadata; needs a program built with the feature
+    /// Write the rows as Parquet to PATH, with units and axes as metadata. The program must be built with the feature
     /// `parquet`.
     #[arg(long, value_name = "PATH")]
     parquet: Option<PathBuf>,
@@ -126,18 +126,20 @@ fn write(
 }
 
 const NOTES: &str = "\
-One row a place of the grid, the last drive given changing fastest, its columns: the drives, all quantities that
-positions determine, those that the [vehicle] table of the file makes known among them (suspension motion --help explains
-the quantities and the table). Columns of drives have the drives' own values, as [drives] of the file has them, also where
---drive states changes from the design position: bump=-0.08:0.08:161 of a wheel centre 0.30 m high gives 0.22 to 0.38.
+The table has one row for each place of the grid; the last drive given changes fastest. Its columns are the drives and all
+quantities that positions determine, including those that need the [vehicle] table of the file (suspension motion --help
+explains the quantities and the table). Columns of drives have the drives' own values, as [drives] of the file states them,
+even where --drive states changes from the design position: bump=-0.08:0.08:161 of a wheel centre 0.30 m high gives 0.22 to
+0.38.
 
-Derivatives follow: camber_rad_per_bump is that of camber with respect to the drive bump, the other drives held,
-camber_rad_per_bump2 the second. They come from the equations, not from differences.
+Derivatives follow: camber_rad_per_bump is the derivative of camber with respect to the drive bump, the other drives held;
+camber_rad_per_bump2 is the second derivative. They come from the equations, not from differences.
 
-From the design position, that of the file's points, the mechanism is driven to each place. Places beyond a lock have no rows.
+The mechanism is driven to each place from the design position, which is that of the file's points. Places beyond a lock
+have no rows.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration,
-130 interrupted; what was solved is written.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, 130 interrupted. With
+3 and 130, what was solved is written.
 
 Example:
   suspension sweep examples/double_wishbone.toml --drive bump=-0.08:0.08:161 --drive steer=-0.03:0.03:41 --csv -";
