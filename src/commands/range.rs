@@ -28,7 +28,7 @@ use crate::reach::DriveRange;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// A drive whose range is found; given several times, of each. Without it the ranges of all drives are.
+    /// The drive whose range to find; give the option several times for several drives. Without it all drives.
     #[arg(long = "drive", value_name = "NAME")]
     drives: Vec<String>,
     /// Write every place of the curves as comma-separated values to PATH, or to standard output
@@ -138,37 +138,38 @@ fn table(names: &Names, unit: Unit, ranges: &[DriveRange], target: &Target) -> R
 }
 
 const NOTES: &str = "\
-Each drive in turn is set free, the others held as at the file's first instant, and the mechanism
-is followed through the turning points of the drive, which the drive itself cannot do, until its
-curve closes or another curve crosses; with --drive those alone that it names. Printed for each drive:
+Sets each drive free in turn, the others held as at the file's first instant. Then it follows the mechanism through the
+turning points of the drive, which the drive itself cannot pass, until its curve closes or another curve crosses it. With
+--drive it does so for the named drives alone. It prints for each drive:
 
-  lower end, upper end   the values between which it leads the mechanism from the first instant,
+  lower end, upper end   the values between which the drive leads the mechanism from the first instant,
                          and what ends them: a turning point, where the mechanism locks and
                          velocities grow without bound, with the link that is too long or too short to go
                          on, or else the body that reaches no further on its hinge or joint;
                          0 or pi, where an angle itself ends; a length of zero, where its points meet; a
                          bifurcation, where the mechanism can go either way
-  motion                 when the file's motion is at an end, where it moves no other drive
-  poor                   where the transmission is poor: for a unit of the drive the free points
-                         move (root of the sum of squares) more than five times as far as where in
-                         the range they move least
+  motion                 when the file's motion reaches an end, if it moves no other drive
+  poor                   where the transmission is poor: per unit of the drive the free points
+                         move (root of the sum of squares) more than five times as far as where they
+                         move least in the range
   curve                  whether it is closed, and how often the drive turns on it
 
-The table, one row a place, in the order along the curve:
+The table has one row for each place, in order along the curve:
 
   freed              the number of the drive that is free, from 1
-  turns              1 where it turns, else 0
+  turns              1 where this drive turns, else 0
   each drive         in the file's units
-  speed_UNIT         how far the free points move for a unit of the drive, of angles a radian; inf where it turns, but at the
-                     end of an angle
+  speed_UNIT         how far the free points move per unit of the drive, per radian for an angle; inf where the drive
+                     turns, except at the end of an angle
   points             _x _y _z, in the unit
-  kingpin, caster, camber, toe in the unit of angles; residual in the unit
+  other quantities   all that positions determine, such as kingpin, caster, camber and toe, as in the table of sweep;
+                     last the residual in the unit
 
-Where the first instant is out of reach the ranges are those from the design position, and a note says so.
+If the first instant is out of reach, the ranges start from the design position, and a note says so.
 
-Exit codes: 0 done, also where the file's own motion is out of reach, of which check and motion make 3: the ranges
-are known; 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble, or starts at a bifurcation
-or where another drive is at the end of its angle, 130 interrupted, what was found is kept.
+Exit codes: 0 done, even if the file's own motion is out of reach (check and motion then return 3), because the ranges
+are known; 1 a result cannot be written; 2 wrong input; 3 the mechanism does not assemble, or starts at a bifurcation
+or where another drive is at the end of its angle; 130 interrupted (what was found is kept).
 
 Example:
   suspension range examples/five_link.toml --csv curve.csv --plots plots
