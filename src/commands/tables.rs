@@ -27,18 +27,18 @@ use wheel::Wheel;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// The program whose tables are written.
+    /// The program for which to write tables.
     #[arg(long = "as", value_name = "PROGRAM")]
     program: Program,
-    /// The wheel, where the listing names several; without it the first.
+    /// The wheel, if the listing names several. Without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// Of CarSim's tables: how far the drive that moves the wheel up and down changes, from the design position, in the
-    /// file's unit: the wheel's travel where it is a height. Without it 60 mm down and up, of an angle 0.2 rad.
+    /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit.
+    /// If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// Write to PATH, or to standard output for `-`; without it to out/NAME_carsim.par or out/NAME_carmaker.txt, NAME being
-    /// that of the motion file, with that of the wheel behind it where --wheel has one.
+    /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_carsim.par or out/NAME_carmaker.txt,
+    /// where NAME is the motion file's name, followed by that of the wheel if --wheel is given.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -48,7 +48,7 @@ pub struct Arguments {
 enum Program {
     /// Tables over jounce: camber, toe, dive, longitudinal and lateral movement, in mm and deg.
     Carsim,
-    /// `Kind = Linear2D`: values and derivatives by compression and steering at the design position, in m and rad.
+    /// `Kind = Linear2D`: values at the design position and derivatives with respect to compression and steering, in m and rad.
     Carmaker,
 }
 
@@ -150,31 +150,33 @@ impl Arguments {
 }
 
 const NOTES: &str = "\
-Of the wheel in travel, the others of its axle moving with it. Compression, or jounce, is the rise of the wheel centre from the
-design position. Angles of the carrier are rotations about the axes of ISO 8855, x forward, y left, z up.
+The tables are of one wheel in travel, while the other wheels of its axle move with it. Compression, or jounce, is the rise
+of the wheel centre from the design position. Angles of the carrier are rotations about the axes of ISO 8855: x forward,
+y left, z up.
 
-CarSim: CAMBER_TABLE, TOE_TABLE, SUSP_DIVE_TABLE, SUSP_X_TABLE and SUSP_LAT_TABLE, changes from the design position over jounce,
-in mm and deg, and the static angles A_CAMBER and A_TOE. Camber and toe are those of the spin axis; dive is atan2(R02, R22) of the
-carrier's rotation R since the design position, rows and columns counted from 0. Camber is positive where the top leans outboard, toe
-where the front points inboard, dive where the top moves forward, X forward; LAT is positive inboard. The form is that of the library
-files of CarSim 2021; hold the signs of toe and dive against your version.
+CarSim: CAMBER_TABLE, TOE_TABLE, SUSP_DIVE_TABLE, SUSP_X_TABLE and SUSP_LAT_TABLE are changes from the design position over
+jounce, in mm and deg; A_CAMBER and A_TOE are the static angles. Camber and toe are those of the spin axis; dive is
+atan2(R02, R22) of the carrier's rotation R since the design position, rows and columns counted from 0. Camber is positive
+where the top leans outboard, toe where the front points inboard, dive where the top moves forward, X forward, LAT inboard.
+The form is that of the library files of CarSim 2021; check the signs of toe and dive against your version.
 
-CarMaker: a suspension of Kind = Linear2D, each row its value at the design position and its derivatives by compression and by the
-rack, positive where it turns the wheel to the left, in m and rad; tx, ty, tz are the movement of the wheel centre, rx,
-ry, rz rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx camber as seen along the wheel. They are
-the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: at the design position rx and rz are static camber
-and toe, and ry is 0. Lengths that are measured under names with
-the word spring, damper, or bar are lSpring, lDamp, lStabi; without a measure named so the length of a spring of [springs] that is no
-bar is lSpring. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, the right wheel as the left one's mirror
-image, where the listing has one wheel or both are that, else the wheel's side. Rows begin with SuspR where [vehicle] has axle = \"rear\",
-or the wheel is named rear_left, say, else with SuspF.
+CarMaker: a suspension of Kind = Linear2D. Each row has a value at the design position and its derivatives with respect to
+compression and to the rack, which is positive where it turns the wheel to the left, in m and rad. tx, ty, tz are the
+movement of the wheel centre; rx, ry, rz are rotations about z, then x, then y, with the signs of rotations: rz is toe, and
+rx is camber as seen along the wheel. They are the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis:
+at the design position rx and rz are static camber and toe, and ry is 0. Measured lengths with spring, damper or bar (also
+stabi or arb) in their names are lSpring, lDamp and lStabi. If no measure has spring in its name, lSpring is the length of
+a spring of [springs] that is not a bar. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right,
+with the right wheel as mirror image of the left one, if the listing has one wheel or its wheels are mirror images; else it
+is the wheel's side. Rows begin with SuspR if [vehicle] has axle = \"rear\" or the wheel's name begins with rear, for example
+rear_left; else with SuspF.
 
-Neither has compliance: bushings and forces are outside the model. Of a rigid axle both wheels would have to be inputs, which
-neither form has: its tables are those of heave, both wheel centres rising alike; where drives are no heights, exactly so at the
-design position.
+Neither form has compliance: bushings and forces are outside the model. A rigid axle would need both wheels as inputs, which
+neither form has: its tables are of heave, in which both wheel centres rise alike. If its drives are not heights, this holds
+exactly only at the design position.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (what there is is
-written), 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the part before
+the lock is written), 130 interrupted.
 
 Example:
   suspension tables examples/double_wishbone.toml --as carsim --travel -0.08:0.08";
