@@ -104,7 +104,7 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
             let drive = mechanism.names.chosen_drive(Some(name))?;
             if absolute && part < 0.0 {
                 return Err(format!(
-                    "-{name} moves the opposite way from the design position; --absolute gives drives their own values: leave it out"
+                    "-{name} moves the opposite way from the design position, but --absolute states the drives' own values; leave --absolute out"
                 ));
             }
             let mut given = axes.iter().flat_map(|axis| &axis.drives).chain(&drives);

@@ -123,12 +123,12 @@ impl Arguments {
         }
         if ends.iter().any(Option::is_some) {
             let [only] = drives.as_mut_slice() else {
-                let message = "--from and --to are those of one drive; write --drive NAME=FROM:TO for each of two";
+                let message = "--from and --to give the range of one drive; for two drives write --drive NAME=FROM:TO for each";
                 return Err(Failure::Input(message.to_owned()));
             };
             if only.range.iter().any(Option::is_some) {
                 let message =
-                    "--from and --to say again what stands behind --drive; give one of both";
+                    "--from and --to repeat the range after --drive; give only one of the two";
                 return Err(Failure::Input(message.to_owned()));
             }
             only.range = ends;
@@ -142,7 +142,7 @@ impl Arguments {
             [] => None,
             [Wished { drive, range }] if *range == [None; 2] => drive.clone(),
             _ => {
-                let message = "--along takes the place of one drive; name that, without a range, as --drive NAME";
+                let message = "--along takes the place of one drive; name this drive without a range: --drive NAME";
                 return Err(Failure::Input(message.to_owned()));
             }
         };

@@ -72,7 +72,7 @@ impl Arguments {
         let tolerances = loaded.tolerances(mechanism)?;
         if tolerances.is_empty() && (self.samples.is_some() || self.seed.is_some()) {
             return Err(Failure::Input(format!(
-                "{}: --samples and --seed are of random changes, for which the file states no [tolerances]",
+                "{}: --samples and --seed need [tolerances] for the random changes; the file has none",
                 source.name()
             )));
         }

@@ -67,7 +67,7 @@ impl Arguments {
         let ending = of_wheel.collect::<String>() + ending;
         let beside = || in_out(&self.file, &ending);
         if self.travel.is_some() && self.program == Program::Carmaker {
-            let message = "--travel is of CarSim's tables; those of CarMaker are derivatives at the design position";
+            let message = "--travel is for CarSim only; CarMaker's tables are derivatives at the design position";
             return Err(Failure::Input(message.to_owned()));
         }
         let target = Target::from(self.out.clone().unwrap_or_else(beside));

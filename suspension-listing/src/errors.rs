@@ -199,7 +199,7 @@ pub(crate) fn of_one_body(token: &Ident, what: &str, body: &Body, remedy: &str) 
 
 pub(crate) fn along_axis(from: &Ident, to: &Ident) -> Error {
     let message = format!(
-        "the line `{from} -> {to}` is the axis that the angle is about, which it has no angle about; name a line beside it"
+        "the line `{from} -> {to}` is the axis of the angle itself; name a line off the axis"
     );
     at(from, message)
 }

@@ -21,7 +21,7 @@ impl Sides {
     pub(crate) fn how_named(&self) -> String {
         let [one, other] = &self.0;
         format!(
-            "what both sides have has `{one}` in its name, what one side alone has neither `{one}` nor `{other}`"
+            "write `{one}` in the names of parts that both sides have, and neither `{one}` nor `{other}` in those of parts that only one side has"
         )
     }
 

@@ -99,11 +99,11 @@ fn options_that_do_nothing_are_refused() {
         ("loads l.toml --absolute", "--drive <NAME=FROM:TO:COUNT>"),
         (
             "sensitivities a.toml --samples 10",
-            "for which the file states no [tolerances]",
+            "for the random changes; the file has none",
         ),
         (
             "sensitivities a.toml --seed 2",
-            "for which the file states no [tolerances]",
+            "for the random changes; the file has none",
         ),
         (
             "sensitivities a.toml --of foo --csv -",
@@ -119,7 +119,7 @@ fn options_that_do_nothing_are_refused() {
         ),
         (
             "tables a.toml --as carmaker --travel -0.1:0.1",
-            "--travel is of CarSim's tables",
+            "--travel is for CarSim only",
         ),
     ] {
         let output = run(folder.path(), &arguments.split(' ').collect::<Vec<_>>());

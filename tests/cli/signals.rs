@@ -295,7 +295,7 @@ fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
     let mut said = BufReader::new(child.stderr.take().expect("standard error"));
     let mut line = String::new();
     said.read_line(&mut line).expect("a note");
-    assert!(line.contains("interrupt again to give that up"), "{line}");
+    assert!(line.contains("interrupt again to stop this too"), "{line}");
     send("-INT", &child);
     line.clear();
     said.read_to_string(&mut line).expect("text");

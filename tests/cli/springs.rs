@@ -256,7 +256,7 @@ fn what_is_no_spring_is_refused_with_its_place() {
         ),
         (
             "[springs.a]\nalong = \"damper\"\nrate = -1.0\n",
-            "the rate of spring `a` is not a number from zero on",
+            "the rate of spring `a` must be zero or a positive number",
         ),
         (
             "[springs.a]\nalong = \"damper\"\nrate = 1.0\nload = inf\n",

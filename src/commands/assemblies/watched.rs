@@ -35,7 +35,7 @@ impl<'a> Watched<'a> {
         if ends {
             self.is_ended.store(true, Ordering::Relaxed);
             self.found.tell(format_args!(
-                "note: {}: the search is ended, and what it has found is followed to the file's own lengths; interrupt again to give that up",
+                "note: {}: the search has stopped; the assemblies found are now followed to the file's lengths; interrupt again to stop this too",
                 self.file
             ));
         }

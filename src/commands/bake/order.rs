@@ -216,7 +216,7 @@ impl Ordered<'_> {
         if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
             let in_words = self.range_in_words(drive, range);
             return Err(self.refuse(&format!(
-                "{in_words} is no range; --from must be less than --to"
+                "{in_words} is not a range; --from must be less than --to"
             )));
         }
         Ok(range)

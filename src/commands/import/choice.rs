@@ -137,7 +137,7 @@ impl<'a> Candidate<'a> {
                 ));
             }
             return Some(format!(
-                "no name of a point is known, `{first}` for one; suspension import --names lists those that are"
+                "no point has a known name, for example `{first}` has none; suspension import --names lists the known names"
             ));
         }
         if !self.missing.is_empty() {

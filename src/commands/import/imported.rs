@@ -48,7 +48,7 @@ impl Other {
                 "the right corner is the mirror image of the left one; --axle makes an axle of both".to_owned(),
             ),
             Self::Unlike(what) if !is_axle => Some(format!(
-                "left and right are no mirror images, at {what} for one: both are here, as an axle; --side takes one of them"
+                "left and right are not mirror images, for example at {what}: the motion file is an axle of both corners; --side takes one of them"
             )),
             Self::Part if !is_axle => Some(
                 "the file has points of the other side too, but not all: they are not used".to_owned(),

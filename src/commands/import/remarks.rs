@@ -62,7 +62,7 @@ impl Imported<'_> {
         if corner.mirrored {
             let was = corner.side.other().name();
             remarks.push(format!(
-                "by its coordinates the file has the {was} corner; the {side} one is its mirror image, as the options ask for"
+                "the coordinates are those of the {was} corner; the {side} corner is its mirror image, as the options ask"
             ));
         } else if choice.point("wheel_centre").is_some() {
             remarks.push(format!("the corner is the {side} one"));

@@ -78,7 +78,7 @@ pub(super) fn add(
 /// What the row of a known name needs.
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
     let message = if names.is_number(&key_of(name).0) {
-        format!("`{name}` needs one number behind it, with a decimal point and without a unit")
+        format!("`{name}` needs one number after it, with a decimal point and without a unit")
     } else {
         format!(
             "point `{name}` needs three numbers in a row: x, y, z, with decimal points and without units"

@@ -99,7 +99,9 @@ fn less(system: &System) -> &'static str {
 fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.how_named();
-    format!("; `mirror` makes an image of all that is named `{stated}`: {named}, as a Panhard rod")
+    format!(
+        "; `mirror` makes an image of all that is named `{stated}`: {named}, such as a Panhard rod"
+    )
 }
 
 /// How many equations are of the statements of each kind.

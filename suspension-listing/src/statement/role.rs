@@ -205,7 +205,7 @@ impl Axis {
 fn named_and_unnamed(word: &Ident) -> Error {
     errors::at(
         word,
-        "of several wheels each has a name, `wheel left: ...`; here one has a name and another has none",
+        "one wheel has a name and another has none; give each of several wheels a name, `wheel left: ...`",
     )
 }
 

@@ -54,7 +54,7 @@ impl Reader<'_> {
     fn case(&self, name: &Spanned<String>, LoadCase(loads): &LoadCase) -> Result<Case, Failure> {
         let ends_names = |c: char| c.is_control() || ['/', '\\', ':'].contains(&c);
         if name.get_ref().contains(ends_names) {
-            let message = "the name of a load case is part of names of files and columns; leave out `/`, `\\` and `:`";
+            let message = "the name of a load case becomes part of file and column names; leave out `/`, `\\` and `:`";
             return Err(self.source.refuse(&name.span(), message));
         }
         let mut case = Case {
@@ -163,7 +163,7 @@ impl Reader<'_> {
         }
         if point < names.chassis && (turned || !self.listing.driven_points().contains(&point)) {
             return refuse(format!(
-                "`{name}` is a chassis point: what acts there loads no part of the suspension"
+                "`{name}` is a chassis point: a load there acts on no part of the suspension"
             ));
         }
         if !turned {
@@ -174,9 +174,9 @@ impl Reader<'_> {
         match having.as_slice() {
             [body] => match body.as_slice() {
                 [a, b, c, ..] => Ok(Site::Body(point, [*a, *b, *c])),
-                _ => refuse(format!("no body has point `{name}`, to take a moment")),
+                _ => refuse(format!("`{name}` is in no body that could take a moment")),
             },
-            [] => refuse(format!("no body has point `{name}`, to take a moment")),
+            [] => refuse(format!("`{name}` is in no body that could take a moment")),
             _ => refuse(format!(
                 "several bodies join at `{name}`: state the moment at a point of one of them alone"
             )),

@@ -212,7 +212,7 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
         let name = &names.points[centre];
         let place = file.points.get_ref()[name.as_str()].span();
         let message = format!(
-            "point `{name}` gives the spin axis no length; put it outboard of the axis' other point"
+            "both points of the spin axis are in the same place; put `{name}` outboard of the other one"
         );
         return Err(task.source.refuse(&place, message));
     }

@@ -57,7 +57,7 @@ impl Reader<'_> {
         };
         if !(mass.is_finite() && mass >= 0.0) {
             return refuse(format!(
-                "the mass of `{part}` is not a number of kg from zero on"
+                "the mass of `{part}` must be zero or a positive number of kg"
             ));
         }
         let statements = self.listing.statements();
@@ -74,7 +74,7 @@ impl Reader<'_> {
                 "`{part}` is a body: write {{ mass = ..., centre = \"point\" or [x, y, z], inertia = [xx, yy, zz] }}"
             )),
             (Some(link), _) if link.kind == Kind::LINK => {
-                refuse(format!("`{part}` is no body: write its mass alone, in kg"))
+                refuse(format!("`{part}` is a link: write only its mass, in kg"))
             }
             (Some(_), _) => Err(self.unknown(name)),
             (None, MassTable::Alone(mass)) => Ok(Mass::At(self.point(name)?, *mass)),

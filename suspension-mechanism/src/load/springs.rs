@@ -35,7 +35,7 @@ pub(super) fn springs(
         })?;
         let rate = *stated.rate.get_ref();
         if !(rate.is_finite() && rate >= 0.0) {
-            let message = format!("the rate of spring `{name}` is not a number from zero on");
+            let message = format!("the rate of spring `{name}` must be zero or a positive number");
             return Err(task.source.refuse(&stated.rate.span(), message));
         }
         let load = *stated.load.get_ref();

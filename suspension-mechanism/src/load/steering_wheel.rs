@@ -119,7 +119,7 @@ impl Gear<'_> {
             _ => {
                 let names = listed(drives.into_iter().map(name));
                 Err(format!(
-                    "{key} is of one drive, and several steer the wheels, {names}; leave {key} out"
+                    "{key} needs one drive of steering, but {names} steer the wheels; leave {key} out"
                 ))
             }
         }

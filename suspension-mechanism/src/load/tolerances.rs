@@ -39,8 +39,7 @@ pub(super) fn tolerances(
         })?;
         let value = *deviation.get_ref();
         if !(value.is_finite() && value >= 0.0) {
-            let message =
-                "a tolerance is a standard deviation in the unit of lengths, from zero on";
+            let message = "a tolerance is a standard deviation in the unit of lengths: zero or a positive number";
             return Err(source.refuse(&deviation.span(), message));
         }
         found.extend(changes.into_iter().map(|change| Tolerance {

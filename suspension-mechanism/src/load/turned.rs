@@ -27,7 +27,7 @@ impl Loaded<'_> {
         if let Some(statement) = self.listing().bound_to_axes(signs) {
             let [from, to] = names;
             return Err(refuse(format!(
-                "`{statement}` joins coordinates of which only some change their sign from axes {from} to {to}"
+                "`{statement}` joins coordinates, and only some of them change sign from axes {from} to {to}"
             )));
         }
         if self.file.design.is_some() && self.axes() != axes {

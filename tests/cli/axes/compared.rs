@@ -103,7 +103,7 @@ fn what_other_axes_make_another_mechanism_of_is_refused() {
     let (sae, listing) = skew(AXES[2]);
     let [output, _] = compare(&iso, &sae, &listing);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let expected = "b.toml: `steer` joins coordinates of which only some change their sign from axes SAE to ISO 8855; state both \
+    let expected = "b.toml: `steer` joins coordinates, and only some of them change sign from axes SAE to ISO 8855; state both \
                     files in the same axes\n";
     assert_eq!(text(&output.stderr), expected);
     let stated =

@@ -38,7 +38,7 @@ fn a_drive_of_no_wheel_is_refused() {
             "double_wishbone",
             "travel = { left = \"bump\" }",
             "bump = 0.3\nsteer = 0.34",
-            "axle.toml:5:10: unknown wheel `left`; the listing names no wheels: write what stands behind `=` alone",
+            "axle.toml:5:10: unknown wheel `left`; the listing names no wheels: write the value alone, without a wheel's name",
         ),
     ] {
         let folder = folder();

@@ -226,7 +226,7 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         ),
         (
             steered("steer = { left = \"steer\", right = \"bump_right\" }\nrack_per_turn = 0.052"),
-            "rack_per_turn is of one drive, and several steer the wheels, `steer` and `bump_right`; leave rack_per_turn out",
+            "rack_per_turn needs one drive of steering, but `steer` and `bump_right` steer the wheels; leave rack_per_turn out",
         ),
         (
             steered("").replace(

@@ -201,7 +201,7 @@ fn what_makes_no_sense_is_refused() {
         ),
         (
             &["--along", "damper=0.21:0.26", "--drive", "bump=0.2:0.4"],
-            "--along takes the place of one drive; name that, without a range, as --drive NAME",
+            "--along takes the place of one drive; name this drive without a range: --drive NAME",
         ),
         (
             &[
@@ -212,7 +212,7 @@ fn what_makes_no_sense_is_refused() {
                 "--drive",
                 "steer",
             ],
-            "--along takes the place of one drive; name that, without a range, as --drive NAME",
+            "--along takes the place of one drive; name this drive without a range: --drive NAME",
         ),
         (
             &["--along", "damper", "--drive", "bump"],

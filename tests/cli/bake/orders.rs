@@ -83,11 +83,11 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
         ),
         (
             &["--from", "2", "--to", "1"],
-            "a.toml: theta = 2 rad to theta = 1 rad is no range",
+            "a.toml: theta = 2 rad to theta = 1 rad is not a range",
         ),
         (
             &["--from", "nan"],
-            "a.toml: theta = NaN rad to theta = 2.15031 rad is no range",
+            "a.toml: theta = NaN rad to theta = 2.15031 rad is not a range",
         ),
         (
             &["--from", "-0.1"],

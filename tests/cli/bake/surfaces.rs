@@ -191,12 +191,12 @@ fn what_no_surface_can_be_made_of_is_refused_in_one_sentence() {
         (
             &["--drive", "bump", "--drive", "steer", "--from", "0.3"],
             2,
-            "--from and --to are those of one drive",
+            "--from and --to give the range of one drive",
         ),
         (
             &["--drive", "bump=0.24:0.36", "--to", "0.3"],
             2,
-            "give one of both",
+            "give only one of the two",
         ),
         (
             &[

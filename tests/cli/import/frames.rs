@@ -115,13 +115,13 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
             corner("", right),
             vec!["--side", "left"],
             1.0,
-            "by its coordinates the file has the right corner; the left one is its mirror image, as the options ask for",
+            "the coordinates are those of the right corner; the left corner is its mirror image, as the options ask",
         ),
         (
             corner("hpl_", [1.0; 3]),
             vec!["--side", "right"],
             -1.0,
-            "by its coordinates the file has the left corner; the right one is its mirror image, as the options ask for",
+            "the coordinates are those of the left corner; the right corner is its mirror image, as the options ask",
         ),
         (
             corner("hpl_", [1.0; 3]),
@@ -223,6 +223,6 @@ fn a_side_that_names_and_axes_do_not_share_is_settled_by_the_user() {
     let points = imported.points();
     assert_eq!(points["wheel_centre"], [0.0, 610.0, 229.0]);
     assert!(imported.notes.contains(
-        "by its coordinates the file has the right corner; the left one is its mirror image, as the options ask for"
+        "the coordinates are those of the right corner; the left corner is its mirror image, as the options ask"
     ));
 }

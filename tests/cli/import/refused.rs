@@ -136,7 +136,7 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
             "a.csv",
             "foo, 1, 2, 3\n".to_owned(),
             vec![],
-            "a.csv: no name of a point is known, `foo` for one",
+            "a.csv: no point has a known name, for example `foo` has none",
         ),
         (
             "a.csv",
@@ -334,7 +334,7 @@ fn a_number_that_cannot_be_read_is_refused() {
         let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
         assert!(said.starts_with("a.csv:1:1: `"), "{said}");
         assert!(
-            said.ends_with("` needs one number behind it, with a decimal point and without a unit"),
+            said.ends_with("` needs one number after it, with a decimal point and without a unit"),
             "{said}"
         );
     }

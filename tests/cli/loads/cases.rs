@@ -92,7 +92,7 @@ fn what_is_no_load_is_refused_with_its_place() {
         ),
         (
             "[loads.\"../a\"]\ncontact = [0.0, 0.0, 1.0]\n",
-            "the name of a load case is part of names of files and columns; leave out `/`",
+            "the name of a load case becomes part of file and column names; leave out `/`",
         ),
         (
             "[loads.a]\nbum = \"damper\"\n",

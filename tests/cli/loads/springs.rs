@@ -95,19 +95,19 @@ fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
     for (line, expected) in [
         (
             "spring = \"damper\"",
-            "`spring` is no drive; the drives are bump, steer; the drive whose load `damper` is to bear stands first: write bump = \"damper\"",
+            "`spring` is no drive; the drives are bump, steer; first comes the drive whose load `damper` bears: write bump = \"damper\"",
         ),
         (
             "damper = \"coil\"",
-            "`damper` is no drive; the drives are bump, steer; the drive whose load `coil` is to bear stands first: write bump = \"coil\"",
+            "`damper` is no drive; the drives are bump, steer; first comes the drive whose load `coil` bears: write bump = \"coil\"",
         ),
         (
             "coil = \"bump\"",
-            "`coil` is a spring and `bump` a drive, which stands first: write bump = \"coil\"",
+            "`coil` is a spring and `bump` is a drive; the drive comes first: write bump = \"coil\"",
         ),
         (
             "damper = \"bump\"",
-            "`damper` is a measure and `bump` a drive, which stands first: write bump = \"damper\"",
+            "`damper` is a measure and `bump` is a drive; the drive comes first: write bump = \"damper\"",
         ),
         (
             "bump = 4000.0",

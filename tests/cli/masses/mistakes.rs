@@ -15,12 +15,12 @@ fn what_is_no_mass_is_refused_with_its_place() {
         (
             "tie_rod = -1.0",
             "",
-            "the mass of `tie_rod` is not a number of kg from zero on",
+            "the mass of `tie_rod` must be zero or a positive number of kg",
         ),
         (
             "tie_rod = { mass = 1.0, centre = \"rack\" }",
             "",
-            "`tie_rod` is no body",
+            "`tie_rod` is a link",
         ),
         (
             "lower_front = 1.0",

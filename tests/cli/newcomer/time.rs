@@ -18,7 +18,7 @@ fn a_stop_between_two_steps_is_not_reached_without_a_word() {
     assert_eq!(said("0.1"), "");
     assert_eq!(
         said("0.3"),
-        "note: a.toml: the motion ends at t = 0.9 s: its stop at 1 s is no whole number of steps of 0.3 s\n"
+        "note: a.toml: the motion ends at t = 0.9 s: its stop at 1 s is not a whole number of steps of 0.3 s\n"
     );
 }
 

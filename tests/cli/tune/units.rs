@@ -88,7 +88,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         (
             &FLAT.replace("over = { bump = [-0.06, 0.06] }\n", ""),
             2,
-            "`change` is from the design position: say `over` which drives",
+            "`change` counts from the design position: state the drives that move",
         ),
         (
             &FLAT.replace("of = \"toe\"", "of = \"toe_deg\""),
@@ -133,7 +133,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         (
             &FLAT.replace("change = 0.0\n", ""),
             2,
-            "a target has `value`, or `change`",
+            "a target needs either `value` or `change`",
         ),
         (
             &FLAT.replace("along = \"z\"\n", ""),

@@ -65,12 +65,12 @@ fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
         (
             "fixed: panhard_left at [0.0, 0.5, 0.4];\nlink panhard: panhard_left -> bar;",
             "nothing depends on chassis point `panhard_right`; join it by a link or a body, or remove it; `mirror` makes `panhard_right`, as \
-             the image of `panhard_left`: what both sides have has `left` in its name, what one side alone has neither `left` nor `right`",
+             the image of `panhard_left`: write `left` in the names of parts that both sides have, and neither `left` nor `right` in those of parts that only one side has",
         ),
         (
             "free: right_far at [0.0, -0.5, 0.4];\nlink left_reach: left -> right_far;",
             "there is no point `left_far`; declare it under `fixed:` or `free:`; did you mean `left_rear`? `mirror` makes `left_far`, as the image of `right_far`: \
-             what both sides have has `left` in its name, what one side alone has neither `left` nor `right`",
+             write `left` in the names of parts that both sides have, and neither `left` nor `right` in those of parts that only one side has",
         ),
     ] {
         let text = format!("{HALF}\n{statement}");
@@ -235,8 +235,9 @@ fn a_second_drive_along_a_direction_gets_one_message() {
 fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
     let text = HALF.replace("link stay: middle", "link left_stay: left_front");
     let mistake = only_mistake(&text);
-    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of all that is named `left`: what both sides \
-                    have has `left` in its name, what one side alone has neither `left` nor `right`, as a Panhard rod";
+    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of all that is named `left`: write `left` in the \
+                    names of parts that both sides have, and neither `left` nor `right` in those of parts that only one side has, such as a \
+                    Panhard rod";
     assert!(mistake.message.contains(expected), "{}", mistake.message);
 }
 

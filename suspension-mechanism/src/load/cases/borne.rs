@@ -86,7 +86,7 @@ impl Reader<'_> {
         if self.measure(name).is_some() && self.drive(by).is_some() {
             let kind = self.kind_of_measure(name);
             return format!(
-                "`{name}` is {kind} and `{by}` a drive, which stands first: write {by} = \"{name}\""
+                "`{name}` is {kind} and `{by}` is a drive; the drive comes first: write {by} = \"{name}\""
             );
         }
         let drives = known.join(", ");
@@ -94,7 +94,7 @@ impl Reader<'_> {
         let travel = names.vehicle.travel.first().copied().unwrap_or_default();
         match (self.measure(by), known.get(travel)) {
             (Some(_), Some(drive)) => format!(
-                "{message}; the drive whose load `{by}` is to bear stands first: write {drive} = \"{by}\""
+                "{message}; first comes the drive whose load `{by}` bears: write {drive} = \"{by}\""
             ),
             _ => message,
         }

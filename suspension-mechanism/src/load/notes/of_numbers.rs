@@ -16,7 +16,7 @@ pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Op
     let (name, stop, step) = (task.source.name(), *stop.get_ref(), *step.get_ref());
     (last != stop).then(|| {
         let [last, stop, step] = [last, stop, step].map(|seconds| rounded(seconds, 9));
-        format!("{name}: the motion ends at t = {last} s: its stop at {stop} s is no whole number of steps of {step} s")
+        format!("{name}: the motion ends at t = {last} s: its stop at {stop} s is not a whole number of steps of {step} s")
     })
 }
 

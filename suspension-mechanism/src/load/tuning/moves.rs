@@ -29,14 +29,13 @@ impl Moves<'_> {
         let table = stated.get_ref();
         let NumberList(by) = *table.by.get_ref();
         if !(by[0] < by[1] && by.iter().all(|end| end.is_finite())) {
-            let message =
-                "`by` is [least, greatest], how far it may be moved, as [-0.010, 0.010] in metres";
+            let message = "`by` is [least, greatest], the box of the move, for example [-0.010, 0.010] in metres";
             return Err(self.naming.source.refuse(&table.by.span(), message));
         }
         let has_points = !table.points.is_empty();
         if let (Some(length), Some(along)) = (&table.length, &table.along) {
             let message = format!(
-                "`along` is of points; link `{}` becomes longer along itself",
+                "`along` is for points; the length of link `{}` changes along the link: leave `along` out",
                 length.get_ref()
             );
             return Err(self.naming.source.refuse(&along.span(), message));

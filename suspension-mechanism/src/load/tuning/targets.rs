@@ -100,13 +100,13 @@ impl Targets<'_> {
             (Some(value), None) => (value, tune::Wanted::Values),
             (None, Some(_)) if table.over.is_none() => {
                 return refuse(
-                    "`change` is from the design position: say `over` which drives, as over = { bump = [-0.060, 0.060] }",
+                    "`change` counts from the design position: state the drives that move, for example over = { bump = [-0.060, 0.060] }",
                 );
             }
             (None, Some(change)) => (change, tune::Wanted::Changes),
             _ => {
                 return refuse(
-                    "a target has `value`, or `change`, which is from the design position",
+                    "a target needs either `value` or `change`; `change` counts from the design position",
                 );
             }
         };
@@ -151,7 +151,7 @@ impl Targets<'_> {
         let NumberList(ends) = *stated.get_ref();
         let is_range = ends[0] < ends[1] && ends.iter().all(|end| end.is_finite());
         is_range.then_some(ends).ok_or_else(|| {
-            let message = "a drive goes [from, to], from the design position, as [-0.060, 0.060]";
+            let message = "write [from, to], the drive's changes from the design position, for example [-0.060, 0.060]";
             self.0.source.refuse(&stated.span(), message)
         })
     }

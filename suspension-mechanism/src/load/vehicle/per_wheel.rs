@@ -28,7 +28,7 @@ pub(super) fn of_each<T: Clone>(
     if let Some(wanted) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
         let message = if names == [""] {
             format!(
-                "unknown wheel `{wanted}`; the listing names no wheels: write what stands behind `=` alone"
+                "unknown wheel `{wanted}`; the listing names no wheels: write the value alone, without a wheel's name"
             )
         } else {
             unknown("wheel", wanted, &names)

@@ -12,7 +12,7 @@ fn sides_that_are_no_mirror_images_make_an_axle_unasked() {
     let points = imported.points();
     assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
     assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
-    let said = "left and right are no mirror images, at `hpr_lca_outer` (front.csv:18) for one: both are here, as an axle; \
+    let said = "left and right are not mirror images, for example at `hpr_lca_outer` (front.csv:18): the motion file is an axle of both corners; \
                 --side takes one of them";
     assert!(imported.notes.contains(said), "{}", imported.notes);
     // A side that is asked for is a corner still.
@@ -42,7 +42,7 @@ fn numbers_of_each_side_stay_with_it() {
     assert!(
         imported
             .notes
-            .contains("no mirror images, at `camber_angle` (front.csv:31) for one"),
+            .contains("not mirror images, for example at `camber_angle` (front.csv:31)"),
         "{}",
         imported.notes
     );
