@@ -46,8 +46,8 @@ pub struct Arguments {
     /// Load the mechanism at each instant of the file's motion, with the inertia of its masses.
     #[arg(long, conflicts_with_all = ["drives", "absolute"])]
     motion: bool,
-    /// Write a row for each place as comma-separated values to PATH, or to standard output for `-`. Without it a grid is
-    /// written to out/NAME_loads.csv and a motion to out/NAME_loads_motion.csv, where NAME is the motion file's name.
+    /// Write a row for each place as comma-separated values to PATH, or to standard output for `-`. Without --csv and --json
+    /// a grid is written to out/NAME_loads.csv and a motion to out/NAME_loads_motion.csv, where NAME is the motion file's name.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
     /// Draw each case at the first place as PATH/NAME_CASE.svg, with the forces along links, springs and other lengths
@@ -148,10 +148,10 @@ parts acts too, from the velocities and accelerations of the file's motion. Fric
 of motion, sweep and sheet have effective_mass: the equivalent mass at the wheel in travel.
 
 The drives hold the mechanism in place: springs of [springs] do not act by themselves. The load on a drive is the work of
-the loads per unit of the drive; what holds the drive must bear it. If a case names no spring, a note says where springs
-could bear it. With bump = \"damper\" the drive bears nothing, `bump (its load is in damper)`, and the report gives the force
-in the measure damper that takes this load: negative where a spring pulls. If the case also states a force in the same
-measure, the report gives the sum of both.
+the loads per unit of the drive; what holds the drive must bear it. Unless the case states a force in the measure of a
+spring, a note names each drive of travel whose load a spring could bear. With bump = \"damper\" the drive bears nothing,
+`bump (its load is in damper)`, and the report gives the force in the measure damper that takes this load: negative where a
+spring pulls. If the case also states a force in the same measure, the report gives the sum of both.
 
 Links: tension is positive. Joints: the force that a body or another statement exerts at each of its points, on the chassis
 or on the parts that it joins there, in the file's axes. A link is among them if it has a mass (its tension is then the
@@ -162,7 +162,7 @@ and moments that act on it. A moment about an angle acts on the part that carrie
 of a universal joint, or of another statement that drives or holds an angle. With rigid parts, only the sum of the axial
 forces of the two bushes of a hinge is determined: each bush is given half of it. Where two bodies share two points, only
 the sum along the line of these points is determined. One line, `no load in:`, names the links, joints and moments that
-bear nothing at any place; tables of --csv have their columns too. Chassis points: the total force that links, joints,
+bear nothing at any place; the tables have their columns all the same. Chassis points: the total force that links, joints,
 measures and driven lengths exert on a chassis point, as its bracket bears it, without the weight of a mass at the point
 itself. Chassis points that a drive moves, such as the end of a rack, are marked `(driven)`: along their path the drive
 bears the force.
