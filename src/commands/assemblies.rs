@@ -102,10 +102,10 @@ fn enumerate(
 }
 
 const NOTES: &str = "\
-An assembly is a way to put the parts together at the given value of the drive. The table gives the distance of each
+An assembly is a way to put the parts together at the given value of the drive. The table gives two distances of each
 assembly from the configuration at the file's first instant, over all coordinates of free points and for the point that is
-farthest away, and is ordered by it. A singular value of the Jacobian near zero, as in `suspension check`, means that a
-singularity is near, where two assemblies meet. Mirrored points are on the wrong side of the points to which links join
+farthest away. It is ordered by distance. A singular value of the Jacobian near zero, as in `suspension check`, means that
+a singularity is near, where two assemblies meet. Mirrored points are on the wrong side of the points to which links join
 them: such an assembly has all lengths but cannot be built. A `body` is never mirrored. The CSV file has one row for each
 assembly, with every free point and marker.
 

@@ -179,8 +179,9 @@ points, like a rack in its housing, moving it across the line moves the line and
 the height of the rack. Points that do not satisfy the listing, such as one beside its plane, are changed from where they are
 assembled. A link's length is changed with the chassis points and the drives held, as a turnbuckle does; markers stay where
 they are in their bodies. A centre of mass moves with the point by which [masses] states it; one stated in coordinates does
-not move. The numbers are exact derivatives except for rounding, also where an instant centre is far away; those of wheel_rate,
-spring_load and roll_rate, which depend on springs, are sixth-order differences over thousandths of the suspension's size.
+not move. The numbers are exact derivatives except for rounding, also where an instant centre is far away; those of what
+springs do, such as wheel_rate, spring_load and roll_rate, are sixth-order differences over thousandths of the
+suspension's size.
 
 If the file has [tolerances], the standard deviation of each quantity is printed too: to first order, and from --samples
 suspensions built with normally distributed changes. A tolerance is the standard deviation of each coordinate of a point, or
