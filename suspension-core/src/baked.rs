@@ -1,10 +1,10 @@
 //! Motions baked into polynomials: look-up instead of solving, if a known tolerance is acceptable.
 //!
-//! `suspension bake` fits a piecewise polynomial to the motion over the range of one drive, checks
-//! it against the solver and writes it as a source file, a module of your program. The file has a [`Curve`], or a
-//! [`Surface`] over two drives: a `static` in read-only memory. The outputs for a wheel are its centre and its spin axis, which give
-//! [`camber`](crate::wheel::camber) and [`toe`](crate::wheel::toe). Segments have equal length, so finding
-//! one takes a multiplication and a truncation, and evaluation takes the same time everywhere.
+//! `suspension bake` fits a piecewise polynomial to the motion over the range of one drive, checks it against the
+//! solver and writes it as a source file, a module of your program. The file has a [`Curve`], or a [`Surface`] over
+//! two drives: a `static` in read-only memory. The outputs for a wheel are its centre and its spin axis, which give
+//! [`camber`](crate::wheel::camber) and [`toe`](crate::wheel::toe). Segments have equal length, so finding one takes
+//! a multiplication and a truncation, and evaluation takes the same time everywhere.
 //!
 //! ```
 //! use suspension_core::baked::Curve;
@@ -36,7 +36,7 @@ pub use surface::{Patch, Surface, SurfacePlace};
 
 /// A number that can be split into an index and a remainder.
 pub trait Split: Real {
-    /// The whole part of a number that is not negative, at most `last`, and what remains.
+    /// The whole part of a non-negative number, at most `last`, and the remainder.
     fn split(self, last: usize) -> (usize, Self);
 }
 
@@ -56,30 +56,30 @@ impl Split for f64 {
     }
 }
 
-/// A piecewise polynomial of one drive with `OUT` outputs and `TERMS` coefficients a segment,
-/// one more than its degree.
+/// A piecewise polynomial of one drive with `OUT` outputs and `TERMS` coefficients per segment, one more than its
+/// degree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve<'a, T, const OUT: usize, const TERMS: usize> {
     /// The drive's first and last value, in metres (or the unit of the hardpoints) or radians.
     pub range: [T; 2],
     /// The number of segments divided by the length of the range.
     pub segments_per_unit: T,
-    /// Coefficients by segment, power and output, constants first. The variable of a segment runs
-    /// from 0 to 1.
+    /// Coefficients indexed by segment, power and output, constants first. Within each segment the variable runs from
+    /// 0 to 1.
     pub segments: &'a [[[T; OUT]; TERMS]],
 }
 
-/// A value of the drive outside the baked range, or NaN: nothing is known of the motion there.
+/// A value of the drive outside the baked range, or NaN: the motion is not known there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outside<T> {
     /// The drive's value.
     pub drive: T,
-    /// The nearest value in the range, for those who clip; the first where the drive is NaN.
+    /// The nearest value in the range, for callers that clip; the first value if the drive is NaN.
     pub nearest: T,
 }
 
 impl<T: Real> Outside<T> {
-    /// `None` where a drive is inside its range.
+    /// `None` if a drive is inside its range.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(drive: T, [first, last]: [T; 2]) -> Option<Self> {
         let nearest = if drive > last { last } else { first };
@@ -113,8 +113,8 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
     ///
     /// # Errors
     ///
-    /// [`Outside`] where the curve does not reach. To clip instead:
-    /// `curve.at(drive).or_else(|outside| curve.at(outside.nearest))`.
+    /// [`Outside`] if the curve does not cover this value. To clip instead: `curve.at(drive).or_else(|outside|
+    /// curve.at(outside.nearest))`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at(&self, drive: T) -> Result<Place<'a, T, OUT, TERMS>, Outside<T>> {
         let [first, _] = self.range;
@@ -126,7 +126,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
                 variable,
                 segments_per_unit: self.segments_per_unit,
             }),
-            // A curve without segments is nowhere inside.
+            // A curve without segments covers no value.
             (_, outside) => Err(outside.unwrap_or(Outside {
                 drive,
                 nearest: first,
@@ -136,15 +136,15 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
 }
 
 impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
-    /// Position.
+    /// The position.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self) -> [T; OUT] {
         let [position] = polynomial(self.segment, self.variable);
         position
     }
 
-    /// Position and velocity, where the drive moves at `rate` per second. With a rate of one, the
-    /// velocity is the derivative with respect to the drive.
+    /// Position and velocity when the drive moves at `rate` per second. With a rate of one, the velocity is the
+    /// derivative with respect to the drive.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, rate: T) -> [[T; OUT]; 2] {
         let [position, first] = polynomial(self.segment, self.variable);
@@ -152,9 +152,8 @@ impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
         [position, first.map(|first| first * rate)]
     }
 
-    /// Position, velocity and acceleration, where the drive moves at `rate` per second and
-    /// `second_rate` per second squared: the chain rule
-    /// `qddot = q'' rate^2 + q' second_rate`.
+    /// Position, velocity and acceleration when the drive moves at `rate` per second and `second_rate` per second
+    /// squared, by the chain rule `qddot = q'' rate^2 + q' second_rate`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, rate: T, second_rate: T) -> [[T; OUT]; 3] {
         let [position, first, half_second] = polynomial(self.segment, self.variable);
@@ -167,8 +166,8 @@ impl<T: Real, const OUT: usize, const TERMS: usize> Place<'_, T, OUT, TERMS> {
     }
 }
 
-/// A polynomial and its derivatives up to order `ORDERS - 1`, each divided by the factorial of its
-/// order, from coefficients by power, constants first: Horner's scheme, repeated.
+/// A polynomial and its derivatives up to order `ORDERS - 1`, each divided by the factorial of its order, by repeated
+/// use of Horner's scheme. Coefficients are ordered by power, constants first.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn polynomial<T: Real, const OUT: usize, const ORDERS: usize>(
     coefficients: &[[T; OUT]],

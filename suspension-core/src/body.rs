@@ -12,8 +12,7 @@ use crate::signal::Number;
 
 type Triple<T> = [Vector3<T>; 3];
 
-/// The motion that carries the body from `design` to `now`; `None` where three points are in
-/// line.
+/// The motion that carries the body from `design` to `now`; `None` if the three points are collinear in either.
 pub fn pose<T: Real>(design: &Triple<T>, now: &Triple<T>) -> Option<Isometry3<T>> {
     let rotation = axes(now)? * axes(design)?.transpose();
     let [from, ..] = design;
@@ -26,7 +25,8 @@ pub fn pose<T: Real>(design: &Triple<T>, now: &Triple<T>) -> Option<Isometry3<T>
     ))
 }
 
-/// Right-handed orthonormal axes, in columns: along the first edge, in the plane, normal to it.
+/// Right-handed orthonormal axes, in columns: along the first edge, normal to it in the plane of the points, and
+/// normal to that plane.
 fn axes<T: Real>([a, b, c]: &Triple<T>) -> Option<Matrix3<T>> {
     let frame = Frame::new(*a, *b, *c);
     let normal = frame.normal()?.normalize();
@@ -40,16 +40,16 @@ fn axes<T: Real>([a, b, c]: &Triple<T>) -> Option<Matrix3<T>> {
 
 /// Angular velocity, rad/s: the least-squares fit of `v = v0 + omega x r` over three points.
 ///
-/// Unlike [`angular_velocity_eq9`] it is defined wherever the points are not in line; `None`
-/// where they are, or where a number is not finite.
+/// Unlike [`angular_velocity_eq9`] it is defined wherever the points are not collinear. `None` if they are, or if a
+/// number is not finite.
 pub fn angular_velocity<T: Real>(at: &Triple<T>, velocities: &Triple<T>) -> Option<Vector3<T>> {
     fit_rotation(at, velocities)
 }
 
-/// The angular velocity of numbers that may have derivatives, which it then has too: from `n = u x v` of the edges `u` and
-/// `v` from the first point, `(n x n' + n (n x u) . u' / |u|^2) / |n|^2`.
+/// The angular velocity, in numbers that may carry derivatives, which the result then carries too. With the edges `u`
+/// and `v` from the first point and `n = u x v` it is `(n x n' + n (n x u) . u' / |u|^2) / |n|^2`.
 ///
-/// The velocities are those of a rigid body; not finite where the points are in line.
+/// The velocities must be those of a rigid body. The result is not finite if the points are collinear.
 pub fn angular_velocity_of<N: Number>(
     [a, b, c]: &[Vector3<N>; 3],
     [a_rate, b_rate, c_rate]: &[Vector3<N>; 3],
@@ -62,9 +62,8 @@ pub fn angular_velocity_of<N: Number>(
     (normal.cross(&normal_rate) + normal * about_normal) / normal.dot(&normal)
 }
 
-/// Angular acceleration, rad/s^2: the least-squares fit of
-/// `a = a0 + alpha x r + omega x (omega x r)` over three points; `None` where they are in line, or
-/// where a number is not finite.
+/// Angular acceleration, rad/s^2: the least-squares fit of `a = a0 + alpha x r + omega x (omega x r)` over three
+/// points; `None` if they are collinear, or if a number is not finite.
 pub fn angular_acceleration<T: Real>(
     at: &Triple<T>,
     omega: &Vector3<T>,
@@ -73,7 +72,7 @@ pub fn angular_acceleration<T: Real>(
     fit_rotation(at, &without_centripetal(at, omega, accelerations))
 }
 
-/// Accelerations less `omega x (omega x r)`, with `r` from the first point: Attia 2003, below eq. (10).
+/// Accelerations minus `omega x (omega x r)`, with `r` from the first point: Attia 2003, below eq. (10).
 fn without_centripetal<T: Real>(
     at: &Triple<T>,
     omega: &Vector3<T>,
@@ -85,13 +84,13 @@ fn without_centripetal<T: Real>(
     [*acc_a, tangential(b, acc_b), tangential(c, acc_c)]
 }
 
-/// The vector `w` for which `w x r` fits the differences of `rates` best, with `r` measured from
-/// the centroid: `sum (|r|^2 - r r') w = sum r x rate`.
+/// The vector `w` for which `w x r` best fits the differences of `rates`, with `r` measured from the centroid: `sum
+/// (|r|^2 - r r') w = sum r x rate`.
 fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>> {
     rotation_fit(at)?(rates)
 }
 
-/// The function that fits a rotation to rates of three points; `None` where the points lie in line.
+/// A function that fits a rotation to rates of three points; `None` if the points are collinear.
 fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option<Vector3<T>>> {
     let [a, b, c] = at;
     Frame::new(*a, *b, *c).normal()?;
@@ -100,7 +99,7 @@ fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option
     let of_one =
         |r: &Vector3<T>| Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose();
     let inertia: Matrix3<T> = from_centroid.iter().map(of_one).sum();
-    // Of the size of 1, so that the determinant neither overflows nor vanishes.
+    // Scaled to the order of 1, so that the determinant neither overflows nor vanishes.
     let size = inertia.trace();
     let inverse = (inertia / size).try_inverse()?;
     Some(move |rates: &Triple<T>| {
@@ -116,13 +115,13 @@ fn mean<T: Real>([a, b, c]: &Triple<T>) -> Vector3<T> {
     (a + b + c) / T::constant(3.0)
 }
 
-/// Angular velocity by Attia 2003, eq. (9): `(a' x b') / (a' . b)` with `a`, `b` the edges from
-/// the first point and `a'`, `b'` their rates.
+/// Angular velocity by Attia 2003, eq. (9): `(a' x b') / (a' . b)`, where `a`, `b` are the edges from the first point
+/// and `a'`, `b'` their rates.
 ///
 /// # Errors
 ///
-/// The formula is 0/0 wherever the angular velocity lies in the plane of the three points,
-/// though it is perfectly defined there; [`angular_velocity`] has no such hole.
+/// The formula is 0/0 wherever the angular velocity lies in the plane of the three points, although it is well
+/// defined there; [`angular_velocity`] has no such gap.
 pub fn angular_velocity_eq9<T: Real>(
     at: &Triple<T>,
     velocities: &Triple<T>,
@@ -130,13 +129,13 @@ pub fn angular_velocity_eq9<T: Real>(
     quotient(at, velocities)
 }
 
-/// Angular acceleration by Attia 2003, eq. (10): `(a^ x b^) / (a^ . b)` with `a`, `b` the edges from
-/// the first point and `a^`, `b^` their second rates less `omega x (omega x a)` and `omega x (omega x b)`.
+/// Angular acceleration by Attia 2003, eq. (10): `(a^ x b^) / (a^ . b)`, where `a`, `b` are the edges from the first
+/// point and `a^`, `b^` their second rates minus `omega x (omega x a)` and `omega x (omega x b)`.
 ///
 /// # Errors
 ///
 /// The formula is 0/0 wherever the angular acceleration lies in the plane of the three points;
-/// [`angular_acceleration`] has no such hole.
+/// [`angular_acceleration`] has no such gap.
 pub fn angular_acceleration_eq10<T: Real>(
     at: &Triple<T>,
     omega: &Vector3<T>,
@@ -145,12 +144,12 @@ pub fn angular_acceleration_eq10<T: Real>(
     quotient(at, &without_centripetal(at, omega, accelerations))
 }
 
-/// The vector `w` with `w x a = a'` and `w x b = b'` for the edges `a`, `b` and their `rates`:
-/// `(a' x b') / (a' . b)`. The denominator `w . (a x b)` is refused where it is zero to rounding.
+/// The vector `w` with `w x a = a'` and `w x b = b'` for the edges `a`, `b` and their `rates`: `(a' x b') / (a' .
+/// b)`. Refused if the denominator `w . (a x b)` is zero to rounding.
 fn quotient<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Result<Vector3<T>, Indeterminate<T>> {
     let [edges, rates] = [at, rates].map(|[a, b, c]| Frame::new(*a, *b, *c));
     let denominator = rates.u.dot(&edges.v);
-    // One edge may lie along the axis of rotation: then its rate is rounding alone.
+    // One edge may lie along the axis of rotation, and its rate then consists of rounding errors only.
     let turning = (rates.u.norm() * edges.v.norm()).max(edges.u.norm() * rates.v.norm());
     let threshold = T::EPSILON.sqrt() * turning;
     if denominator.abs() > threshold {

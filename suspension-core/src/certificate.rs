@@ -56,7 +56,7 @@ pub use verdict::{Certificate, Unproved};
 type Enclosing<L, const N: usize> =
     <<L as Linkage<N>>::Listing as Listing<N>>::Model<Enclosed<<L as Linkage<N>>::Scalar>>;
 
-/// A prover of roots of one model: it is made once and used for many positions.
+/// Proves roots of one model. Make it once and use it for many positions.
 ///
 /// ```
 /// use suspension_core::nalgebra::Vector3;
@@ -96,7 +96,7 @@ where
 {
     linkage: L,
     enclosing: Enclosing<L, N>,
-    /// Bounds of `|C_k(v, w)|` over `|v|, |w| <= 1`.
+    /// Bounds of `|C_k(v, w)|` for `|v|, |w| <= 1`.
     curvatures: [L::Scalar; N],
     /// How the Jacobian is inverted.
     columns: Columns<N>,
@@ -114,7 +114,8 @@ where
         let any = SVector::from([number; N]);
         let at_rest = Default::default();
         let anywhere = Values::from_values(core::iter::repeat(Vector3::repeat(number)));
-        // The Jacobian is affine in the positions: an entry that is exactly zero or one here is so at all of them.
+        // The Jacobian is affine in the positions, so an entry that is exactly zero or one here is so at all
+        // positions.
         let columns = Columns::of(&enclosing.jacobian(&any, &anywhere));
         let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;
         Self {
@@ -125,8 +126,8 @@ where
         }
     }
 
-    /// Proves that a root for `inputs`, of which the rates do not matter, lies near `q`, or says
-    /// why not. Takes about as long as four steps to tolerance.
+    /// Proves that a root for `inputs`, whose rates are not used, lies near `q`, or says why no proof was found.
+    /// Takes about as long as four steps to tolerance.
     pub fn certify<C>(&self, inputs: &Inputs<C, L::Drives>, q: &SVector<T, N>) -> Certificate<T>
     where
         C: ChassisMotion<L::Fixed>,
@@ -162,7 +163,7 @@ where
             .map_err(SolveError::not_finite)?;
         let jacobian = self.enclosing.jacobian(&position, &fixed);
         let at = Prescribed::new(&self.linkage, inputs).fixed.value;
-        // Not by `with_factors`: back-substitutions that are calls of a `dyn` take a third longer.
+        // `with_factors` is not used here: back-substitutions called through a `dyn` take a third longer.
         let mut inverse = [[T::zero(); N]; N];
         let factors = self.linkage.factor(q, &at);
         if is_healthy(factors.growth_squared()) {

@@ -49,7 +49,7 @@ use crate::signal::Signal;
 /// Pose, velocity and acceleration of a rigid body, all in world axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidMotion<T: Real> {
-    /// From body axes to world axes.
+    /// The transformation from body axes to world axes.
     pub pose: Isometry3<T>,
     /// Velocity of the body's origin, per second.
     pub velocity: Vector3<T>,
@@ -62,7 +62,7 @@ pub struct RigidMotion<T: Real> {
 }
 
 impl<T: Real> RigidMotion<T> {
-    /// Carries a point that moves in body axes into the world.
+    /// Transforms a point that moves in body axes to world axes.
     pub fn carry(&self, point: Signal<Vector3<T>>) -> Signal<Vector3<T>> {
         let [r, v, a] =
             [point.value, point.rate, point.second_rate].map(|x| self.pose.rotation * x);
@@ -79,7 +79,7 @@ impl<T: Real> RigidMotion<T> {
         }
     }
 
-    /// Chassis points that rest in body axes, as inputs of a linkage solved in world axes.
+    /// Chassis points at rest in body axes, as inputs of a linkage that is solved in world axes.
     pub fn anchors<F: Values<Vector3<T>>>(&self, at_rest: &F) -> Signal<F> {
         let carry = |point| {
             self.carry(Signal {

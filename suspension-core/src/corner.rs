@@ -19,12 +19,12 @@ use crate::values::Values;
 use crate::wheel::{Kingpin, Wheel};
 use clock::Clock;
 
-/// A suspension that moves on a chassis at rest: its model, configuration, drives and time. For one
-/// that moves see [`chassis`](crate::chassis).
+/// A suspension on a chassis at rest: its model, configuration, drives and time. For a moving chassis see
+/// [`chassis`](crate::chassis).
 ///
-/// `linkage!` names it after each listing, so that a program says `double_wishbone::Corner`. Failures name
-/// the parts concerned; after one the corner stands where the last good step has led it. Points and rates
-/// have the unit and the axes of the hardpoints, angles are in radians, time is in seconds.
+/// `linkage!` defines a `Corner` for each listing, so that a program writes `double_wishbone::Corner`. Failures name
+/// the parts concerned; after a failure the corner stands where the last good step has led it. Points and rates have
+/// the unit and the axes of the hardpoints, angles are in radians, time is in seconds.
 ///
 /// ```
 /// use suspension_core::Signal;
@@ -53,8 +53,8 @@ where
     clock: Clock<L::Scalar>,
 }
 
-/// Points and measures, with derivatives with respect to the change of drives that [`Corner::per`] was given in place of time
-/// derivatives.
+/// Points and measures with their derivatives with respect to the change of drives that was given to [`Corner::per`],
+/// instead of time derivatives.
 #[derive(Clone, Copy)]
 pub struct Derivatives<L: Linkage<N>, const N: usize> {
     /// Value, first and second derivative of every point.
@@ -64,7 +64,7 @@ pub struct Derivatives<L: Linkage<N>, const N: usize> {
 }
 
 impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
-    /// At rest as the listing states its points: see [`Corner::new`].
+    /// A corner at rest at the points that the listing states: see [`Corner::new`].
     ///
     /// # Errors
     ///
@@ -76,9 +76,9 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
         Self::new(&L::design())
     }
 
-    /// At rest as the points stand, which give links and bodies their lengths. What else the listing states, for example
-    /// that a point lies on the line of a `slide`, the points need not satisfy: they are read as given until the first step,
-    /// which moves them to where they do. [`Corner::assembled`] moves them at once.
+    /// A corner at rest at the given points, which give links and bodies their lengths. The points need not satisfy
+    /// what else the listing states, for example that a point lies on the line of a `slide`: they are used as given
+    /// until the first step, which moves them to where they do. [`Corner::assembled`] moves them at once.
     ///
     /// # Errors
     ///
@@ -92,7 +92,7 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// At rest as the points stand, with a model that was built from them; for any other model see
+    /// A corner at rest at the given points, with a model that was built from them; for any other model see
     /// [`Corner::assembled`].
     pub fn of(model: L, points: &L::Points) -> Self {
         Self {
@@ -104,12 +104,12 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
         }
     }
 
-    /// At rest with a model whose lengths are not those of the points: the drives have the values that the points
-    /// give, and the configuration is the one nearest to the points.
+    /// A corner at rest with a model whose lengths are not those of the points. The drives have the values that the
+    /// points give, and the configuration is the one nearest to the points.
     ///
     /// # Errors
     ///
-    /// Those of [`assemble()`].
+    /// As [`assemble()`].
     pub fn assembled(
         model: L,
         points: &L::Points,
@@ -125,16 +125,17 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
-    /// One step of length `dt` to the values and rates that the drives have at its end, however far these lie from
-    /// the last ones. The corner stays in the assembly to which a motion between both ends leads; where that motion locks,
-    /// the step is refused.
+    /// Makes one step of length `dt` to the values and rates that the drives have at its end, however far these are
+    /// from the last ones. The corner stays in the assembly to which a motion between both ends leads; if that motion
+    /// locks, the step is refused.
     ///
-    /// A step that is too long is divided. The drives then follow cubics between its ends or, where these lead past a
-    /// lock, as after a wrong rate or a long pause, straight lines. A step that is not divided looks at its end alone:
-    /// drives that go beyond a lock and come back within it are followed.
+    /// A step that is too long is divided. The drives then follow cubics between its ends or, if these lead past a
+    /// lock (as after a wrong rate or a long pause), straight lines. A step that is not divided considers only its
+    /// end: drives that pass a lock and come back within the step are followed.
     ///
-    /// Velocities and accelerations are those of the rates that are given: with [`Signal::still`] the wheel is at rest at
-    /// the end, wherever it came from. With `dt` zero, as of a simulator that pauses, the drives must lie near the last ones.
+    /// Velocities and accelerations follow from the given rates: with [`Signal::still`] the wheel is at rest at the
+    /// end, wherever it came from. With `dt` zero, for example in a simulator that pauses, the drives must be near
+    /// the last ones.
     ///
     /// ```
     /// use suspension_core::Signal;
@@ -159,8 +160,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. To find that a mechanism
-    /// locks takes some two hundred times as long as a step.
+    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. Detecting that a
+    /// mechanism locks takes about two hundred times as long as a step.
     pub fn step(
         &mut self,
         dt: T,
@@ -177,17 +178,17 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Ok(report)
     }
 
-    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed; what the drives do within
-    /// a step is not looked at. `to` is a time on the clock of [`Corner::time`], no duration: a corner that is there
-    /// already stays. The functions continue from where the corner stands: a jump at the start, which
-    /// [`Corner::step`] would follow, may be refused. Driven angles must stay within their range, which is checked at the end
-    /// alone.
+    /// Follows drives that are functions of time up to the time `to`, in as few steps as succeed; the drives within a
+    /// step are not considered. `to` is a time on the clock of [`Corner::time`], not a duration: a corner that is
+    /// already there does not move. The functions must continue from the present drives: a jump at the start, which
+    /// [`Corner::step`] would follow, may be refused. Driven angles must stay within their range, which is checked
+    /// only at the end.
     ///
     /// # Errors
     ///
-    /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], where a drive locks. At the lock itself
-    /// velocities have no bound, so that a step may lead neither on nor back from there: a copy of the corner, made
-    /// before, leads back.
+    /// See [`Stopped`]; the corner then stands at [`Stopped::reached`], which is the lock if a drive locks. At the
+    /// lock itself velocities are unbounded, so a step may lead neither on nor back from there: to go back, use a
+    /// copy of the corner made before.
     pub fn advance(
         &mut self,
         to: T,
@@ -208,8 +209,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
-    /// A [`step`](Self::step) that goes as far as it can: where a drive locks on the way, the corner stands there. At the
-    /// lock itself velocities have no bound, so that a step may lead neither on nor back from there.
+    /// A [`step`](Self::step) that goes as far as it can: if a drive locks on the way, the corner stops there. At the
+    /// lock itself velocities are unbounded, so a step may lead neither on nor back from there.
     ///
     /// # Errors
     ///
@@ -234,12 +235,12 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| stopped.named(self.model.listing()))
     }
 
-    /// Points and measures with their derivatives where the drives change as `change` says: motion ratios, and how
-    /// they change, where one of the drives has 1 there and the others 0. The corner may be at rest.
+    /// Points and measures with their derivatives for the change of drives `change`. If one drive has 1 in `change`
+    /// and the others 0, these are the motion ratios and how they change. The corner may be at rest.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where the drives lock.
+    /// [`SolveError::Singular`] if the drives lock.
     pub fn per(
         &self,
         change: L::Drives,
@@ -255,11 +256,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         })
     }
 
-    /// The corner as it stands, at rest, ready to be loaded with forces.
+    /// The corner in its present configuration, at rest, ready to be loaded with forces.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where the drives lock.
+    /// [`SolveError::Singular`] if the drives lock.
     pub fn statics(&self) -> Result<Statics<'_, L, N>, Failure<SolveError<T>, L::Listing>> {
         let statics = Statics::new(&self.model, self.drives.value, &self.motion.position);
         statics.map_err(|error| error.named(self.model.listing()))
@@ -271,26 +272,26 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         self.motion.points(&self.model, &inputs)
     }
 
-    /// What the listing measures, by name, with its time derivatives.
+    /// The measures of the listing, by name, with their time derivatives.
     pub fn measures(&self) -> Signal<L::Measures> {
         self.model.measures(&self.points())
     }
 
-    /// The wheel, the first of several; `None` where the listing states none.
+    /// The wheel, or the first of several; `None` if the listing states none.
     pub fn wheel(&self) -> Option<Wheel<T>> {
         let axis = self.model.wheel_axis(&self.points().value)?;
         Wheel::of(axis)
     }
 
-    /// The kingpin of that wheel; `None` where the listing states none.
+    /// The kingpin of that wheel; `None` if the listing states none.
     pub fn kingpin(&self) -> Option<Kingpin<T>> {
         let points = self.points().value;
         let axis = self.model.wheel_axis(&points)?;
         Some(Kingpin::of(self.model.kingpin(&points)?, axis))
     }
 
-    /// The wheel with a name, and its kingpin if the listing states one; `None` where there is no such wheel. A wheel
-    /// that is stated without a name has the empty one.
+    /// The wheel with this name, and its kingpin if the listing states one; `None` if there is no such wheel. A wheel
+    /// that is stated without a name has the empty name.
     pub fn wheel_named(&self, name: &str) -> Option<(Wheel<T>, Option<Kingpin<T>>)> {
         let mut wheels = (0..).map_while(|wheel| self.model.wheel(wheel));
         let wheel = wheels.find(|wheel| wheel.name == name)?;
@@ -300,12 +301,12 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         Some((Wheel::of(axis)?, kingpin))
     }
 
-    /// The drives' values.
+    /// The values of the drives.
     pub fn drives(&self) -> L::Drives {
         self.drives.value
     }
 
-    /// The time, from zero where the corner was made.
+    /// The time, counted from zero when the corner was made.
     pub fn time(&self) -> T {
         self.clock.time()
     }

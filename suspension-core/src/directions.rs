@@ -14,11 +14,11 @@ use crate::solve::factored::with_factors_for_rates;
 use crate::solve::motion::Prescribed;
 use crate::step::series::{InputSeries, Jet, Series};
 
-/// A linkage in one configuration with its factored Jacobian: derivatives with respect to its drives. The
-/// chassis rests.
+/// A linkage in one configuration with its factored Jacobian, which gives derivatives with respect to the drives. The
+/// chassis is at rest.
 ///
-/// A direction `a` is a change of all drives. Third derivatives in one direction, `D3(a)`, give the mixed ones:
-/// `D(a, b, b) = (D3(a + b) + D3(a - b) - 2 D3(a)) / 6`.
+/// A direction `a` is a change of all drives. Third derivatives in one direction, `D3(a)`, give the mixed ones: `D(a,
+/// b, b) = (D3(a + b) + D3(a - b) - 2 D3(a)) / 6`.
 #[derive(Clone, Copy)]
 pub struct Directions<'a, L: Linkage<N>, const N: usize> {
     linkage: &'a L,
@@ -29,23 +29,23 @@ pub struct Directions<'a, L: Linkage<N>, const N: usize> {
     factors: &'a dyn Factors<L::Scalar, N>,
 }
 
-/// How a linkage moves in one direction: first derivatives.
+/// The motion of a linkage in one direction: first derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction<L: Linkage<N>, const N: usize> {
     change: L::Drives,
     fixed: L::Fixed,
     unknowns: SVector<L::Scalar, N>,
-    /// Those of all points, per unit of the change of the drives.
+    /// The first derivatives of all points, per unit of the change of the drives.
     pub points: L::Points,
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
-    /// Factors the Jacobian at a position that solves the linkage for these values of the drives, and gives `work`
-    /// the directions there: factors of large models take longer to move than to use.
+    /// Factors the Jacobian at a position that solves the linkage for these values of the drives, and passes the
+    /// directions there to `work`: factors of large models take longer to move than to use.
     ///
     /// # Errors
     ///
-    /// As [`Tangent::new`](crate::Tangent::new), else those of `work`.
+    /// As [`Tangent::new`](crate::Tangent::new), otherwise those of `work`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn at<R, E: From<SolveError<T>>>(
         linkage: &L,
@@ -68,12 +68,12 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         })?
     }
 
-    /// All points with their derivatives where the drives change as `change` says: `rate` per unit of that
-    /// change, `second_rate` per unit squared.
+    /// All points with their derivatives for the change of drives `change`: `rate` per unit of that change,
+    /// `second_rate` per unit squared.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where a derivative is not finite.
+    /// [`SolveError::Overflow`] if a derivative is not finite.
     pub fn points(&self, change: L::Drives) -> Result<Signal<L::Points>, SolveError<T>> {
         let direction = self.first(change)?;
         Ok(Signal {
@@ -88,11 +88,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         self.points
     }
 
-    /// The first derivatives where the drives change as `change` says.
+    /// The first derivatives for the change of drives `change`.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where one is not finite.
+    /// [`SolveError::Overflow`] if a derivative is not finite.
     pub fn first(&self, change: L::Drives) -> Result<Direction<L, N>, SolveError<T>> {
         let drives = self.coordinates(change).rate;
         let fixed = self.anchors(&drives);
@@ -102,8 +102,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         Ok(self.direction(change, fixed, unknowns))
     }
 
-    /// The same, given the unknowns' first derivatives: the velocity of a motion that comes here as the drives change by
-    /// `change` in a second, at a constant rate.
+    /// The first derivatives, given those of the unknowns: the velocity of a motion that passes this configuration
+    /// while the drives change by `change` per second, at a constant rate.
     pub fn first_of(&self, change: L::Drives, unknowns: SVector<T, N>) -> Direction<L, N> {
         let fixed = self.anchors(&self.coordinates(change).rate);
         self.direction(change, fixed, unknowns)
@@ -113,7 +113,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where one is not finite.
+    /// [`SolveError::Overflow`] if a derivative is not finite.
     pub fn second(&self, direction: &Direction<L, N>) -> Result<L::Points, SolveError<T>> {
         let drives = self.coordinates(direction.change).second_rate;
         let fixed = self.anchors(&drives);
@@ -121,7 +121,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         Ok(self.accelerations(&direction.points, &unknowns, &fixed))
     }
 
-    /// The same, given the unknowns' second derivatives: the acceleration of such a motion.
+    /// The second derivatives, given those of the unknowns: the acceleration of such a motion.
     pub fn second_of(&self, direction: &Direction<L, N>, unknowns: &SVector<T, N>) -> L::Points {
         let fixed = self.anchors(&self.coordinates(direction.change).second_rate);
         self.accelerations(&direction.points, unknowns, &fixed)
@@ -131,10 +131,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where one is not finite.
+    /// [`SolveError::Overflow`] if a derivative is not finite.
     pub fn mixed(&self, [a, b]: [&Direction<L, N>; 2]) -> Result<L::Points, SolveError<T>> {
         let quarter = T::constant(0.25);
-        // Of what is quadratic in a direction: (Q(a + b) - Q(a - b)) / 4.
+        // For a function Q that is quadratic in the direction: (Q(a + b) - Q(a - b)) / 4.
         let drives = |b: L::Drives| {
             self.coordinates(a.change.combined(&b, Add::add))
                 .second_rate
@@ -152,7 +152,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         Ok(linear.combined(&quadratic, Add::add))
     }
 
-    /// The drives' coordinates where they change as `change` says.
+    /// The drives' coordinates with their derivatives for the change of drives `change`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn coordinates(&self, change: L::Drives) -> Signal<L::Drives> {
         self.linkage.coordinates(&Signal {
@@ -188,7 +188,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
         }
     }
 
-    /// Second derivatives of the unknowns in two directions, given those of chassis points and of the drives' coordinates.
+    /// Second derivatives of the unknowns in two directions, given those of the chassis points and of the drives'
+    /// coordinates.
     fn bilinear(
         &self,
         [a, b]: [&Direction<L, N>; 2],
@@ -219,7 +220,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where a coefficient is not finite.
+    /// [`SolveError::Overflow`] if a coefficient is not finite.
     pub fn unknowns<const K: usize>(
         &self,
         change: L::Drives,

@@ -26,10 +26,10 @@ messages! {
 /// A formula of Attia (2003) is 0/0 here: `|denominator| <= threshold`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indeterminate<T> {
-    /// The denominator, `w . n` with `w` the angular velocity (eq. 9) or acceleration (eq. 10) and `n`
-    /// the normal of the three points.
+    /// The denominator `w . n`, where `w` is the angular velocity (eq. 9) or acceleration (eq. 10) and `n` the normal
+    /// of the three points.
     pub denominator: T,
-    /// What its magnitude had to exceed.
+    /// The threshold that its magnitude must exceed.
     pub threshold: T,
 }
 

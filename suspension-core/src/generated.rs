@@ -51,7 +51,7 @@ macro_rules! unknown_names {
 pub use crate::{unknown_names, vector_of};
 pub use stand_in::stand_in;
 
-/// The product, in four chains side by side.
+/// The product, computed in four chains side by side.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn product<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let mut products = [T::one(); 4];

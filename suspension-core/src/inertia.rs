@@ -11,7 +11,7 @@ use crate::body::{angular_acceleration, angular_velocity, pose};
 use crate::signal::Signal;
 use crate::statics::spread;
 
-/// Mass, centre of mass and inertia of a rigid body, at three of its points.
+/// Mass, centre of mass and inertia of a rigid body, with three of its points.
 ///
 /// ```
 /// use suspension_core::Signal;
@@ -27,21 +27,22 @@ use crate::statics::spread;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody<T> {
-    /// Three points of the body, not in line, in the position for which centre and inertia are stated: the design, for
-    /// example.
+    /// Three points of the body, not collinear, in the position for which centre and inertia are stated, for example
+    /// the design.
     pub points: [Vector3<T>; 3],
     /// Its mass.
     pub mass: T,
     /// Its centre of mass.
     pub centre: Vector3<T>,
-    /// Its inertia about the centre of mass, in the axes of the points: off the diagonal the products of inertia with a
-    /// minus, `-sum m x y`.
+    /// Its inertia about the centre of mass, in the axes of the points. The entries off the diagonal are the negative
+    /// products of inertia, `-sum m x y`.
     pub inertia: Matrix3<T>,
 }
 
 impl<T: Real> RigidBody<T> {
-    /// The forces at the three points that are together its weight in a field `gravity` and its inertia: at the centre
-    /// `m (g - a)`, about it `-(I alpha + omega x I omega)`. `None` where the points are in line, or a number is not finite.
+    /// The forces at the three points that are together equivalent to the body's weight in a field `gravity` and its
+    /// inertia: the force `m (g - a)` at the centre of mass and the moment `-(I alpha + omega x I omega)` about it.
+    /// `None` if the points are collinear, or a number is not finite.
     pub fn forces(
         &self,
         points: &Signal<[Vector3<T>; 3]>,
@@ -71,7 +72,8 @@ impl<T: Real> RigidBody<T> {
     }
 }
 
-/// Weight and inertia of a uniform thin rod as forces at its ends: `m ((g - a1) / 3 + (g - a2) / 6)` at the first.
+/// Weight and inertia of a uniform thin rod as forces at its ends; the force at the first end is `m ((g - a1) / 3 +
+/// (g - a2) / 6)`.
 pub fn rod<T: Real>(
     mass: T,
     accelerations: [Vector3<T>; 2],

@@ -49,8 +49,8 @@
 //! all its listings at run time builds faster without it.
 #![no_std]
 #![forbid(unsafe_code)]
-// Functions of the solving path are `inline(always)` in release builds, so that a step is straight-line code. A build with
-// debug assertions, as that of the tests, compiles each function once, which takes less time.
+// Functions of the solving path are `inline(always)` in release builds, so that a step is straight-line code. A build
+// with debug assertions, such as that of the tests, compiles each function once, which takes less time.
 
 // Nothing on the solving path may panic.
 #![cfg_attr(

@@ -15,20 +15,21 @@ pub trait Factors<T, const N: usize> {
     /// Solves `J x = right`.
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
-    /// Solves `J^T y = right`. With the forces on the unknowns on the right these are the multipliers of the equations.
+    /// Solves `J^T y = right`. If `right` holds the forces on the unknowns, `y` holds the multipliers of the
+    /// equations.
     fn solve_transposed(&self, right: &SVector<T, N>) -> SVector<T, N>;
 
-    /// A number with the sign of the Jacobian's determinant. It changes only where the Jacobian
-    /// is singular, so that it tells assemblies apart.
+    /// A number with the sign of the Jacobian's determinant. The sign changes only where the Jacobian is singular, so
+    /// it tells assemblies apart.
     fn determinant_sign(&self) -> T;
 
-    /// Pivot growth, squared: the sum of the squares of the pivots' inverses. Rounding errors grow
-    /// with its root where one pivot is small, with itself where a second small pivot stands in the
-    /// rows of the first. Entries of the Jacobian are of the size of 1.
+    /// Pivot growth, squared: the sum of the squares of the pivots' inverses. Rounding errors grow with its square
+    /// root if one pivot is small, and with this number itself if a second small pivot is in the rows of the first.
+    /// Entries of the Jacobian are of the order of 1.
     fn growth_squared(&self) -> T;
 }
 
-/// A listing: its parts, and its types over any number.
+/// A listing: its parts, and its types over any number type.
 pub trait Listing<const N: usize>: Parts + Copy {
     /// The geometry.
     type Model<T: Scalar>: Linkage<
@@ -51,8 +52,8 @@ pub trait Listing<const N: usize>: Parts + Copy {
     /// Chassis points, free points and markers.
     type Points<T: Scalar>: Values<Vector3<T>> + Default + Send + Sync;
 
-    /// A model in other numbers. `number` makes each of them, of one model or of several: it is given
-    /// what reads the same number of any model. `like` is one of those models.
+    /// A model in another number type. `number` makes each of its numbers, from one model or from several: it is
+    /// given a function that reads the same number of any model. `like` is one of those models.
     fn gather<S: Scalar, T: Scalar>(
         like: &Self::Model<S>,
         number: impl Fn(&dyn Fn(&Self::Model<S>) -> S) -> T,
@@ -66,23 +67,22 @@ pub trait Listing<const N: usize>: Parts + Copy {
         Self::gather(model, |read| convert(read(model)))
     }
 
-    /// A model in numbers of fewer digits: each of its constants is computed in `f64` and rounded
-    /// once. See [`local`](crate::model::local).
+    /// A model in a number type of fewer digits: each of its constants is computed in `f64` and rounded once. See
+    /// [`local`](crate::model::local).
     fn rounded<T: Scalar>(model: &Self::Model<f64>) -> Self::Model<T> {
         Self::converted(model, T::constant)
     }
 }
 
-/// A linkage of `N` equations in `N` unknowns: the free points' coordinates `q`.
+/// A linkage of `N` equations in `N` unknowns: the coordinates `q` of the free points.
 ///
-/// Implemented by the `Model` that `linkage!` writes. All methods are straight-line code without
-/// heap and without branches on the data. `fixed` are positions of the chassis points with the
-/// driven coordinates put in ([`drive_anchors`](Self::drive_anchors)); `drives` are coordinates
-/// ([`coordinates`](Self::coordinates)).
+/// Implemented by the `Model` that `linkage!` writes. All methods are straight-line code without heap allocation and
+/// without branches on the data. `fixed` are the positions of the chassis points with the driven coordinates inserted
+/// ([`drive_anchors`](Self::drive_anchors)); `drives` are coordinates ([`coordinates`](Self::coordinates)).
 pub trait Linkage<const N: usize>: Parts {
     /// The number type.
     type Scalar: Scalar;
-    /// The listing whose model it is.
+    /// The listing of which this is a model.
     type Listing: Listing<N>;
     /// Chassis points.
     type Fixed: Values<Vector3<Self::Scalar>> + Default;
@@ -92,12 +92,13 @@ pub trait Linkage<const N: usize>: Parts {
     type Measures: Values<Self::Scalar> + Default;
     /// Chassis points, free points and markers.
     type Points: Values<Vector3<Self::Scalar>>;
-    /// The Jacobian eliminated in the order that the macro chose: straight-line code over its
+    /// The factors of the Jacobian, eliminated in the order that the macro chose: straight-line code over its
     /// non-zero entries.
     type Factors: Factors<Self::Scalar, N> + Copy;
 
-    /// The points watched for mirror images, by index: those that links alone join to three others
-    /// which links join to each other. What they make is as rigid as a body, but admits a mirror image.
+    /// The indices of the points that are watched for mirror images: points that only links join to three others,
+    /// which links join to each other. These points form a shape as rigid as a body, but one that admits a mirror
+    /// image.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn linked(&self) -> impl Iterator<Item = usize> {
         core::iter::empty()
@@ -109,16 +110,16 @@ pub trait Linkage<const N: usize>: Parts {
     /// The chassis points at rest.
     fn fixed(&self) -> &Self::Fixed;
 
-    /// The longest length in the linkage: the measure of its size.
+    /// The longest length in the linkage, as a measure of its size.
     fn size(&self) -> Self::Scalar;
 
-    /// Turns driving angles into the coordinates that they prescribe.
+    /// Converts driving angles into the coordinates that they prescribe.
     fn coordinates(&self, drives: &Signal<Self::Drives>) -> Signal<Self::Drives>;
 
-    /// Puts the coordinates that drives prescribe into chassis points, or rates into rates.
+    /// Inserts the coordinates that drives prescribe into chassis points, or their rates into rates.
     fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives);
 
-    /// Chassis points, or their rates, with the coordinates that drives prescribe.
+    /// Chassis points, or their rates, with the coordinates that drives prescribe inserted.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn drive_anchors(&self, mut fixed: Self::Fixed, drives: &Self::Drives) -> Self::Fixed {
         self.put_drives(&mut fixed, drives);
@@ -133,7 +134,7 @@ pub trait Linkage<const N: usize>: Parts {
         drives: &Self::Drives,
     ) -> SVector<Self::Scalar, N>;
 
-    /// `J = dF/dq`, rows are equations.
+    /// `J = dF/dq`; rows are equations.
     fn jacobian(
         &self,
         q: &SVector<Self::Scalar, N>,
@@ -143,11 +144,11 @@ pub trait Linkage<const N: usize>: Parts {
     /// The fixed order of elimination: equation and unknown of each pivot, from the first to the last.
     fn pivots(&self) -> &[[usize; 2]];
 
-    /// The factors of `J`, computed from its non-zero entries alone.
+    /// The factors of `J`, computed from its non-zero entries only.
     fn factor(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> Self::Factors;
 
-    /// `C(v, w)`: the constant second derivative of `F` applied to two rates of all points,
-    /// the chassis points' included. Attia 2003, eq. (8) is `C(qdot, qdot)`.
+    /// `C(v, w)`: the constant second derivative of `F`, applied to two rates of all points, including the chassis
+    /// points. Attia 2003, eq. (8) is `C(qdot, qdot)`.
     fn curvature(
         &self,
         v: &SVector<Self::Scalar, N>,
@@ -156,7 +157,7 @@ pub trait Linkage<const N: usize>: Parts {
         w_fixed: &Self::Fixed,
     ) -> SVector<Self::Scalar, N>;
 
-    /// `-dF/du udot` of the drives, driven chassis points included.
+    /// `-dF/du udot` of the drives, including driven chassis points.
     fn drive_rate(
         &self,
         q: &SVector<Self::Scalar, N>,
@@ -196,14 +197,13 @@ pub trait Linkage<const N: usize>: Parts {
     /// The unknowns of a set of points.
     fn unknowns(&self, points: &Self::Points) -> SVector<Self::Scalar, N>;
 
-    /// What the listing measures, from the points and their rates by the chain rule.
+    /// The measures of the listing, from the points and their rates by the chain rule.
     fn measures(&self, points: &Signal<Self::Points>) -> Signal<Self::Measures>
     where
         Self::Scalar: Real;
 
-    /// The ends of the wheel's spin axis, the wheel centre last, among positions, velocities or
-    /// accelerations of points; `None` where the listing states no `wheel`, that of the first where it states
-    /// several ([`Parts::wheel`]).
+    /// The ends of the wheel's spin axis, the wheel centre last, taken from positions, velocities or accelerations of
+    /// points. `None` if the listing states no `wheel`; if it states several, those of the first ([`Parts::wheel`]).
     fn wheel_axis(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
         Some(points.at(self.wheel(0)?.axis))
     }
@@ -213,13 +213,13 @@ pub trait Linkage<const N: usize>: Parts {
         Some(points.at(self.wheel(0)?.carrier))
     }
 
-    /// The ends of that wheel's kingpin, the lower one first, likewise; `None` where the listing states none.
+    /// The ends of that wheel's kingpin, the lower one first, likewise; `None` if the listing states none.
     fn kingpin(&self, points: &Self::Points) -> Option<[Vector3<Self::Scalar>; 2]> {
         Some(points.at(self.wheel(0)?.kingpin?))
     }
 
-    /// For each of [`linked`](Self::linked) what tells it from its mirror image: where the lengths are
-    /// kept, 0 on the side of the three others where the model has it, 1 on the other.
+    /// For each of [`linked`](Self::linked) a number that tells the point from its mirror image: if the lengths are
+    /// kept, it is 0 on the side of the three others where the model has the point, and 1 on the other side.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn mirrored(
         &self,
@@ -230,7 +230,7 @@ pub trait Linkage<const N: usize>: Parts {
     }
 }
 
-/// Points among which a wheel is. Positions, velocities or accelerations alike.
+/// Points that include a wheel: positions, velocities or accelerations.
 pub trait HasWheel<T> {
     /// Two points on the spin axis, the wheel centre last.
     fn wheel(&self) -> [Vector3<T>; 2];
@@ -239,7 +239,7 @@ pub trait HasWheel<T> {
     fn carrier(&self) -> [Vector3<T>; 3];
 }
 
-/// Points among which a kingpin is. Positions, velocities or accelerations alike.
+/// Points that include a kingpin: positions, velocities or accelerations.
 pub trait HasKingpin<T> {
     /// Two points on the kingpin, the lower one first.
     fn kingpin(&self) -> [Vector3<T>; 2];

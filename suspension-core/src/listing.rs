@@ -4,16 +4,16 @@ use core::f64::consts::{PI, TAU};
 
 use crate::arithmetic::scalar::Real;
 
-/// The parts of a listing. A model has them, and so has the listing that it is made from. A type that has them in a
-/// table implements [`table`](Self::table) alone, any other type every other method.
+/// The parts of a listing: a listing has them, and so has a model made from it. A type that holds them in a table
+/// implements only [`table`](Self::table); any other type implements all other methods.
 pub trait Parts {
     /// The parts of a listing that `linkage!` has written.
     fn table(&self) -> &Names {
         &Names::NONE
     }
 
-    /// The name of a part; an unknown's is that of the point and the axis, `ball.x`. `?` where there
-    /// is no such part.
+    /// The name of a part; the name of an unknown consists of its point and axis, `ball.x`. `?` if there is no such
+    /// part.
     fn name(&self, part: Part) -> &str {
         self.table().name(part)
     }
@@ -24,21 +24,21 @@ pub trait Parts {
         self.table().count(kind)
     }
 
-    /// What the drive with this index measures.
+    /// The kind of the drive with this index.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn drive_kind(&self, drive: usize) -> DriveKind {
         let kind = self.table().drive_kinds.get(drive).copied();
         kind.unwrap_or(DriveKind::Coordinate)
     }
 
-    /// What the measure with this index is.
+    /// The kind of the measure with this index.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn measure_kind(&self, measure: usize) -> MeasureKind {
         let kind = self.table().measure_kinds.get(measure).copied();
         kind.unwrap_or(MeasureKind::Length)
     }
 
-    /// The wheel with this index, in the order of the listing; `None` behind the last.
+    /// The wheel with this index, in the order of the listing; `None` beyond the last.
     fn wheel(&self, wheel: usize) -> Option<WheelPlaces<'_>> {
         self.table().wheels.get(wheel).copied()
     }
@@ -84,7 +84,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// What it is.
+    /// The name of its kind.
     pub fn kind(self) -> &'static str {
         match self {
             Self::Equation(_) => "equation",
@@ -109,10 +109,10 @@ impl Part {
     }
 }
 
-/// What a linkage has a number of: [`Parts::count`].
+/// A kind of part that is counted: see [`Parts::count`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// Unknowns, and as many equations: `N`, or fewer where a model has room for more.
+    /// Unknowns, and as many equations: `N`, or fewer if a model has room for more.
     Unknown,
     /// Chassis points.
     ChassisPoint,
@@ -128,25 +128,25 @@ pub enum Kind {
     Length,
 }
 
-/// What a drive's value measures.
+/// The kind of a drive's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DriveKind {
     /// A coordinate of a point, or a sum of coordinates, or a length, in the unit of the hardpoints.
     Coordinate,
-    /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis.
-    /// Only its cosine enters: an angle beyond that range acts as the one within that has the same.
+    /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis. Only its cosine
+    /// enters the equations: an angle beyond that range acts as the angle within it that has the same cosine.
     Angle,
-    /// The angle in radians between two lines about a third one, less than a whole turn to either side.
+    /// The angle in radians between two lines about a third one, less than a whole turn in either direction.
     Turn,
 }
 
 impl DriveKind {
-    /// Whether it is in radians.
+    /// Whether the value is in radians.
     pub fn is_angle(self) -> bool {
         self != Self::Coordinate
     }
 
-    /// The end of an angle's range that a value, in radians, is beyond.
+    /// The end of an angle's range that `value`, in radians, is beyond.
     #[inline]
     pub fn end_exceeded<T: Real>(self, value: T) -> Option<T> {
         let [least, greatest] = match self {
@@ -163,26 +163,25 @@ impl DriveKind {
     }
 }
 
-/// What a measure is.
+/// The kind of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasureKind {
     /// A length, a coordinate or a sum of coordinates, in the unit of the hardpoints.
     Length,
-    /// An angle in radians, from 0 to pi, or about a line from -pi to pi.
+    /// An angle in radians, from 0 to pi, or from -pi to pi if it is about a line.
     Angle,
 }
 
-/// A wheel that a listing states: its name, and the places of its points among all
-/// ([`Part::Point`]).
+/// A wheel that a listing states: its name, and the indices of its points among all points ([`Part::Point`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WheelPlaces<'a> {
-    /// Its name; empty of an only wheel that is stated without one.
+    /// Its name; empty for a single wheel that is stated without one.
     pub name: &'a str,
     /// Two points on its spin axis, the wheel centre last.
     pub axis: [usize; 2],
     /// Three points of the body that carries it.
     pub carrier: [usize; 3],
-    /// The ends of its kingpin, the lower one first; `None` where the listing states none.
+    /// The ends of its kingpin, the lower one first; `None` if the listing states none.
     pub kingpin: Option<[usize; 2]>,
 }
 
@@ -214,7 +213,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Of nothing.
+    /// Empty tables.
     const NONE: Self = Self {
         equations: &[],
         unknowns: &[],

@@ -10,8 +10,8 @@
 //!
 //! Along the tangent `t`, oriented by continuity,
 //!
-//! - the sign of `t_h` changes where the drive turns: there the mechanism, moved by this drive, locks. Two turns within one stretch are
-//!   not detected; shorter stretches ([`Continuation::longest`]) separate them;
+//! - the sign of `t_h` changes where the drive turns: there the mechanism, moved by this drive, locks. Two turns within
+//!   one stretch are not detected; shorter stretches ([`Continuation::longest`]) separate them;
 //! - the sign of `det [J, dF/dh; t^T]` changes where the derivative loses rank, because another
 //!   curve crosses (a simple bifurcation). A path ends there and never steps across. An even
 //!   number of crossings within one step is not detected.
@@ -49,21 +49,21 @@ pub use led::Led;
 use linear::Linear;
 pub use place::{End, Place, Stretch, Turning};
 
-/// Terms of the predictor.
+/// The number of terms of the predictor.
 const ORDER: usize = 4;
 
-/// How to follow a curve.
+/// Settings for following a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Continuation<T> {
     /// How each place is corrected.
     pub newton: Newton<T>,
-    /// The longest step of the parameter, as a part of the linkage's size.
+    /// The longest step of the parameter, as a fraction of the linkage's size.
     pub longest: T,
-    /// The last term of the predictor, as a part of the linkage's size.
+    /// The size of the predictor's last term, as a fraction of the linkage's size.
     pub precision: T,
-    /// Steps that a path may make.
+    /// The number of steps that a path may make.
     pub max_steps: usize,
-    /// The drive's values within which to stay; `None` for all.
+    /// The range within which the drive's value must stay; `None` for no limit.
     pub range: Option<[T; 2]>,
 }
 
@@ -79,14 +79,14 @@ impl<T: Real> Default for Continuation<T> {
     }
 }
 
-/// A path along a curve: an iterator over its stretches, which ends with the first that has an
-/// [`End`], or with an error where no step however short succeeds.
+/// A path along a curve: an iterator over its stretches. It ends with the first stretch that has an [`End`], or with
+/// an error if no step succeeds, however short.
 pub struct Path<'a, L: Linkage<N>, const N: usize> {
     curve: Curve<'a, L, N>,
     settings: Continuation<L::Scalar>,
     start: Place<L::Scalar, N>,
     here: Place<L::Scalar, N>,
-    /// The equations linearised here, by the parameter up to here.
+    /// The equations linearised here, with the parameter that was used up to here.
     linear: Linear<L, N>,
     /// The last step of the parameter.
     last_step: L::Scalar,
@@ -95,13 +95,12 @@ pub struct Path<'a, L: Linkage<N>, const N: usize> {
 }
 
 impl<T: Real> Continuation<T> {
-    /// The path from a configuration with the unknowns `q`, corrected first, in the direction in
+    /// The path that starts at the configuration with the unknowns `q`, which is corrected first, in the direction in
     /// which the drive's value at first increases, or decreases.
     ///
     /// # Errors
     ///
-    /// [`SolveError`] where `q` is no configuration, or [`SolveError::Singular`] where it is a
-    /// bifurcation.
+    /// [`SolveError`] if `q` is not a configuration, or [`SolveError::Singular`] if it is a bifurcation.
     pub fn path<'a, L, const N: usize>(
         &self,
         curve: Curve<'a, L, N>,
@@ -140,7 +139,7 @@ impl<T: Real> Continuation<T> {
         let bound = T::constant(CORRECTION_OF_MOVE) * size;
         let (configuration, report) = curve.correct(&self.newton, guess, parameter, bound)?;
         let linear = curve.linear(&configuration, parameter)?;
-        // An angle from an axis increases where its cosine decreases.
+        // An angle from an axis increases as its cosine decreases.
         let sign = increasing == curve.chart().is_increasing();
         let forwards = Configuration {
             drive: if sign { T::one() } else { -T::one() },
@@ -179,7 +178,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'a, L, N> {
         &self.curve
     }
 
-    /// Where the path has come to; at first its start.
+    /// The place that the path has reached; at first its start.
     pub fn here(&self) -> &Place<T, N> {
         &self.here
     }

@@ -19,7 +19,7 @@ pub struct Signal<V> {
 }
 
 impl<V> Signal<V> {
-    /// A linear function of the quantity, with its derivatives.
+    /// Applies a linear function to the quantity and its derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(&self, linear: impl Fn(&V) -> U) -> Signal<U> {
         Signal {
@@ -29,7 +29,7 @@ impl<V> Signal<V> {
         }
     }
 
-    /// Puts a quantity into a part of this one.
+    /// Sets a part of this quantity.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn set<U>(&mut self, quantity: Signal<U>, part: impl Fn(&mut V) -> &mut U) {
         *part(&mut self.value) = quantity.value;
@@ -39,7 +39,7 @@ impl<V> Signal<V> {
 }
 
 impl<V: Default> Signal<V> {
-    /// At rest.
+    /// A quantity at rest.
     pub fn still(value: V) -> Self {
         Self {
             value,
@@ -48,7 +48,7 @@ impl<V: Default> Signal<V> {
         }
     }
 
-    /// What starts at a value and changes at a constant rate, after a time.
+    /// A quantity that starts at a value and changes at a constant rate, after a time.
     pub fn line<T: Real>(start: V, rate: V, time: T) -> Self
     where
         V: Values<T>,
@@ -63,11 +63,11 @@ impl<V: Default> Signal<V> {
     }
 }
 
-/// All that a step is given: drives and chassis points, each with its rates.
+/// The inputs of a step: drives and chassis points, each with its rates.
 ///
-/// The type of `chassis` chooses the code: with [`Still`] no term of a moving chassis is
-/// compiled in; with `Signal<Fixed<T>>` each chassis point has its own position, velocity and
-/// acceleration, in the axes of the hardpoints.
+/// The type of `chassis` chooses the code: with [`Still`] no term of a moving chassis is compiled in; with
+/// `Signal<Fixed<T>>` each chassis point has its own position, velocity and acceleration, in the axes of the
+/// hardpoints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs<C, D> {
     /// How the chassis points move.
@@ -77,7 +77,7 @@ pub struct Inputs<C, D> {
 }
 
 impl<D> Inputs<Still, D> {
-    /// Inputs with the chassis points at rest where the model has them.
+    /// Inputs with the chassis points at rest at their positions in the model.
     pub fn still(drives: Signal<D>) -> Self {
         Self {
             chassis: Still,
@@ -86,16 +86,16 @@ impl<D> Inputs<Still, D> {
     }
 }
 
-/// A chassis whose points rest where the model has them.
+/// A chassis whose points rest at their positions in the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Still;
 
-/// How the chassis points `F` move.
+/// The motion of the chassis points `F`.
 pub trait ChassisMotion<F>: Copy {
     /// Whether undriven chassis points have any velocity or acceleration.
     const MOVES: bool;
 
-    /// Positions and rates, given the positions `rest` of the model.
+    /// Positions and rates, given the positions `rest` in the model.
     fn signal(&self, rest: &F) -> Signal<F>;
 }
 

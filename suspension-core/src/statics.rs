@@ -5,7 +5,8 @@
 //! `-m dF/dc`, and the forces do the work `-m dF/du` per unit of a drive (virtual work). One factorisation serves all
 //! loads of a position; each load takes one transposed back-substitution.
 //!
-//! This example has a spring of 60 N/mm at the damper, compressed to 3 kN. It computes the spring's force and rate at the wheel, and the force in the pushrod:
+//! This example has a spring of 60 N/mm at the damper, compressed to 3 kN. It computes the spring's force and rate at
+//! the wheel, and the force in the pushrod:
 //!
 //! ```
 //! use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Points, equation};
@@ -50,7 +51,7 @@ use crate::values::Values;
 
 pub use spread::spread;
 
-/// A linkage in one configuration with its factored Jacobian, ready to be loaded. The chassis rests.
+/// A linkage in one configuration with its factored Jacobian, ready to be loaded. The chassis is at rest.
 ///
 /// ```
 /// use suspension_core::linkages::double_wishbone_pushrod::{Corner, Points};
@@ -74,14 +75,14 @@ pub struct Statics<'a, L: Linkage<N>, const N: usize> {
 /// A linkage in one configuration.
 struct Configuration<'a, L: Linkage<N>, const N: usize> {
     linkage: &'a L,
-    /// Chassis points, driven coordinates put in.
+    /// Chassis points, with the driven coordinates inserted.
     fixed: L::Fixed,
-    /// Of the coordinates that drives prescribe, per unit of each drive.
+    /// The rates of the coordinates that drives prescribe, per unit of each drive.
     rates: L::Drives,
     position: SVector<L::Scalar, N>,
 }
 
-// Derived ones would ask for a linkage that can be copied.
+// Derived implementations would require a linkage that can be copied.
 impl<L: Linkage<N>, const N: usize> Clone for Configuration<'_, L, N> {
     fn clone(&self) -> Self {
         *self
@@ -107,7 +108,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
         }
     }
 
-    /// The work of forces per unit of each drive: by the equations, and of those at chassis points that it moves.
+    /// The work of forces per unit of each drive: through the equations, and at the chassis points that the drive
+    /// moves.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn on_drives(&self, multipliers: &SVector<T, N>, forces: &L::Points) -> L::Drives {
         let Self {
@@ -122,7 +124,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
             let anchors = linkage.drive_anchors(L::Fixed::default(), &rate);
             let terms = linkage.drive_rate(position, fixed, &anchors, &rate);
             let moved = anchors.values().zip(forces.values());
-            // What a drive moves is known when a linkage is compiled: the rest of this sum is then left out.
+            // Which points a drive moves is known when a linkage is compiled, so the rest of this sum is then left
+            // out.
             let moved = moved.filter(|(rate, _)| *rate != Vector3::zeros());
             moved.fold(multipliers.dot(&terms), |work, (rate, force)| {
                 work + rate.dot(&force)
@@ -136,7 +139,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// As [`Tangent::new`](crate::Tangent::new): near a singularity forces have no bound.
+    /// As [`Tangent::new`](crate::Tangent::new): near a singularity forces are unbounded.
     pub fn new(
         linkage: &'a L,
         drives: L::Drives,
@@ -149,13 +152,13 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
         })
     }
 
-    /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Those at chassis points
-    /// go into the chassis, or into the drive that moves the point. One at a marker loads nothing: like a force at any other
-    /// place of a body it is to be [`spread`] over three points of that body before.
+    /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Forces at chassis
+    /// points go into the chassis, or into the drive that moves the point. A force at a marker loads nothing: like a
+    /// force at any other place of a body it must first be [`spread`] over three points of that body.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where a force is not finite, or what it makes of one.
+    /// [`SolveError::Overflow`] if a force, or a force that results from it, is not finite.
     pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
         let on_unknowns = on_unknowns(self.at.linkage, forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
@@ -172,13 +175,13 @@ pub struct Loads<'a, L: Linkage<N>, const N: usize> {
 }
 
 impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
-    /// The same as [`Statics::under`] for one load, on a small stack: the factors are not kept.
+    /// As [`Statics::under`] for one load, on a small stack: the factors are not kept.
     ///
     /// # Errors
     ///
-    /// Those of [`Statics::under`]; [`SolveError::Singular`] where a pivot is not above 8 times the square root of `EPSILON`.
-    /// [`Statics::new`] looks at what rounding of the position changes too, which takes more code: it refuses a little farther from
-    /// a lock.
+    /// As [`Statics::under`]; [`SolveError::Singular`] if a pivot is not above 8 times the square root of `EPSILON`.
+    /// [`Statics::new`] also considers the effect of the position's rounding errors, which takes more code: it
+    /// refuses a little farther from a lock.
     pub fn new(
         linkage: &'a L,
         drives: L::Drives,
@@ -213,14 +216,14 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         &self.multipliers
     }
 
-    /// The work of the forces per unit of each drive: a force along a drive that is a length, a moment about one that is
-    /// an angle. What moves the drive bears it.
+    /// The work of the forces per unit of each drive: a force along a drive that is a length, a moment about a drive
+    /// that is an angle. It is borne by whatever moves the drive.
     pub fn on_drives(&self) -> L::Drives {
         self.on_drives
     }
 
-    /// The forces that some equations, those of one statement say, exert on chassis points and free points; zero at
-    /// markers.
+    /// The forces that some equations, for example those of one statement, exert on chassis points and free points;
+    /// zero at markers.
     pub fn by(&self, equations: Range<usize>) -> L::Points {
         let Configuration {
             linkage,
@@ -256,7 +259,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         }))
     }
 
-    /// The multipliers of some equations times terms of these.
+    /// The multipliers of some equations times terms of these equations.
     fn work(&self, terms: &SVector<T, N>, equations: Range<usize>) -> T {
         let pairs = self.multipliers.iter().zip(terms.iter()).enumerate();
         let those = pairs.filter(|(equation, _)| equations.contains(equation));
@@ -266,7 +269,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     }
 }
 
-/// The forces on the coordinates of the free points. Unknowns that are no coordinates, as a place along a line, bear none.
+/// The forces on the coordinates of the free points. Unknowns that are not coordinates, such as a place along a line,
+/// bear none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn on_unknowns<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     linkage: &L,

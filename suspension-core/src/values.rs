@@ -2,10 +2,10 @@
 
 /// A fixed number of values in a known order: points, drives, measures or lengths of a linkage.
 ///
-/// There may be room for more values than a model has; those beyond are zero. What is what says the
-/// model: [`Parts::name`](crate::listing::Parts::name), [`Parts::count`](crate::listing::Parts::count).
+/// There may be room for more values than a model has; those beyond are zero. The model tells what each value is:
+/// [`Parts::name`](crate::listing::Parts::name), [`Parts::count`](crate::listing::Parts::count).
 pub trait Values<V>: Copy {
-    /// Takes as many values as there is room for, and defaults where they run out.
+    /// Takes as many values as there is room for, and uses defaults when they run out.
     fn from_values(values: impl IntoIterator<Item = V>) -> Self
     where
         V: Default;
@@ -31,7 +31,7 @@ pub trait Values<V>: Copy {
         Self::from_values(self.values().map(value))
     }
 
-    /// The same values but for the one with this index; with an index beyond the last, the same values.
+    /// The same values except the one with this index, which is replaced; unchanged for an index beyond the last.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn with(&self, index: usize, value: V) -> Self
     where
@@ -41,7 +41,7 @@ pub trait Values<V>: Copy {
         Self::from_values(each.map(|(at, kept)| if at == index { value } else { kept }))
     }
 
-    /// These values and others, pair by pair.
+    /// The values combined with others, pair by pair.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn combined(&self, others: &Self, combine: impl Fn(V, V) -> V) -> Self
     where
@@ -52,8 +52,8 @@ pub trait Values<V>: Copy {
     }
 }
 
-/// Values that are the fields of a struct which `linkage!` writes. Code over any linkage asks the
-/// model for names instead.
+/// Values that are the fields of a struct which `linkage!` writes. Code for any linkage asks the model for names
+/// instead.
 pub trait Named<V>: Values<V> {
     /// The fields' names, in order.
     const NAMES: &'static [&'static str];

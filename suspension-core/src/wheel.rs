@@ -31,9 +31,9 @@ pub use travel::{Carrier, InstantCentre};
 /// A wheel spinning about its axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spin<T> {
-    /// rad/s about the spin axis, right-handed about the outboard direction.
+    /// Spin rate about the spin axis, rad/s, right-handed about the outboard direction.
     pub rate: T,
-    /// rad/s^2.
+    /// Rate of the spin rate, rad/s^2.
     pub second_rate: T,
 }
 
@@ -46,8 +46,8 @@ pub fn wheel_angular_velocity<T: Real>(
     carrier + unit_axis * spin.rate
 }
 
-/// Angular acceleration of the wheel, rad/s^2: the carrier's, the spin's, and that of the axis
-/// being swung round, `omega x s rate`.
+/// Angular acceleration of the wheel, rad/s^2: that of the carrier, that of the spin, and the term `omega x s rate`
+/// due to the rotation of the axis.
 pub fn wheel_angular_acceleration<T: Real>(
     carrier: &Vector3<T>,
     carrier_velocity: &Vector3<T>,
@@ -62,7 +62,7 @@ pub fn wheel_angular_acceleration<T: Real>(
 pub struct Wheel<T> {
     /// Wheel centre, in the unit of the hardpoints.
     pub centre: Vector3<T>,
-    /// Spin axis, of unit length, outboard.
+    /// Unit vector of the spin axis, pointing outboard.
     pub axis: Vector3<T>,
     /// See [`camber`].
     pub camber: T,
@@ -71,8 +71,8 @@ pub struct Wheel<T> {
 }
 
 impl<T: Real> Wheel<T> {
-    /// Reads the wheel off two points on its spin axis, the wheel centre last
-    /// ([`Linkage::wheel_axis`](crate::Linkage::wheel_axis)); `None` where they coincide.
+    /// Reads the wheel from two points on its spin axis, the wheel centre last
+    /// ([`Linkage::wheel_axis`](crate::Linkage::wheel_axis)); `None` if they coincide.
     pub fn of([inner, centre]: [Vector3<T>; 2]) -> Option<Self> {
         let axis = centre - inner;
         let length = axis.norm();
@@ -96,8 +96,8 @@ pub struct Kingpin<T> {
 }
 
 impl<T: Real> Kingpin<T> {
-    /// Reads the kingpin off its ends ([`Linkage::kingpin`](crate::Linkage::kingpin)) and those of the
-    /// wheel's spin axis, which say what is outboard.
+    /// Reads the kingpin from its ends ([`Linkage::kingpin`](crate::Linkage::kingpin)) and from those of the wheel's
+    /// spin axis, which tell the outboard direction.
     pub fn of([lower, upper]: [Vector3<T>; 2], [inner, centre]: [Vector3<T>; 2]) -> Self {
         let kingpin = upper - lower;
         Self {
@@ -107,7 +107,7 @@ impl<T: Real> Kingpin<T> {
     }
 }
 
-/// How the body that carries the wheel turns.
+/// The rotation of the body that carries the wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarrierRotation<T> {
     /// Angular velocity, rad/s.
@@ -117,8 +117,8 @@ pub struct CarrierRotation<T> {
 }
 
 impl<T: Real> CarrierRotation<T> {
-    /// From positions, velocities and accelerations of three points of the body
-    /// ([`Linkage::wheel_carrier`](crate::Linkage::wheel_carrier)); `None` where they are in line.
+    /// Computes the rotation from positions, velocities and accelerations of three points of the body
+    /// ([`Linkage::wheel_carrier`](crate::Linkage::wheel_carrier)); `None` if they are collinear.
     pub fn of(points: &Signal<[Vector3<T>; 3]>) -> Option<Self> {
         let at = &points.value;
         let omega = body::angular_velocity(at, &points.rate)?;

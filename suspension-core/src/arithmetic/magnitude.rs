@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::arithmetic::scalar::{Real, Scalar};
 
-/// The largest magnitude; zero where there are none. Four chains of comparisons run side by side.
+/// The largest magnitude; zero of an empty array. Runs four chains of comparisons side by side.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn largest<T: Real, const K: usize>(numbers: [T; K]) -> T {
     let mut largest = [T::zero(); 4];
@@ -18,7 +18,7 @@ pub(crate) fn largest<T: Real, const K: usize>(numbers: [T; K]) -> T {
         .larger_magnitude(c.larger_magnitude(d))
 }
 
-/// The sum of the squares, in four chains side by side. A NaN is passed on.
+/// The sum of the squares, computed in four chains side by side. Propagates NaN.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn sum_of_squares<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     let mut sums = [T::zero(); 4];
@@ -31,7 +31,7 @@ pub fn sum_of_squares<T: Scalar, const K: usize>(numbers: [T; K]) -> T {
     (a + b) + (c + d)
 }
 
-/// The largest magnitude of the entries; the index of the first that is not finite as the error.
+/// The largest magnitude of the entries, or as the error the index of the first entry that is not finite.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn magnitude<T: Real, const N: usize>(vector: &SVector<T, N>) -> Result<T, usize> {
     // A number that is not finite times zero is NaN.

@@ -5,9 +5,9 @@ use nalgebra::{
 };
 use num_traits::{One, Zero};
 
-/// What generated code needs of a number: arithmetic without branches.
+/// The operations that generated code needs of a number: arithmetic without branches.
 ///
-/// Met by `f32`, `f64` and complex numbers; lanes of them can meet it too, because nothing here
+/// Implemented by `f32`, `f64` and complex numbers. Lanes of numbers can implement it too, because nothing here
 /// compares.
 pub trait Scalar:
     nalgebra::Scalar
@@ -26,11 +26,11 @@ pub trait Scalar:
     /// The number nearest to `value`.
     fn constant(value: f64) -> Self;
 
-    /// The nearest whole number, for magnitudes that leave room for a fraction.
+    /// The nearest whole number, for magnitudes small enough to leave room for a fraction.
     fn nearest_integer(self) -> Self;
 
-    /// `self + a b`. Numbers that fuse round once; `f32` and `f64` round the product too, so that
-    /// they give the same bits on every target.
+    /// `self + a b`. Types with a fused multiply-add round once; `f32` and `f64` round the product too, so that they
+    /// give the same bits on every target.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         self + a * b
@@ -43,19 +43,19 @@ pub trait Scalar:
     }
 }
 
-/// A single number that can be compared, and that owns the accuracy which can be asked of it.
+/// A single number that can be compared and that defines the accuracy attainable with it.
 pub trait Real: Scalar + RealField {
-    /// Distance from one to the next larger number.
+    /// The distance from one to the next larger number.
     const EPSILON: Self;
 
-    /// The smallest positive number that has all its digits.
+    /// The smallest positive number with full precision.
     const SMALLEST: Self;
 
     /// The larger of two magnitudes.
     fn larger_magnitude(self, other: Self) -> Self;
 
-    /// The angle of `(x, y)` from the first axis, from -pi to pi: of `f32` and `f64` the same bits on every target, and whatever
-    /// features of nalgebra other crates ask for.
+    /// The angle of `(x, y)` from the first axis, from -pi to pi. `f32` and `f64` give the same bits on every target,
+    /// whatever features of nalgebra other crates enable.
     fn arc_tangent(y: Self, x: Self) -> Self {
         y.atan2(x)
     }
@@ -69,7 +69,7 @@ impl Scalar for f32 {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {
-        // Beside a number this large there is no room for a fraction.
+        // A sum with a number this large has no digits left for a fraction.
         const LARGE: f32 = 1.5 / f32::EPSILON;
         (self + LARGE) - LARGE
     }
@@ -98,7 +98,7 @@ impl Scalar for f64 {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {
-        // Beside a number this large there is no room for a fraction.
+        // A sum with a number this large has no digits left for a fraction.
         const LARGE: f64 = 1.5 / f64::EPSILON;
         (self + LARGE) - LARGE
     }
@@ -119,8 +119,8 @@ impl Real for f64 {
     }
 }
 
-/// The equations of a linkage are polynomials: they have complex roots too, and those hang together
-/// where real ones do not.
+/// The equations of a linkage are polynomials, so they have complex roots too, which are connected where the real
+/// roots are not.
 impl Scalar for Complex<f64> {
     fn constant(value: f64) -> Self {
         Self::from(value)

@@ -3,8 +3,8 @@
 
 use crate::arithmetic::scalar::Scalar;
 
-/// `pi / 2` in four parts: the first three have twelve bits, so that multiples of them up to 4095
-/// are exact in `f32` too.
+/// `pi / 2` as the sum of four parts. The first three have twelve bits, so that their multiples up to 4095 are exact
+/// in `f32` too.
 const QUARTER_TURN: [f64; 4] = [
     1.570_312_5,
     0.000_483_751_296_997_070_3,
@@ -32,18 +32,17 @@ const COSINE: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// How far [`sine_cosine`] is from sine and cosine of [`LARGEST_ANGLE`] or less if all its
-/// operations are exact: the polynomials by `2^-58` (fdlibm), the stored third and sixth by `2^-53`,
-/// the parts of a quarter turn by `2^-80`; together below `2^-52`. Any whole number of quarter turns
-/// that leaves a rest within an eighth of a turn gives the same.
+/// The largest error of [`sine_cosine`] for angles up to [`LARGEST_ANGLE`] if all its operations are exact: `2^-58`
+/// from the polynomials (fdlibm), `2^-53` from the stored third and sixth, `2^-80` from the parts of a quarter turn;
+/// together below `2^-52`. The bound holds for any whole number of quarter turns that leaves a remainder within an
+/// eighth of a turn.
 pub(crate) const FORMULA_ERROR: f64 = f64::EPSILON;
 
-/// A thousand turns, in radians: what the bounds below hold for.
+/// A thousand turns, in radians: the largest angle for which the bounds below hold.
 pub(crate) const LARGEST_ANGLE: f64 = 1e3 * core::f64::consts::TAU;
 
-/// Sine and cosine of an angle in radians, each off by no more than `EPSILON` for magnitudes up to a
-/// thousand turns; NaN for an angle that is not finite. `f32` and `f64` give the same bits on
-/// every target.
+/// Sine and cosine of an angle in radians. Each is off by at most `EPSILON` for magnitudes up to a thousand turns;
+/// both are NaN for an angle that is not finite. `f32` and `f64` give the same bits on every target.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
     let turns = (angle * T::constant(core::f64::consts::FRAC_2_PI)).nearest_integer();
@@ -76,13 +75,13 @@ fn within_an_eighth<T: Scalar>(x: T) -> (T, T) {
     let sine = x.plus_product(x * square, polynomial(SINE, square));
     let half = square * T::constant(0.5);
     let main = T::one() - half;
-    // What rounding took from `main` goes with the small terms.
+    // The rounding error of `main` is added to the small terms.
     let lost = (T::one() - main) - half;
     let cosine = main + lost.plus_product(square * square, polynomial(COSINE, square));
     (sine, cosine)
 }
 
-/// `c_0 + c_1 x + c_2 x^2 + ...`, in pairs so that the chain of operations is short.
+/// `c_0 + c_1 x + c_2 x^2 + ...`, evaluated in pairs so that the chain of operations is short.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn polynomial<T: Scalar>(coefficients: [f64; 6], x: T) -> T {
     let [a, b, c, d, e, f] = coefficients.map(T::constant);

@@ -77,7 +77,7 @@ pub(crate) fn minus_multiple<T: Scalar>(sum: Vector3<T>, a: Vector3<T>, k: T) ->
     )
 }
 
-/// A point moved along a unit vector until its coordinate along that is the given one.
+/// A point moved along a unit vector until its coordinate along that vector has the given value.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn moved_along<T: Scalar>(
     point: Vector3<T>,
@@ -87,7 +87,7 @@ pub fn moved_along<T: Scalar>(
     plus_multiple(point, direction, coordinate - dot(point, direction))
 }
 
-/// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+/// The same vector in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn gather_vector<M, S: Scalar, T: Scalar>(
     of: impl Fn(&M) -> Vector3<S>,
@@ -100,7 +100,7 @@ pub fn gather_vector<M, S: Scalar, T: Scalar>(
     )
 }
 
-/// The same of all of them.
+/// The same vectors in another number type.
 pub fn gather_vectors<M, V, W, S: Scalar, T: Scalar>(
     of: impl Fn(&M) -> V,
     number: &impl Fn(&dyn Fn(&M) -> S) -> T,

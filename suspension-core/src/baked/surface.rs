@@ -3,7 +3,7 @@
 use crate::arithmetic::scalar::Real;
 use crate::baked::{Outside, Split, add_product, polynomial};
 
-/// The coefficients of a patch by power of the first drive, power of the second, and output.
+/// The coefficients of a patch, indexed by power of the first drive, power of the second drive, and output.
 pub type Patch<T, const OUT: usize, const TERMS: usize> = [[[T; OUT]; TERMS]; TERMS];
 
 /// A piecewise polynomial of two drives with `OUT` outputs and `TERMS` coefficients in each
@@ -16,8 +16,7 @@ pub struct Surface<'a, T, const OUT: usize, const TERMS: usize> {
     pub patches_per_unit: [T; 2],
     /// The number of patches in the direction of the second drive.
     pub across: usize,
-    /// Patches, those along the second drive side by side. The variables of a patch run from 0 to
-    /// 1.
+    /// The patches; patches along the second drive are adjacent. The variables of a patch run from 0 to 1.
     pub patches: &'a [Patch<T, OUT, TERMS>],
 }
 
@@ -64,14 +63,14 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Surface<'a, T, OUT, TER
 }
 
 impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TERMS> {
-    /// Position.
+    /// The position.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self) -> [T; OUT] {
         let [[position]] = self.derivatives();
         position
     }
 
-    /// Position and velocity, where the drives move at `rates` per second.
+    /// Position and velocity when the drives move at `rates` per second.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, rates: [T; 2]) -> [[T; OUT]; 2] {
         let [[position, by_first], [by_second, _]] = self.derivatives();
@@ -81,8 +80,8 @@ impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TER
         [position, velocity]
     }
 
-    /// Position, velocity and acceleration, where the drives move at `rates` per second and
-    /// `second_rates` per second squared.
+    /// Position, velocity and acceleration when the drives move at `rates` per second and `second_rates` per second
+    /// squared.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, rates: [T; 2], second_rates: [T; 2]) -> [[T; OUT]; 3] {
         let [
@@ -113,8 +112,8 @@ impl<T: Real, const OUT: usize, const TERMS: usize> SurfacePlace<'_, T, OUT, TER
         [first * first_scale, second * second_scale]
     }
 
-    /// Derivatives by order in the second variable, then in the first, divided by the factorials of
-    /// both.
+    /// Derivatives indexed by order in the second variable, then in the first, each divided by the factorials of both
+    /// orders.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn derivatives<const ORDERS: usize>(&self) -> [[[T; OUT]; ORDERS]; ORDERS] {
         let [u, v] = self.variables;

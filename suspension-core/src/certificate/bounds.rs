@@ -9,41 +9,40 @@ use crate::arithmetic::magnitude::magnitude;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 
-/// Bounds in the maximum norm, `A` an approximate inverse of the Jacobian.
+/// Bounds in the maximum norm. `A` is an approximate inverse of the Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds<T> {
     /// `|A F(q)|`.
     pub(super) correction: T,
     /// `|I - A J(q)|`.
     pub(super) defect: T,
-    /// `|A C(v, w)|` over `|v|, |w| <= 1`.
+    /// `|A C(v, w)|` for `|v|, |w| <= 1`.
     pub(super) curvature: T,
 }
 
-/// One row of the equations at a position, with bounds of its errors and of its curvature.
+/// One row of the equations at a position, with bounds of its errors and its curvature.
 #[derive(Clone, Copy, Default)]
 struct Row<T> {
     /// The residual.
     residual: T,
-    /// How far the residual may be off, and what the sum over the rows loses of it in rounding.
+    /// A bound of the residual's error, including what rounding loses of it in the sum over the rows.
     residual_spread: T,
-    /// The same of the row of the Jacobian, sum of magnitudes.
+    /// The same bound for the row of the Jacobian, as a sum of magnitudes.
     jacobian_spread: T,
-    /// The bound of the second derivative.
+    /// A bound of the second derivative.
     curvature: T,
 }
 
 impl<T: Real> Bounds<T> {
-    /// The bounds, by an `inverse` of any quality, column by column. `curvatures` bound `|C_k(v, w)|`
-    /// over `|v|, |w| <= 1`.
+    /// Computes the bounds with an `inverse` of any quality, given column by column. `curvatures` are bounds of
+    /// `|C_k(v, w)|` for `|v|, |w| <= 1`.
     ///
-    /// A sum of `n` products is off by no more than `n EPSILON` times the sum of the products'
-    /// magnitudes (Higham 2002, Accuracy and Stability of Numerical Algorithms, section 3.1, as
-    /// long as `n EPSILON < 1`).
+    /// A sum of `n` products has an error of at most `n EPSILON` times the sum of the products' magnitudes (Higham
+    /// 2002, Accuracy and Stability of Numerical Algorithms, section 3.1, as long as `n EPSILON < 1`).
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where a bound is not finite.
+    /// [`SolveError::Overflow`] if a bound is not finite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new<const N: usize>(
         residual: &SVector<Enclosed<T>, N>,
@@ -71,7 +70,7 @@ impl<T: Real> Bounds<T> {
 }
 
 impl<T: Real> Row<T> {
-    /// Adds another row, `times` itself; bounds by its magnitude.
+    /// Adds `times` another row; its bounds are multiplied by the magnitude of `times`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(&mut self, times: T, row: &Self) {
         let size = times.abs();
@@ -82,7 +81,7 @@ impl<T: Real> Row<T> {
     }
 }
 
-/// Rounding of sums of `N + 1` products and of sums of their magnitudes, relative.
+/// The relative rounding error of sums of `N + 1` products and of sums of their magnitudes.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn rounding<T: Real, const N: usize>() -> T {
     T::EPSILON * T::constant((2 * N + 16) as f64)
@@ -110,8 +109,8 @@ fn rows<T: Real, const N: usize>(
     rows
 }
 
-/// The sums of the magnitudes of each row of `I - A J`, as computed from the middles of `J`; and of each row of `J`, how far
-/// its entries may be off, with what these sums lose of them in rounding.
+/// For each row of `I - A J` the sum of its magnitudes, computed with the midpoints of `J`; and for each row of `J` a
+/// bound of the errors of its entries, including what rounding loses of them in these sums.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn defects_and_spreads<T: Real, const N: usize>(
     inverse: &[[T; N]; N],
@@ -137,7 +136,7 @@ fn defects_and_spreads<T: Real, const N: usize>(
     (sums, spreads)
 }
 
-/// A bound of all sums of positive numbers, which rounding made smaller.
+/// An upper bound of all these sums of positive numbers, which rounding may have made smaller.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn upper<T: Real, const N: usize>(sums: [T; N]) -> Result<T, SolveError<T>> {
     let largest = magnitude(&SVector::from(sums)).map_err(SolveError::overflow)?;

@@ -6,15 +6,14 @@ use num_traits::{One, Zero};
 
 use crate::arithmetic::scalar::{Real, Scalar};
 
-/// All numbers within `radius` of `value`: of whatever numbers within two enclosures, sum,
-/// difference, product and quotient lie within that of the enclosures.
+/// All numbers within `radius` of `value`. For any numbers within two enclosures, their sum, difference, product and
+/// quotient lie within the sum, difference, product and quotient of the enclosures.
 ///
-/// Rests on IEEE arithmetic that rounds to nearest, with gradual underflow: of a result `x` rounding
-/// takes no more than `EPSILON |x| / 2`, and half the smallest subnormal number where a product or
-/// a quotient underflows. The radius has twice that, and is itself the result of a dozen operations
-/// at most on positive numbers, for which it is enlarged by `8 EPSILON`; `SMALLEST`, which is
-/// `1 / EPSILON` times the smallest subnormal number, covers what underflows in these. A result that
-/// is not finite has a radius that is not.
+/// Relies on IEEE arithmetic that rounds to nearest, with gradual underflow: rounding changes a result `x` by at most
+/// `EPSILON |x| / 2`, and by half the smallest subnormal number where a product or a quotient underflows. The radius
+/// includes twice that. It is itself the result of at most a dozen operations on positive numbers, and is enlarged by
+/// `8 EPSILON` for them; `SMALLEST`, which is `1 / EPSILON` times the smallest subnormal number, covers underflow in
+/// these operations. If a result is not finite, neither is its radius.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Enclosed<T> {
     value: T,
@@ -29,45 +28,45 @@ impl<T: Real> Enclosed<T> {
         Self { value, radius }
     }
 
-    /// All numbers within `radius`, which is not negative, of `value`.
+    /// All numbers within `radius`, which must not be negative, of `value`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn within(value: T, radius: T) -> Self {
         Self { value, radius }
     }
 
-    /// The middle.
+    /// The midpoint.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn value(self) -> T {
         self.value
     }
 
-    /// How far the numbers lie from the middle, at most.
+    /// The largest distance of the numbers from the midpoint.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn radius(self) -> T {
         self.radius
     }
 
-    /// A number not below the magnitude of any within.
+    /// An upper bound of the magnitudes of the numbers.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn magnitude(self) -> T {
         (self.value.abs() + self.radius) * enlargement()
     }
 
-    /// A number not above any within.
+    /// A lower bound of the numbers.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn least(self) -> T {
         let least = self.value - self.radius;
         least - least.abs() * T::EPSILON
     }
 
-    /// The same and all numbers not farther than `by` from it.
+    /// This enclosure, extended by `by` in both directions.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn widened(self, by: T) -> Self {
         Self::rounded(self.value, self.radius + by, T::zero())
     }
 
-    /// A result `value` whose operands' radii make `spread`, and which is off by the rounding of
-    /// numbers whose magnitudes sum to `magnitude`.
+    /// A result `value`: the radii of its operands contribute `spread`, and its rounding error is that of numbers
+    /// whose magnitudes sum to `magnitude`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn rounded(value: T, spread: T, magnitude: T) -> Self {
         let rounding = magnitude * T::EPSILON + T::SMALLEST;
@@ -76,13 +75,13 @@ impl<T: Real> Enclosed<T> {
     }
 }
 
-/// `1 + 8 EPSILON`: makes up for the rounding of a dozen operations on positive numbers.
+/// `1 + 8 EPSILON`: compensates for the rounding of a dozen operations on positive numbers.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn enlargement<T: Real>() -> T {
     T::one() + T::EPSILON * T::constant(8.0)
 }
 
-/// The radius of a product but for its rounding.
+/// The radius of a product without its rounding error.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn spread_of_product<T: Real>(a: Enclosed<T>, b: Enclosed<T>) -> T {
     a.value.abs() * b.radius + a.radius * (b.value.abs() + b.radius)
@@ -116,10 +115,10 @@ impl<T: Real> Mul for Enclosed<T> {
 
 impl<T: Real> Div for Enclosed<T> {
     type Output = Self;
-    /// Where zero is within the divisor the radius is infinite.
+    /// The radius is infinite if the divisor encloses zero.
     ///
-    /// `a'/b' - a/b = ((a' - a) - a/b (b' - b)) / b'`, with `SMALLEST` for what underflows before
-    /// the division by a small `b'`.
+    /// `a'/b' - a/b = ((a' - a) - a/b (b' - b)) / b'`, with `SMALLEST` for underflow before the division by a small
+    /// `b'`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
@@ -178,7 +177,7 @@ impl<T: Real> One for Enclosed<T> {
 }
 
 impl<T: Real> Scalar for Enclosed<T> {
-    /// `value` to all its digits is within.
+    /// Encloses the exact `value`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: f64) -> Self {
         let nearest = T::constant(value);
@@ -190,9 +189,9 @@ impl<T: Real> Scalar for Enclosed<T> {
         }
     }
 
-    /// The whole number nearest to the middle, exactly. Where it is asked for
-    /// ([`sine_cosine`](crate::arithmetic::trigonometry::sine_cosine)) any whole number near by will do, as
-    /// long as it is one.
+    /// The whole number nearest to the midpoint, exactly.
+    /// [`sine_cosine`](crate::arithmetic::trigonometry::sine_cosine), which uses it, needs only some whole number
+    /// near by.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest_integer(self) -> Self {
         Self::exact(self.value.nearest_integer())

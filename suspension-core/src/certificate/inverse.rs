@@ -9,13 +9,13 @@ use crate::linkage::Factors;
 
 /// How each column of an inverse `A` is found: by a back-substitution, or from another column.
 ///
-/// Where an unknown `u` has the coefficient 1 in an equation `k` and is in one other equation `l` alone,
-/// as the coordinates of a carried point with one link are, `J e_u = e_k + J_lu e_l`, so that
-/// `A e_k = e_u - J_lu A e_l`.
+/// Suppose that an unknown `u` has the coefficient 1 in an equation `k` and occurs in only one other equation `l`, as
+/// the coordinates of a carried point with one link do. Then `J e_u = e_k + J_lu e_l`, and so `A e_k = e_u - J_lu A
+/// e_l`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Columns<const N: usize>([Option<Derived>; N]);
 
-/// The column of equation `k`.
+/// The column of equation `k`, derived from another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Derived {
     /// `u`.
@@ -25,7 +25,7 @@ struct Derived {
 }
 
 impl<const N: usize> Columns<N> {
-    /// By the entries that are zero, or one, in all of the Jacobians that are enclosed.
+    /// Chosen by the entries that are exactly zero or one in all enclosed Jacobians.
     pub(super) fn of<T: Real>(jacobians: &SMatrix<Enclosed<T>, N, N>) -> Self {
         let mut columns = Self([None; N]);
         for (unknown, column) in jacobians.data.0.iter().enumerate() {
@@ -42,8 +42,9 @@ impl<const N: usize> Columns<N> {
         columns
     }
 
-    /// Derives a column, unless it is derived already, others are derived from it, or the one that it would be derived from is
-    /// itself derived: so that what a column is derived from is always found by a back-substitution.
+    /// Derives a column from another one, unless it is derived already, other columns are derived from it, or the
+    /// other one is itself derived. The column from which another is derived is thus always found by a
+    /// back-substitution.
     fn derive(&mut self, equation: usize, derived: Derived) {
         let is_from_it = self.0.iter().flatten().any(|other| other.from == equation);
         let is_from_derived = matches!(self.0.get(derived.from), Some(Some(_)));
@@ -55,7 +56,7 @@ impl<const N: usize> Columns<N> {
         }
     }
 
-    /// Finds the columns of `A` by factors of any quality.
+    /// Finds the columns of `A` with factors of any quality.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn invert<T: Real>(
         &self,

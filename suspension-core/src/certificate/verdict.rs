@@ -5,19 +5,19 @@ use super::enclosed::Enclosed;
 use crate::arithmetic::scalar::{Real, Scalar};
 use crate::error::{Cause, Compared, Explain, Facts, SolveError, messages};
 
-/// Whether a root is proved to lie near a position `q`. Distances are the largest difference of any
-/// unknown, in units of length.
+/// Whether a root is proved to lie near a position `q`. Distances are the largest difference in any unknown, in units
+/// of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Certificate<T> {
-    /// A root lies within `radius` of `q`. No other lies within `unique_within`, which is not less,
-    /// and the Jacobian is regular at the root.
+    /// A root lies within `radius` of `q`. No other root lies within `unique_within`, which is at least `radius`, and
+    /// the Jacobian is regular at the root.
     Proved {
-        /// How far the root is, at most.
+        /// An upper bound of the distance to the root.
         radius: T,
-        /// How far another root is, at least.
+        /// A lower bound of the distance to any other root.
         unique_within: T,
     },
-    /// There may be a root near by, or none.
+    /// Nothing is proved: there may be a root near by, or none.
     Unproved {
         /// Which condition of the proof is not met.
         why: Unproved<T>,
@@ -34,23 +34,23 @@ impl<T> Certificate<T> {
 /// Which condition of the proof is not met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unproved<T> {
-    /// There are no bounds: a number is not finite, or the Jacobian has no usable pivots.
+    /// No bounds exist: a number is not finite, or the Jacobian has no usable pivots.
     NoBounds {
         /// The equation or unknown concerned.
         cause: SolveError<T>,
     },
-    /// `defect >= 1`: what elimination makes of the Jacobian is no inverse of it, to rounding.
+    /// `defect >= 1`: to rounding, the computed inverse is not an inverse of the Jacobian.
     NearSingular {
         /// A bound of `|I - A J|`.
         defect: T,
     },
-    /// `correction >= bound`: for a correction of this size the curvature of the equations is too
-    /// strong. Either the residual is too large, or a singularity too near. With a correction below
-    /// the bound, though hardly, the margin is lost to rounding.
+    /// `correction >= bound`: the curvature of the equations is too strong for a correction of this size. Either the
+    /// residual is too large, or a singularity is too near. If the correction is only just below the bound, rounding
+    /// has used up the margin.
     TooFar {
         /// A bound of `|A F|`, the correction that Newton's method would make, in units of length.
         correction: T,
-        /// What it had to stay below, in units of length.
+        /// The bound below which it must stay, in units of length.
         bound: T,
     },
 }
@@ -120,7 +120,7 @@ pub(super) fn judge<T: Real>(bounds: &Bounds<T>) -> Certificate<T> {
     }
 }
 
-/// `a > b`, which is false where one of them is no number.
+/// `a > b`; false if either is NaN.
 fn is_above<T: Real>(a: T, b: T) -> bool {
     a > b
 }

@@ -2,8 +2,8 @@
 
 use crate::arithmetic::scalar::Real;
 
-/// A sum of steps, and what rounding has added to it (Kahan's summation): after an hour of milliseconds a plain sum of `f32` is off
-/// by more than a minute, and later stands still.
+/// A sum of steps with compensated rounding errors (Kahan's summation): after an hour of milliseconds a plain sum of
+/// `f32` is off by more than a minute, and later it stops growing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clock<T> {
     time: T,

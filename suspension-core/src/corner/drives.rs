@@ -8,8 +8,8 @@ use crate::signal::Signal;
 use crate::step::substeps::Stopped;
 use crate::values::Values;
 
-/// Refuses drives that are NaN or infinite: one that moves a point which measures alone read reaches no residual. Refuses
-/// angles beyond their range too: the equations have the sine or cosine of another angle there.
+/// Refuses drives that are NaN or infinite: a drive that moves a point which only measures read affects no residual.
+/// Also refuses angles beyond their range, where the equations have the sine or cosine of another angle.
 pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     model: &L,
     drives: &Signal<L::Drives>,

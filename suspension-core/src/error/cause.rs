@@ -1,7 +1,7 @@
 //! All causes of failure: number, description and remedy of each.
 
-/// Passes the table of causes on: to what defines [`Cause`], and to the C library, whose statuses and
-/// header are made of the same rows.
+/// Passes the table of causes to the definition of [`Cause`] and to the C library, whose statuses and header are made
+/// from the same rows.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! causes {
@@ -61,14 +61,14 @@ macro_rules! causes {
 
 macro_rules! define {
     ($($name:ident = $number:literal: $what:literal, $remedy:literal;)*) => {
-        /// Why something could not be done: the kind of a failure, without its numbers.
+        /// The reason why something could not be done: the kind of a failure, without its numbers.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Cause {
             $(#[doc = $what] $name = $number,)*
         }
 
         impl Cause {
-            /// What happened, in a sentence without its full stop.
+            /// What happened, as a sentence without its full stop.
             pub const fn what(self) -> &'static str {
                 match self {
                     $(Self::$name => $what,)*
@@ -82,7 +82,7 @@ macro_rules! define {
                 }
             }
 
-            /// The same after an advance, which has shortened its steps itself.
+            /// The remedy after an advance, which has already shortened its steps itself.
             pub const fn remedy_of_advance(self) -> &'static str {
                 match self {
                     Self::CrossedSingularity

@@ -3,7 +3,7 @@
 use super::{Cause, Explain, Facts};
 use crate::listing::Part;
 
-/// Why a linkage cannot be built. Numbers are those of the listing's points and lengths.
+/// Why a linkage cannot be built. Numbers are indices of the listing's points and lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GeometryError {
     /// A coordinate of the point is NaN or infinite.
@@ -16,31 +16,31 @@ pub enum GeometryError {
         /// The length.
         length: usize,
     },
-    /// The three points that should carry the point lie in line.
+    /// The three points that should carry the point are collinear.
     Collinear {
         /// The point carried, or the last of the three.
         point: usize,
     },
-    /// The point lies in the plane of the three that links join it to, or too near to tell its sides
-    /// apart: the distances are singular there. A `body` is not.
+    /// The point lies in the plane of the three points that links join it to, or too near to tell its sides apart:
+    /// the distances are singular there. A `body` has no such singularity.
     Flat {
         /// The point.
         point: usize,
     },
-    /// The ends of a line on which a point slides, or of a length that is driven, coincide, or are too far
-    /// apart to compute with.
+    /// The ends of a line on which a point slides, or of a driven length, coincide or are too far apart to compute
+    /// with.
     NoLine {
         /// The end of the line.
         point: usize,
     },
-    /// No rigid body has the given lengths: they break the triangle inequality, or its like in
-    /// space, at this point.
+    /// No rigid body has the given lengths: at this point they break the triangle inequality, or its counterpart in
+    /// space.
     NotClosed {
         /// The point.
         point: usize,
     },
-    /// The fixed order of elimination has too small a pivot at these points, where partial pivoting has
-    /// none: see [`Build::check_pivots`](crate::Build::check_pivots).
+    /// The fixed order of elimination has too small a pivot at these points, while partial pivoting has none: see
+    /// [`Build::check_pivots`](crate::Build::check_pivots).
     SmallPivot {
         /// The equation of the pivot.
         equation: usize,

@@ -5,7 +5,7 @@ use core::fmt;
 use super::Cause;
 use crate::listing::{Part, Parts};
 
-/// What an error says, whatever its type. Printed with `{:#}` the remedy is left out.
+/// The content of an error, whatever its type. Printed with `{:#}`, the remedy is left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
     /// Its kind.
@@ -14,20 +14,20 @@ pub struct Facts {
     pub part: Option<Part>,
     /// The inequality that is not met.
     pub compared: Option<Compared>,
-    /// Of an advance: the time that was reached, s.
+    /// The time that an advance has reached, s.
     pub reached: Option<f64>,
 }
 
 /// An inequality that is not met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
-    /// What the value is.
+    /// The name of the value.
     pub what: &'static str,
     /// Its size.
     pub value: f64,
-    /// How the value should relate to the bound.
+    /// The relation that should hold between the value and the bound.
     pub relation: &'static str,
-    /// What it is compared with.
+    /// The bound.
     pub bound: f64,
 }
 
@@ -41,7 +41,7 @@ impl Facts {
         }
     }
 
-    /// The message, with names where a listing tells them.
+    /// Writes the message, with names if a listing provides them.
     fn write(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(reached) = self.reached {
             write!(f, "stopped at time {reached}: ")?;
@@ -100,17 +100,17 @@ impl fmt::Display for Number {
 
 /// An error that states its [`Facts`].
 pub trait Explain {
-    /// What it says.
+    /// The facts of this error.
     fn facts(&self) -> Facts;
 }
 
-/// An error with the listing that it is about: printed, it names the parts concerned; with `{:#}` the
-/// remedy is left out. `Debug` is the same, which a program prints whose `main` returns the error.
+/// An error with the listing that it concerns. Printed, it names the parts concerned; with `{:#}` the remedy is left
+/// out. `Debug` prints the same, because a program whose `main` returns the error prints it that way.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Failure<E, G> {
     /// The error.
     pub error: E,
-    /// What turns its numbers into names: a listing, or a model.
+    /// The source of the names: a listing, or a model.
     pub listing: G,
 }
 
@@ -128,7 +128,7 @@ impl<E: Explain, G: Parts> fmt::Debug for Failure<E, G> {
 
 impl<E: Explain, G: Parts> core::error::Error for Failure<E, G> {}
 
-/// Display with numbers, [`Failure`] for names.
+/// Implements `Display` with numbers, and [`Failure`] for names.
 macro_rules! messages {
     ($([$($parameter:tt)*] $error:ty;)*) => {
         $(

@@ -6,24 +6,24 @@ use crate::listing::Part;
 
 /// Why no configuration was found. The state that was passed in is unchanged.
 ///
-/// The part is an equation or an unknown; on a [`Curve`](crate::path::Curve) it may be the free drive, for
-/// its coordinate and for the quantity that leads in its place.
+/// The part is an equation or an unknown. On a [`Curve`](crate::path::Curve) it may be the free drive, which stands
+/// for its coordinate and for the quantity that leads in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
-    /// A residual, or a derivative of it, is NaN or infinite: so is an input, the start or the time
-    /// step, or it is too large for the number type.
+    /// A residual, or a derivative of it, is NaN or infinite. Either an input, the start or the time step is so too,
+    /// or the number is too large for the number type.
     NotFinite {
-        /// The equation whose residual it is.
+        /// The equation of the residual.
         part: Part,
     },
-    /// A correction, velocity or acceleration is NaN or infinite: so is a rate of an input, or it
+    /// A correction, velocity or acceleration is NaN or infinite. Either a rate of an input is so too, or the number
     /// is too large for the number type.
     Overflow {
-        /// The unknown whose change it is.
+        /// The unknown that changes.
         part: Part,
     },
-    /// The determinant of the Jacobian has another sign than at the last good motion: a
-    /// singularity lies between, and the root belongs to another assembly.
+    /// The determinant of the Jacobian has the opposite sign to that at the last good motion: a singularity lies in
+    /// between, and the root belongs to another assembly.
     CrossedSingularity {
         /// The unknown that moved farthest.
         part: Part,
@@ -32,45 +32,45 @@ pub enum SolveError<T> {
     Singular {
         /// The unknown whose column has no usable pivot.
         part: Part,
-        /// The largest candidate for a pivot.
+        /// The largest candidate for the pivot.
         pivot: T,
-        /// What it had to exceed.
+        /// The threshold that it must exceed.
         threshold: T,
     },
-    /// The point stands on the wrong side of the three that links join it to: the lengths are kept,
-    /// and the part that they make is the mirror image of the model's.
+    /// The point is on the wrong side of the three points that links join it to: the lengths are kept, but the part
+    /// that they form is the mirror image of the model's.
     Mirrored {
         /// The point, one of [`Linkage::linked`](crate::linkage::Linkage::linked).
         part: Part,
     },
-    /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so
-    /// the root, if any, might belong to another assembly.
+    /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so a root, if there is
+    /// one, might belong to another assembly.
     Diverging {
         /// The unknown with the largest correction.
         part: Part,
-        /// Its size, in units of length; of a bounded step the norm of all.
+        /// Its size, in units of length; for a bounded step the norm of all corrections.
         step: T,
-        /// What it had to stay within.
+        /// The bound that it must not exceed.
         bound: T,
     },
-    /// `change > bound`: over the step the Jacobian changes so much that singularities may lie
-    /// between, an even number of them too.
+    /// `change > bound`: the Jacobian changes so much over the step that singularities may lie in between, possibly
+    /// an even number of them.
     TooFar {
         /// The unknown with the largest change.
         part: Part,
         /// Its size, in units of length.
         change: T,
-        /// What it had to stay within: the size of the step.
+        /// The bound that it must not exceed: the size of the step.
         bound: T,
     },
-    /// `step > bound`, both in the unit of time: the series of the motion, of which this unknown has
-    /// the largest last term, is not good for so long a step.
+    /// `step > bound`, both in the unit of time: the series of the motion is not valid for so long a step. This
+    /// unknown has the largest last term of the series.
     StepTooLong {
         /// The unknown.
         part: Part,
         /// The length of the step.
         step: T,
-        /// What it had to stay within.
+        /// The bound that it must not exceed.
         bound: T,
     },
     /// The quantity that leads the motion turns before it meets its target: beyond its extreme
@@ -83,7 +83,7 @@ pub enum SolveError<T> {
         /// The quantity's extreme value.
         extreme: T,
     },
-    /// A drive is an angle beyond its range: the equations have the sine or cosine of another angle there.
+    /// A drive is an angle beyond its range, where the equations have the sine or cosine of another angle.
     OutOfRange {
         /// The drive.
         part: Part,
@@ -92,27 +92,27 @@ pub enum SolveError<T> {
         /// The end of the range.
         end: T,
     },
-    /// `residual > tolerance` after all iterations that were allowed.
+    /// `residual > tolerance` after all permitted iterations.
     NotConverged {
         /// The equation with the largest residual.
         part: Part,
-        /// Its size, in units of length; of a bounded step the norm of all.
+        /// Its size, in units of length; for a bounded step the norm of all residuals.
         residual: T,
-        /// What it had to reach.
+        /// The tolerance that it must reach.
         tolerance: T,
-        /// Corrections that were made.
+        /// The number of corrections made.
         iterations: usize,
     },
 }
 
 impl<T> SolveError<T> {
-    /// [`NotFinite`](Self::NotFinite) of an equation.
+    /// [`NotFinite`](Self::NotFinite) for an equation.
     pub(crate) fn not_finite(equation: usize) -> Self {
         let part = Part::Equation(equation);
         Self::NotFinite { part }
     }
 
-    /// [`Overflow`](Self::Overflow) of an unknown.
+    /// [`Overflow`](Self::Overflow) for an unknown.
     pub(crate) fn overflow(unknown: usize) -> Self {
         let part = Part::Unknown(unknown);
         Self::Overflow { part }

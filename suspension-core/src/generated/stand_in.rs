@@ -1,7 +1,7 @@
 //! The replacement for the code of a listing that has mistakes.
 
-/// `Factors` and the implementations without bodies, for `$n` unknowns, beside the types of the listing: code that uses
-/// them raises no errors of its own.
+/// `Factors` and the implementations without bodies, for `$n` unknowns, beside the types of the listing, so that code
+/// which uses them raises no errors of its own.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! stand_in {

@@ -10,17 +10,17 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The lengths of links and bodies.
     type Lengths: Values<Self::Scalar>;
 
-    /// The linkage of a listing whose lengths are those of the points as they stand, whether or not the
-    /// fixed order of elimination suits them: see [`check_pivots`](Self::check_pivots).
+    /// Builds the linkage of a listing with the lengths that the points give, whether or not the fixed order of
+    /// elimination suits them: see [`check_pivots`](Self::check_pivots).
     ///
     /// # Errors
     ///
-    /// Where a coordinate is not finite, a length is zero, a body's first three points are in line,
-    /// or one of [`linked`](Linkage::linked) lies in the plane of the points that hold it.
+    /// If a coordinate is not finite, a length is zero, a body's first three points are collinear, or one of
+    /// [`linked`](Linkage::linked) lies in the plane of the points that hold it.
     fn of(listing: Self::Listing, design: &Self::Points) -> Result<Self, GeometryError>;
 
-    /// [`of`](Self::of) a listing that `linkage!` has written, where the fixed order of elimination suits the
-    /// points.
+    /// As [`of`](Self::of), for a listing that `linkage!` has written; checks that the fixed order of elimination
+    /// suits the points.
     ///
     /// # Errors
     ///
@@ -34,31 +34,30 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
         Ok(linkage)
     }
 
-    /// Checks that the fixed order of elimination suits a position, the design as a rule: a
-    /// [bounded attempt](crate::Bounded::attempt) is refused where it does not. Whatever else solves for
-    /// a motion goes on there with partial pivoting, which takes longer, and so may a linkage that was
-    /// built with [`of`](Self::of).
+    /// Checks that the fixed order of elimination suits a position, usually the design. If it does not, a [bounded
+    /// attempt](crate::Bounded::attempt) is refused. Everything else that solves for a motion then goes on with
+    /// partial pivoting, which takes longer, so that a linkage built with [`of`](Self::of) can still be used.
     ///
     /// # Errors
     ///
-    /// [`GeometryError::SmallPivot`] where the [pivots](super::Factors::growth_squared) of the fixed order are
-    /// too small and those of partial pivoting are not. Near a singularity of the mechanism both are,
-    /// and there is no error.
+    /// [`GeometryError::SmallPivot`] if the [pivots](super::Factors::growth_squared) of the fixed order are too small
+    /// and those of partial pivoting are not. Near a singularity of the mechanism both are too small, and there is no
+    /// error.
     fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError>;
 
-    /// The same linkage with other lengths; each body keeps its handedness, and so does each
-    /// cluster of links that is as rigid.
+    /// The same linkage with other lengths. Each body keeps its handedness, and so does each cluster of links that is
+    /// as rigid as a body.
     ///
     /// # Errors
     ///
-    /// Where a length is not positive and finite, or no rigid body has the lengths.
+    /// If a length is not positive and finite, or no rigid body has the lengths.
     fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError>;
 
     /// The same linkage with its markers attached as they stand in `points`.
     ///
     /// # Errors
     ///
-    /// Where a coordinate is not finite or a carrier's points are in line.
+    /// If a coordinate is not finite or a carrier's points are collinear.
     fn with_markers(self, points: &Self::Points) -> Result<Self, GeometryError>;
 
     /// The lengths.
@@ -67,8 +66,8 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     /// The drives' values in a configuration.
     fn drives_at(&self, points: &Self::Points) -> Self::Drives;
 
-    /// Each body of the guess `q`, and each cluster of links that is as rigid, replaced by the rigid
-    /// body that fits it best.
+    /// The guess `q` with each body, and each cluster of links that is as rigid as a body, replaced by the rigid body
+    /// that fits it best.
     fn fit(&self, q: &SVector<Self::Scalar, N>, fixed: &Self::Fixed) -> SVector<Self::Scalar, N>;
 }
 

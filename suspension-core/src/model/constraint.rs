@@ -34,8 +34,8 @@ pub use product::Product;
 pub use stretch::Stretch;
 pub use turn::{Turn, turn_to_coordinate};
 
-/// The coordinate that a driving angle prescribes: `h = L cos(theta)` and its rates by the
-/// chain rule. The angle stays outside the algebra (Attia 2003, eq. 1.15).
+/// The coordinate `h = L cos(theta)` that a driving angle prescribes, and its rates by the chain rule. The angle
+/// itself stays outside the algebra (Attia 2003, eq. 1.15).
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn angle_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {
     let (sine, cosine) = sine_cosine(angle.value);

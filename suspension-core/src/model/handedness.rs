@@ -14,8 +14,7 @@ use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::model::constraint::{Carried, Frame};
 
-/// A point that distances alone hold to the three points of a frame, and the side of it on which
-/// it stands.
+/// A point that only distances hold to the three points of a frame, and the side of the frame on which it stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Linked<T> {
     shape: Carried<T>,
@@ -34,7 +33,7 @@ impl<T: Scalar> Linked<T> {
         }
     }
 
-    /// Where it stands in a frame of its shape.
+    /// The position of the point in a frame of its shape.
     #[inline]
     pub fn position(&self, frame: &Frame<T>) -> Vector3<T> {
         self.shape.position(frame)
@@ -46,14 +45,13 @@ impl<T: Scalar> Linked<T> {
         &self.shape
     }
 
-    /// `(1 - V / V0) / 2`: where the distances are kept, 0 on the point's own side of the frame and
-    /// 1 on the other.
+    /// `(1 - V / V0) / 2`: if the distances are kept, 0 on the point's own side of the frame and 1 on the other.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mirrored(&self, point: Vector3<T>, frame: &Frame<T>) -> T {
         T::constant(0.5).minus_product(volume(point, frame), self.half_inverse)
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same point in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Linked<S>,
@@ -72,8 +70,7 @@ fn volume<T: Scalar>(point: Vector3<T>, frame: &Frame<T>) -> T {
     dot(difference(point, frame.origin), cross(frame.u, frame.v))
 }
 
-/// How many of [`Linkage::linked`] are mirrored: where the distances are kept, a whole number to
-/// rounding.
+/// The number of mirrored points among [`Linkage::linked`]: if the distances are kept, a whole number to rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn count_mirrored<L, const N: usize>(
     linkage: &L,
@@ -87,13 +84,13 @@ where
     points.fold(L::Scalar::constant(0.0), |count, point| count + point)
 }
 
-/// Whether no point is mirrored, by what [`count_mirrored`] gives.
+/// Whether no point is mirrored, according to the result of [`count_mirrored`].
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn is_right<T: Real>(count: T) -> bool {
     count < T::constant(0.5)
 }
 
-/// The point of a position that is mirrored most.
+/// The most mirrored point of a position.
 #[cold]
 pub(crate) fn most_mirrored<T, L, const N: usize>(
     linkage: &L,

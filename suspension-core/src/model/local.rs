@@ -64,20 +64,20 @@ use crate::linkage::{Build, Linkage, Values};
 use crate::listing::{DriveKind, Kind, MeasureKind};
 use crate::signal::Signal;
 
-/// Into how many steps the extent of a mechanism is divided, at least: its local origin is a
-/// multiple of the step, less than that from the middle.
+/// The smallest number of steps into which the extent of a mechanism is divided. The local origin is a multiple of
+/// the step, less than one step from the middle.
 const STEPS: f64 = 4.0;
 
-/// Where local coordinates, parallel to the given ones, have their origin.
+/// The origin of local coordinates, whose axes are parallel to the given ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalOrigin<T: Real>(Vector3<T>);
 
 impl<T: Real> LocalOrigin<T> {
-    /// In the middle of the points, but for a part of their extent; zero where one of them is not
+    /// An origin near the middle of the points, to within a part of their extent; zero if one of the points is not
     /// finite.
     ///
-    /// It is a multiple of a power of two: points lose nothing on the way to it and back, save digits
-    /// below the last that numbers of the mechanism's size have.
+    /// It is a multiple of a power of two, so points lose nothing when they are converted to it and back, except
+    /// digits below the last that numbers of the mechanism's size have.
     pub fn among(points: impl IntoIterator<Item = Vector3<T>>) -> Self {
         let is_finite = |point: &Vector3<T>| point.iter().all(|x| x.is_finite());
         let mut extent: Option<[Vector3<T>; 2]> = None;
@@ -119,8 +119,8 @@ impl<T: Real> LocalOrigin<T> {
         points.map(|point| point + self.0)
     }
 
-    /// The offset of each drive, to be subtracted from a given value and added to one that was read off: the local
-    /// origin's coordinate where the drive is a coordinate of a point, otherwise zero.
+    /// The offset of each drive, to be subtracted from a given value and added to a value that is read: the local
+    /// origin's coordinate if the drive is a coordinate of a point, otherwise zero.
     pub fn of_drives<L: Build<N, Scalar = T>, const N: usize>(&self, linkage: &L) -> L::Drives {
         let values = linkage.drives_at(&self.everywhere());
         let each = values.values().take(linkage.count(Kind::Drive));
@@ -132,7 +132,7 @@ impl<T: Real> LocalOrigin<T> {
         ))
     }
 
-    /// The offset of each measure, to be added to that of local points: see [`of_drives`](Self::of_drives).
+    /// The offset of each measure, to be added to the measure of local points: see [`of_drives`](Self::of_drives).
     pub fn of_measures<L: Linkage<N, Scalar = T>, const N: usize>(
         &self,
         linkage: &L,
@@ -152,15 +152,15 @@ impl<T: Real> LocalOrigin<T> {
         }))
     }
 
-    /// All points in the local origin: what has no direction there, no length and no difference.
+    /// All points at the local origin, where every direction, length and difference vanishes.
     fn everywhere<P: Values<Vector3<T>>>(&self) -> P {
         P::from_values(core::iter::repeat(self.0))
     }
 }
 
 impl LocalOrigin<f64> {
-    /// The same origin among other numbers: in `f32` too it has all its digits, within a million
-    /// extents of the mechanism.
+    /// The same origin in another number type: in `f32` too it has all its digits, within a million extents of the
+    /// mechanism.
     pub fn in_numbers<T: Real>(&self) -> LocalOrigin<T> {
         LocalOrigin(self.0.map(T::constant))
     }

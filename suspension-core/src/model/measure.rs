@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::Real;
 use crate::signal::{Number, Signal};
 
-/// `|d|`, in the unit of the points. The rates are NaN where the two points coincide: the length
-/// turns back there.
+/// `|d|`, in the unit of the points. The rates are NaN where the two points coincide, because the length turns back
+/// there.
 pub fn length<T: Real>(line: &Signal<Vector3<T>>) -> Signal<T> {
     let (d, rate, second) = (line.value, line.rate, line.second_rate);
     let length = d.norm();
@@ -20,9 +20,9 @@ pub fn length<T: Real>(line: &Signal<Vector3<T>>) -> Signal<T> {
     }
 }
 
-/// The angle in radians, from 0 to pi, between `d` and the unit vector `axis`: `atan2(s, c)` with
-/// `c = d . axis` and `s` the length of what is left of `d` without it. The rates are NaN where `d`
-/// lies along the axis, and the angle turns back, or is zero.
+/// The angle in radians, from 0 to pi, between `d` and the unit vector `axis`: `atan2(s, c)`, where `c = d . axis`
+/// and `s` is the length of the part of `d` normal to the axis. The rates are NaN where `d` is parallel to the axis,
+/// because the angle turns back there, and where `d` is zero.
 pub fn angle<T: Real>(line: &Signal<Vector3<T>>, axis: Vector3<T>) -> Signal<T> {
     let along = line.map(|d| d.dot(&axis));
     let across = length(&line.map(|d| d - axis * d.dot(&axis)));
@@ -30,15 +30,15 @@ pub fn angle<T: Real>(line: &Signal<Vector3<T>>, axis: Vector3<T>) -> Signal<T> 
 }
 
 /// The angle in radians, from 0 to pi, between two lines: `atan2(|d x e|, d . e)`. The rates are NaN where the lines
-/// are parallel, and the angle turns back.
+/// are parallel, because the angle turns back there.
 pub fn between<T: Real>(first: &Signal<Vector3<T>>, second: &Signal<Vector3<T>>) -> Signal<T> {
     let (d, e) = (first.components(), second.components());
     let normal = d.cross(&e);
     Signal::arc_tangent(normal.dot(&normal).square_root(), d.dot(&e))
 }
 
-/// The angle in radians, from -pi to pi, by which a line appears turned against another to one towards whom `axis`
-/// points, anticlockwise: of what is left of both without their parts along the axis.
+/// The angle in radians, from -pi to pi, by which a line appears turned against another, seen with `axis` pointing
+/// towards the viewer, anticlockwise positive: the angle between the parts of both lines normal to the axis.
 pub fn turn<T: Real>(
     first: &Signal<Vector3<T>>,
     second: &Signal<Vector3<T>>,

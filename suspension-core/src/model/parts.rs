@@ -11,13 +11,13 @@ use crate::error::GeometryError;
 pub use bodies::{carried, carried_at, frame, frame_of_lengths, linked, linked_at, plane};
 pub use lines::{bilinear, distance, line, product, product_at, stretch, turn};
 
-/// Whether the fourth power is finite: constants of bodies are of that degree.
+/// Whether the fourth power is finite, because constants of bodies are of that degree.
 fn is_moderate<T: Real>(number: T) -> bool {
     let square = number * number;
     (square * square).is_finite()
 }
 
-/// Whether a length can be squared and divided by.
+/// Whether a length can be squared and used as a divisor.
 fn is_usable<T: Real>(length: T) -> bool {
     let square = length * length;
     length > T::zero()

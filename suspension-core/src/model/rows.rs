@@ -9,7 +9,8 @@ pub struct Rows<T, const N: usize> {
     columns: [[T; N]; N],
 }
 
-/// One of these rows, or the first of three where a method says so. The column of a point is that of its first coordinate.
+/// One of these rows, or the first of three where a method says so. The column of a point is the column of its first
+/// coordinate.
 pub struct Row<'a, T, const N: usize> {
     columns: &'a mut [[T; N]; N],
     row: usize,
@@ -49,14 +50,14 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
         }
     }
 
-    /// Sets the derivative of the row by one unknown.
+    /// Sets the derivative of the row with respect to one unknown.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_one(mut self, column: usize, entry: T) -> Self {
         self.put(0, column, entry);
         self
     }
 
-    /// Sets the derivative of the row by a point.
+    /// Sets the derivative of the row with respect to a point.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by(self, column: usize, entries: Vector3<T>) -> Self {
         self.by_one(column, entries.x)
@@ -64,7 +65,7 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
             .by_one(column + 2, entries.z)
     }
 
-    /// Sets the derivatives of three rows by one unknown.
+    /// Sets the derivatives of three rows with respect to one unknown.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn three_by_one(mut self, column: usize, entries: Vector3<T>) -> Self {
         self.put(0, column, entries.x);
@@ -73,7 +74,8 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
         self
     }
 
-    /// Sets the derivatives of three rows by a point. A loop would keep the matrix in memory, and stacks are small.
+    /// Sets the derivatives of three rows with respect to a point. A loop would keep the matrix in memory, and stacks
+    /// are small.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn three_by(self, column: usize, entries: Matrix3<T>) -> Self {
         let [[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]] = entries.data.0;
@@ -82,7 +84,7 @@ impl<T: Scalar, const N: usize> Row<'_, T, N> {
             .three_by_one(column + 2, Vector3::new(xz, yz, zz))
     }
 
-    /// Sets the derivatives of three rows by a point to a multiple of the identity.
+    /// Sets the derivatives of three rows with respect to a point to a multiple of the identity.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn diagonal_by(mut self, column: usize, factor: T) -> Self {
         self.put(0, column, factor);

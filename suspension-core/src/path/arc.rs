@@ -9,12 +9,12 @@ use crate::path::linear::Linear;
 use crate::signal::Signal;
 use crate::step::series::{Jet, half_curvature};
 
-/// The curve near a configuration: a polynomial in the distance that entry `parameter` has moved,
-/// counted along the tangent that the arc was given.
+/// The curve near a configuration: a polynomial in the distance that entry `parameter` has moved, measured along the
+/// tangent that the arc was given.
 ///
-/// With `y(s) = sum y_k s^k` the equations, quadratic, hold to order `k` where
-/// `M y_k = -1/2 sum C(y_i, y_{k-i})`, `M` the matrix of the local parametrisation and the
-/// parameter's entry of `y_k` zero from `k = 2` on: one back-substitution an order.
+/// With `y(s) = sum y_k s^k` the equations, which are quadratic, hold to order `k` if
+/// `M y_k = -1/2 sum C(y_i, y_{k-i})`, where `M` is the matrix of the local parametrisation and the parameter's entry
+/// of `y_k` is zero from `k = 2` on. Each order takes one back-substitution.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arc<T, const N: usize, const K: usize> {
     pub(crate) jet: Jet<Configuration<T, N>, K>,
@@ -84,7 +84,7 @@ impl<T: Real, const N: usize, const K: usize> Arc<T, N, K> {
     }
 }
 
-/// The curve's first two derivatives at a configuration, by the local parameter.
+/// The curve's first two derivatives with respect to the local parameter at a configuration.
 pub(crate) fn second_order<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     curve: &Curve<'_, L, N>,
     at: &Configuration<T, N>,

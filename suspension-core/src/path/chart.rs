@@ -14,7 +14,7 @@ pub(crate) enum Chart<T> {
     Value,
     /// `L cos(theta)`, with `theta` from 0 to pi.
     Cosine { length: T },
-    /// `L sin(theta / 4)`, with `theta` less than a whole turn to either side.
+    /// `L sin(theta / 4)`, with `theta` less than a whole turn in either direction.
     QuarterSine { length: T },
 }
 
@@ -38,7 +38,7 @@ impl<T: Real> Chart<T> {
         }
     }
 
-    /// The largest magnitude that the coordinate of an angle has; `None` where it has none.
+    /// The largest magnitude that the coordinate of an angle can have; `None` if there is no limit.
     pub(crate) fn largest(self) -> Option<T> {
         match self {
             Self::Value => None,
@@ -77,8 +77,8 @@ impl<T: Real> Chart<T> {
         }
     }
 
-    /// The value and its rates from those of the coordinate, differentiated once and twice. At the ends of an angle's
-    /// range the rates are infinite or not a number.
+    /// The value and its first two rates, from those of the coordinate. At the ends of an angle's range the rates are
+    /// infinite or NaN.
     pub(crate) fn value(self, coordinate: &Signal<T>) -> Signal<T> {
         let Signal {
             value: h,

@@ -7,13 +7,13 @@ use nalgebra::SVector;
 use crate::arithmetic::entrywise::{difference, multiple, sum};
 use crate::arithmetic::scalar::Real;
 
-/// The `N` unknowns and, entry `N`, the coordinate of the drive that is set free; or their rates.
+/// The `N` unknowns and, as entry `N`, the coordinate of the drive that is set free; or the rates of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Configuration<T, const N: usize> {
     /// `q`, in units of length.
     pub unknowns: SVector<T, N>,
-    /// The drive's coordinate, in units of length: of an angle `h = L cos(theta)`, of one
-    /// about an axis `h = L sin(theta / 4)`.
+    /// The drive's coordinate, in units of length: `h = L cos(theta)` for an angle, `h = L sin(theta / 4)` for an
+    /// angle about an axis.
     pub drive: T,
 }
 
@@ -25,13 +25,13 @@ impl<T: Real, const N: usize> Configuration<T, N> {
         }
     }
 
-    /// Entry `index`; the drive's from `N` on.
+    /// Entry `index`; from `N` on, the entry of the drive.
     pub(crate) fn entry(&self, index: usize) -> T {
         let [unknowns] = &self.unknowns.data.0;
         unknowns.get(index).copied().unwrap_or(self.drive)
     }
 
-    /// The same with another entry.
+    /// The same configuration with one entry replaced.
     pub(crate) fn with_entry(mut self, index: usize, value: T) -> Self {
         let [unknowns] = &mut self.unknowns.data.0;
         *unknowns.get_mut(index).unwrap_or(&mut self.drive) = value;

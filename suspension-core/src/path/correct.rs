@@ -13,13 +13,13 @@ use crate::path::linear::{Linear, of_drive};
 use crate::solve::newton::{Newton, rounding_at, within};
 use crate::solve::report::Report;
 
-/// Corrections with the same factors after the first with them. Each takes the same share off as the
-/// first has left, at a fraction of the cost of new factors.
+/// The number of corrections with the same factors after the first with them. Each reduces the error by the same
+/// ratio as the first, at a fraction of the cost of new factors.
 const FURTHER: usize = 4;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
-    /// Newton's method with one entry held: the configuration near `start` that solves the
-    /// equations. The first correction must stay within `bound`.
+    /// Newton's method with one entry held: finds the configuration near `start` that solves the equations. The first
+    /// correction must not exceed `bound`.
     pub(crate) fn correct(
         &self,
         newton: &Newton<T>,
@@ -34,7 +34,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             let linear = self.linear(&iterate.at, parameter)?;
             let rounding = rounding_at(self.linkage, &iterate.at.unknowns);
             let step = linear.solve(&iterate.residual);
-            // The drive's correction stands at the entry that is held.
+            // The drive's correction is stored in the entry that is held.
             let corrections = step.with_entry(parameter, step.drive).unknowns;
             let size =
                 within(&corrections, bound, rounding).map_err(of_drive(parameter, self.drive))?;
@@ -66,8 +66,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
         })
     }
 
-    /// Corrections with the same factors, as long as they bring the residual down: the last is one
-    /// from within the tolerance.
+    /// Makes corrections with the same factors as long as they reduce the residual. The last one starts from within
+    /// the tolerance.
     fn corrected_further(
         &self,
         mut iterate: Iterate<T, N>,
@@ -88,7 +88,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
     }
 }
 
-/// A configuration on the way, with its residual and the largest entry of it.
+/// A configuration on the way, with its residual and the residual's largest entry.
 #[derive(Clone, Copy)]
 struct Iterate<T, const N: usize> {
     at: Configuration<T, N>,
@@ -110,7 +110,7 @@ impl<T: Real, const N: usize> Iterate<T, N> {
     }
 }
 
-/// The largest residual; the equation of one that is not finite as the error.
+/// The largest residual, or as the error the equation of a residual that is not finite.
 pub(crate) fn finite<T: Real, const N: usize>(
     residual: &SVector<T, N>,
 ) -> Result<T, SolveError<T>> {

@@ -18,7 +18,7 @@ use crate::solve::motion::input_terms;
 use crate::solve::newton::{rounding_at, within};
 use crate::solve::report::Report;
 
-/// The smallest part of the tangent's largest entry that the local parameter may have.
+/// The smallest fraction of the tangent's largest entry that the entry of the local parameter may be.
 const POOR: f64 = 0.25;
 
 /// One step: how it is made, along which curve, and to which target.
@@ -92,7 +92,7 @@ where
         Ok((next, report))
     }
 
-    /// See [`Led::increases`], of a motion that has made no step; unknown where the quantity turns there.
+    /// [`Led::increases`] for a motion that has made no step; unknown if the quantity turns there.
     fn increases(&self, led: &Led<T, N>) -> Result<Option<bool>, SolveError<T>> {
         let at = &led.configuration.value;
         let linear = self.curve.linear(at, led.parameter)?;
@@ -123,7 +123,7 @@ where
                 error = correction;
             }
             at = at + step;
-            // Once more with the same factors, for what the square of the first has left.
+            // One more correction with the same factors removes the error of second order that the first has left.
             at = at + self.correction(&at, &linear)?;
             let residual = finite(&self.curve.residual(&at))?;
             let tolerance = newton.tolerance_at(self.curve.linkage, &at.unknowns);
@@ -155,7 +155,7 @@ where
         })
     }
 
-    /// The largest first correction of a position that was predicted by a move.
+    /// The largest permitted first correction of a position that was predicted by the move `moves`.
     fn first_bound(&self, moves: &Configuration<T, N>) -> Result<T, SolveError<T>> {
         let moved = magnitude(&moves.unknowns).map_err(SolveError::overflow)?;
         let size = self.curve.linkage.size();

@@ -13,12 +13,12 @@ use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::lu::Lu;
 use crate::solve::motion::Prescribed;
 
-/// The pivot growth up to which the factors of the Jacobian serve a curve: so much more rounding than with partial pivoting its
-/// rates may have.
+/// The pivot growth up to which the factors of the Jacobian are used on a curve: its rates may have this much more
+/// rounding error than with partial pivoting.
 const GROWTH: f64 = 50.0;
 
-/// The curve of a linkage's configurations while one drive is free, the other drives and the
-/// chassis points held where the inputs have them.
+/// The curve of a linkage's configurations with one drive free, while the other drives and the chassis points are
+/// held where the inputs have them.
 pub struct Curve<'a, L: Linkage<N>, const N: usize> {
     pub(crate) linkage: &'a L,
     pub(crate) drive: usize,
@@ -30,7 +30,7 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    /// Sets the drive with this index free; `None` where there is none.
+    /// Sets the drive with this index free; `None` if there is none.
     pub fn new<C>(linkage: &'a L, inputs: &Inputs<C, L::Drives>, drive: usize) -> Option<Self>
     where
         C: ChassisMotion<L::Fixed>,
@@ -62,7 +62,7 @@ where
         }
     }
 
-    /// The configuration with the unknowns `q` and the freed drive where the inputs have it.
+    /// The configuration with the unknowns `q` and the free drive where the inputs have it.
     pub fn configuration(&self, q: &SVector<T, N>) -> Configuration<T, N> {
         let mut values = self.prescribed.drives.value.values();
         Configuration {
@@ -71,8 +71,8 @@ where
         }
     }
 
-    /// The drive's value, an angle in radians or the coordinate itself, and its rates, from those
-    /// of its coordinate. At an angle of 0 or pi, or about an axis of a whole turn, its rates are infinite or not a number.
+    /// The drive's value (an angle in radians, or the coordinate itself) and its rates, from those of its coordinate.
+    /// At an angle of 0 or pi, or about an axis at a whole turn, its rates are infinite or NaN.
     pub fn value(&self, coordinate: &Signal<T>) -> Signal<T> {
         self.chart().value(coordinate)
     }
@@ -87,13 +87,13 @@ where
         self.chart().coordinate(value)
     }
 
-    /// The entry that moves fastest along the curve, at a configuration near it.
+    /// The entry that changes fastest along the curve, at a configuration near it.
     pub(crate) fn steepest(&self, at: &Configuration<T, N>) -> Result<usize, SolveError<T>> {
         // Any regular choice of the parameter gives the tangent.
         if let Some((_, tangent)) = self.by_jacobian(at) {
             return Ok(tangent.largest_entry());
         }
-        // The healthiest is sure to be one.
+        // The choice with the healthiest pivots is sure to be regular.
         let mut best = self.linear(at, N);
         for parameter in 0..N {
             best = match (best, self.linear(at, parameter)) {
@@ -115,8 +115,8 @@ where
         self.linkage.points(&at.unknowns, &self.fixed(at))
     }
 
-    /// All points with their first and second derivative, from those of the configuration with
-    /// respect to the same variable; the chassis points and the other drives held.
+    /// All points with their first and second derivatives, from those of the configuration with respect to the same
+    /// variable. The chassis points and the other drives are held.
     pub fn moving_points(&self, along: &Signal<Configuration<T, N>>) -> Signal<L::Points> {
         let still = Signal {
             value: self.prescribed.fixed.value,
@@ -151,7 +151,7 @@ where
         }
     }
 
-    /// Chassis points in a configuration.
+    /// The chassis points in a configuration.
     pub(crate) fn fixed(&self, at: &Configuration<T, N>) -> L::Fixed {
         self.linkage
             .drive_anchors(self.prescribed.fixed.value, &self.drives(at))
@@ -162,9 +162,9 @@ where
         self.prescribed.drives.value.with(self.drive, at.drive)
     }
 
-    /// Rates of the chassis points: what `chassis` has, and of the free drive the rate `drive`.
+    /// Rates of the chassis points: those of `chassis`, plus those due to the rate `drive` of the free drive.
     pub(crate) fn driven(&self, chassis: L::Fixed, drive: T) -> L::Fixed {
-        // Anchors of the other drives move as `chassis` has it: the free one's share is added.
+        // `chassis` includes the rates of the other drives' anchors; the free drive's share is added.
         let share = self.drive_share(drive);
         let pairs = chassis.values().zip(share.values());
         L::Fixed::from_values(pairs.map(|(a, b)| a + b))
@@ -191,8 +191,8 @@ where
             .drive_rate(&at.unknowns, &self.fixed(at), &share, &unit)
     }
 
-    /// The factors of the Jacobian in the macro's order and the tangent whose entry of the drive is 1;
-    /// `None` where rounding would grow by more than [`GROWTH`] with them.
+    /// The factors of the Jacobian in the macro's order, and the tangent whose entry of the drive is 1; `None` if
+    /// rounding errors would grow by more than [`GROWTH`] with them.
     fn by_jacobian(&self, at: &Configuration<T, N>) -> Option<(L::Factors, Configuration<T, N>)> {
         let factors = self.linkage.factor(&at.unknowns, &self.fixed(at));
         let is_accurate = factors.growth_squared() <= T::constant(GROWTH * GROWTH);
@@ -205,7 +205,7 @@ where
         })
     }
 
-    /// The equations linearised at a configuration, entry `parameter` held.
+    /// The equations linearised at a configuration, with entry `parameter` held.
     pub(crate) fn linear(
         &self,
         at: &Configuration<T, N>,

@@ -8,16 +8,16 @@ use crate::path::curve::Curve;
 use crate::signal::Signal;
 use crate::solve::newton::Newton;
 
-/// Newton steps along the curve.
+/// The number of Newton steps along the curve.
 const STEPS: usize = 40;
 
-/// The longest of them, as a part of the linkage's size.
+/// The longest of these steps, as a fraction of the linkage's size.
 const LONGEST: f64 = 0.05;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
-    /// The nearest place along the curve where a quantity turns, with the curve's derivatives
-    /// there, and the quantity's extreme value: by Newton's method on its slope, which takes the
-    /// curve's second derivative. `None` where it does not converge.
+    /// The nearest place along the curve where a quantity turns, with the curve's derivatives there, and the
+    /// quantity's extreme value. Uses Newton's method on the quantity's slope, which takes the curve's second
+    /// derivative. `None` if it does not converge.
     pub(crate) fn extreme(
         &self,
         newton: &Newton<T>,
@@ -28,7 +28,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
         let size = self.linkage.size();
         let longest = T::constant(LONGEST) * size;
         let half = T::constant(0.5);
-        // The value at a distance from its extreme is off by the square of that.
+        // Near an extreme, the value is off by the square of the distance from it.
         let near = T::EPSILON.sqrt() * T::constant(1e-3) * size;
         let (mut at, mut forwards) = (*from, *forwards);
         for _ in 0..STEPS {

@@ -23,8 +23,8 @@ use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::report::Report;
 use crate::step::substeps::{Stopped, in_steps};
 
-/// The measure of the listing with this index, as a quantity that leads: chosen at run time among
-/// [`Linkage::Measures`]. `None` where there is none.
+/// The measure of the listing with this index as a quantity that leads, chosen at run time among
+/// [`Linkage::Measures`]; `None` if there is none.
 pub fn measured<T, L, const N: usize>(
     linkage: &L,
     index: usize,
@@ -41,19 +41,18 @@ where
 }
 
 impl<T: Real> Leader<T> {
-    /// One step of length `dt` to where `quantity` meets `target`, predicted from the last motion.
-    /// Of `inputs` the free drive's signal is ignored.
+    /// Makes one step of length `dt` to where `quantity` meets `target`, predicted from the last motion. The free
+    /// drive's signal in `inputs` is ignored.
     ///
-    /// `quantity` gives a quantity of the points with its first and second rate from theirs. Like
-    /// any such rates they must be linear in the velocities, and in the accelerations but for
-    /// terms of the velocities.
+    /// `quantity` computes a quantity with its first and second rate from the points and their rates. Like all such
+    /// rates, they must be linear in the velocities, and in the accelerations apart from terms of the velocities.
     ///
     /// # Errors
     ///
-    /// [`SolveError::TurningPoint`] where the quantity turns before it meets the target,
-    /// [`SolveError::CrossedSingularity`] where another singularity lies between,
-    /// [`SolveError::NotFinite`] of the free drive where the quantity or its target is NaN or infinite, else
-    /// as [`Tracker::step`](crate::Tracker::step). The motion is then unchanged.
+    /// [`SolveError::TurningPoint`] if the quantity turns before it meets the target,
+    /// [`SolveError::CrossedSingularity`] if another singularity lies in between, [`SolveError::NotFinite`] of the
+    /// free drive if the quantity or its target is NaN or infinite, otherwise as
+    /// [`Tracker::step`](crate::Tracker::step). The motion is then unchanged.
     pub fn step<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -84,13 +83,12 @@ impl<T: Real> Leader<T> {
         }
     }
 
-    /// Follows the motion from time `from` to time `to`, either way, in as few steps as the bounds
-    /// on corrections allow: a refused step is halved, a good one doubled.
+    /// Follows the motion from time `from` to time `to`, in either direction, in as few steps as the bounds on
+    /// corrections allow: a refused step is halved, and after a good one the step is doubled.
     ///
     /// # Errors
     ///
-    /// [`Stopped`] where steps have shrunk to rounding or `max_steps` are used up; the motion is
-    /// then the last good one.
+    /// [`Stopped`] if steps have shrunk to rounding or `max_steps` are used up; the motion is then the last good one.
     pub fn advance<L, C, const N: usize>(
         &self,
         linkage: &L,

@@ -5,12 +5,12 @@ use crate::solve::newton::Newton;
 use crate::step::substeps::MAX_STEPS;
 use crate::step::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 
-/// How to follow a motion that a quantity leads.
+/// Settings for following a motion that a quantity leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leader<T> {
     /// How each step is solved.
     pub newton: Newton<T>,
-    /// Steps that one advance may try, the refused ones included.
+    /// The number of steps that one advance may try, including refused ones.
     pub max_steps: usize,
     /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
     pub correction_of_move: T,

@@ -10,24 +10,23 @@ use crate::path::curve::Curve;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::motion::Motion;
 
-/// A motion that another quantity leads in place of one drive.
+/// A motion that another quantity leads instead of one drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Led<T, const N: usize> {
     /// The unknowns and the coordinate of the drive that is set free, with their rates.
     pub configuration: Signal<Configuration<T, N>>,
     /// The index of the drive that is set free.
     pub(super) drive: usize,
-    /// The local parameter: the entry of the configuration that is held in corrections. `N` is
-    /// the drive. The [`Leader`](super::Leader) exchanges it where it determines the others badly.
+    /// The local parameter: the entry of the configuration that is held in corrections. `N` is the drive. The
+    /// [`Leader`](super::Leader) exchanges it if it determines the other entries poorly.
     pub parameter: usize,
-    /// Whether the quantity increases along the curve in the direction in which
-    /// `det [J, dF/dh; t^T]` is positive, where known: it changes only where the quantity turns
-    /// or another curve crosses.
+    /// Whether the quantity increases along the curve in the direction in which `det [J, dF/dh; t^T]` is positive, if
+    /// known. It changes only where the quantity turns or another curve crosses.
     pub increases: Option<bool>,
 }
 
 impl<T: Real, const N: usize> Led<T, N> {
-    /// At rest on a curve, with the unknowns `q`: the drive that the curve sets free is free.
+    /// A motion at rest on a curve, with the unknowns `q`. Its free drive is the one that the curve sets free.
     ///
     /// # Errors
     ///
@@ -77,7 +76,7 @@ impl<T: Real, const N: usize> Led<T, N> {
         curve.points_with(&self.configuration, &curve.prescribed.fixed)
     }
 
-    /// The unknowns' motion, for a [`Tracker`](crate::Tracker) to go on with.
+    /// The unknowns' motion, from which a [`Tracker`](crate::Tracker) can go on.
     pub fn motion(&self) -> Motion<T, N> {
         let Signal {
             value,

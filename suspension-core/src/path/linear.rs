@@ -28,13 +28,13 @@ use crate::path::configuration::Configuration;
 use crate::solve::factored::Factored;
 use crate::solve::lu::Lu;
 
-/// The largest entry of the tangent, as a multiple of the parameter's, up to which the factors of the
-/// Jacobian serve.
+/// The largest entry of the tangent, as a multiple of the parameter's entry, up to which the factors of the Jacobian
+/// are used.
 const STEEP: f64 = 16.0;
 
 pub(crate) struct Linear<L: Linkage<N>, const N: usize> {
     factored: Factored<L::Factors, L::Scalar, N>,
-    /// `u`, where an unknown is the parameter and the factors are those of the Jacobian.
+    /// `u`, if an unknown is the parameter and the factors are those of the Jacobian.
     by_drive: Option<SVector<L::Scalar, N>>,
     pub(crate) parameter: usize,
     /// The tangent whose entry `parameter` is 1.
@@ -42,7 +42,7 @@ pub(crate) struct Linear<L: Linkage<N>, const N: usize> {
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
-    /// From the factored matrix and the parameter's column, its sign changed.
+    /// From the factored matrix and the parameter's column with its sign changed.
     pub(crate) fn of_matrix(
         lu: Lu<T, N>,
         parameter: usize,
@@ -58,8 +58,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
         })
     }
 
-    /// From the factors of the Jacobian and the tangent by the drive; `None` where the parameter's entry
-    /// in it is too small.
+    /// From the factors of the Jacobian and the tangent with respect to the drive; `None` if the parameter's entry in
+    /// the tangent is too small.
     pub(crate) fn of_jacobian(
         factors: L::Factors,
         parameter: usize,
@@ -75,8 +75,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
         })
     }
 
-    /// The solution of the linearised equations as a change of configuration: the parameter's entry
-    /// is zero.
+    /// The solution of the linearised equations as a change of configuration, in which the parameter's entry is zero.
     pub(crate) fn solve(&self, right: &SVector<T, N>) -> Configuration<T, N> {
         let solution = self.factored.factors().solve(right);
         let Some(by_drive) = &self.by_drive else {
@@ -94,17 +93,17 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
         .with_entry(self.parameter, T::zero())
     }
 
-    /// The unit tangent that points as `before` does.
+    /// The unit tangent, oriented as `before`.
     pub(crate) fn unit_tangent(&self, before: &Configuration<T, N>) -> Configuration<T, N> {
         let length = self.tangent.norm();
         let forwards = self.tangent.dot(before) >= T::zero();
         self.tangent * (if forwards { T::one() } else { -T::one() } / length)
     }
 
-    /// Whether the determinant of all columns with the tangent as last row is positive. By Cramer's
-    /// rule it has the sign of the matrix' determinant times the tangent's entry at the parameter,
-    /// the other one where an unknown's column was replaced. It changes along the curve only where
-    /// the derivative loses rank: where another curve crosses.
+    /// Whether the determinant of all columns with the tangent as last row is positive. By Cramer's rule it has the
+    /// sign of the matrix's determinant times the tangent's entry at the parameter, or the opposite sign if an
+    /// unknown's column was replaced. It changes along the curve only where the derivative loses rank, which is where
+    /// another curve crosses.
     pub(crate) fn is_positive(&self, tangent: &Configuration<T, N>) -> bool {
         let of_drive = self.by_drive.and_then(|u| u.get(self.parameter).copied());
         let of_matrix = self.factored.factors().determinant_sign() * -of_drive.unwrap_or(-T::one());
@@ -118,8 +117,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
     }
 }
 
-/// An error of solving with the matrix, which names the unknown of a column: that of the parameter is
-/// the free drive's.
+/// Converts an error of solving with the matrix, which names the unknown of a column: the parameter's column belongs
+/// to the free drive.
 pub(crate) fn of_drive<T>(
     parameter: usize,
     drive: usize,
@@ -136,7 +135,7 @@ pub(crate) fn of_drive<T>(
     }
 }
 
-/// A solution as a configuration: its entry at the parameter is the drive's, where `value` comes.
+/// A solution as a configuration: its entry at the parameter is the drive's, and `value` takes its place.
 fn placed<T: Real, const N: usize>(
     solution: &SVector<T, N>,
     parameter: usize,

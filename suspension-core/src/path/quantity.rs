@@ -12,7 +12,7 @@ use crate::path::linear::Linear;
 use crate::signal::Signal;
 use crate::solve::newton::rounding_at;
 
-/// How far from a target the quantity may be, as a multiple of rounding of the target.
+/// How far the quantity may be from its target, as a multiple of the target's rounding.
 const OF_TARGET: f64 = 16.0;
 
 impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
@@ -26,7 +26,7 @@ where
         self.number(self.measured(at, none, none).value)
     }
 
-    /// The rate of the quantity where the configuration changes at a rate.
+    /// The rate of the quantity when the configuration changes at a rate.
     pub(super) fn slope(
         &self,
         at: &Configuration<T, N>,
@@ -35,8 +35,8 @@ where
         self.number(self.measured(at, *rate, Configuration::zero()).rate)
     }
 
-    /// The largest slope in any direction, the norm of the gradient: times a tolerance of lengths it is
-    /// one of the quantity, whatever its unit.
+    /// The largest slope in any direction, which is the norm of the gradient. Multiplied by a tolerance of lengths it
+    /// is a tolerance of the quantity, whatever its unit.
     pub(super) fn steepest(&self, at: &Configuration<T, N>) -> Result<T, SolveError<T>> {
         let mut square = T::zero();
         for entry in 0..=N {
@@ -47,9 +47,9 @@ where
         Ok(square.sqrt())
     }
 
-    /// The [`steepest`](Self::steepest) slope at a position that solves the equations within `tolerance`; `None` where the
-    /// quantity does not meet its target there. It may be off by what the tolerance makes of it along the curve, or by what
-    /// rounding leaves of the positions and of the quantity itself.
+    /// The [`steepest`](Self::steepest) slope at a position that solves the equations within `tolerance`; `None` if
+    /// the quantity does not meet its target there. The quantity may be off by the effect of the tolerance along the
+    /// curve, or by the rounding errors of the positions and of the quantity itself.
     pub(super) fn steepest_on_target(
         &self,
         at: &Configuration<T, N>,
@@ -65,8 +65,7 @@ where
         Ok((off_target <= near).then_some(steepest))
     }
 
-    /// The turning point of the quantity, where it lies near the last motion and before the
-    /// target.
+    /// The turning point of the quantity, if it lies near the last motion and before the target.
     pub(super) fn turning_before(&self, led: &Led<T, N>) -> Option<SolveError<T>> {
         let from = led.configuration.value;
         let forwards = Configuration::zero().with_entry(led.parameter, T::one());
@@ -77,7 +76,7 @@ where
                 })?;
         let asked = self.target.value;
         let here = self.value(&from).ok()?;
-        // So near to the extreme the slope is lost in rounding.
+        // This near to the extreme, the slope is lost in rounding.
         let rounding = T::EPSILON * self.curve.linkage.size();
         let near = rounding * T::constant(1024.0) * self.steepest(&from).ok()?;
         let short = if here < extreme {
@@ -94,8 +93,8 @@ where
         })
     }
 
-    /// A value, target or slope of the quantity, which stands in for the free drive, where it is
-    /// finite.
+    /// A value, target or slope of the quantity, if it is finite. An error names the free drive, for which the
+    /// quantity stands in.
     pub(super) fn number(&self, number: T) -> Result<T, SolveError<T>> {
         if number.is_finite() {
             Ok(number)

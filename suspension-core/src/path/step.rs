@@ -11,14 +11,14 @@ use crate::path::place::{End, Place, Stretch};
 use crate::path::{Continuation, ORDER, Path};
 use crate::step::tracker::CORRECTION_OF_MOVE;
 
-/// The least cosine of the angle between the tangents at the ends of a step.
+/// The smallest cosine of the angle between the tangents at the ends of a step.
 const STRAIGHT: f64 = 0.97;
 
 /// How often a step may be halved.
 const HALVINGS: usize = 40;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
-    /// One step, as long as the series and the corrector allow.
+    /// Makes one step, as long as the series and the corrector allow.
     pub(super) fn step(&mut self) -> Result<Stretch<T, N>, SolveError<T>> {
         let Continuation {
             longest, precision, ..
@@ -35,7 +35,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             &self.here.tangent,
         );
         let size = self.curve.linkage.size();
-        // Of the last term, which grows with the fourth power.
+        // For the last term, which grows with the fourth power.
         let reach = (precision * size / arc.last_term()).sqrt().sqrt();
         let mut distance = (longest * size)
             .min(reach)
@@ -61,8 +61,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         Ok(stretch)
     }
 
-    /// The stretch to a distance, cut short where the path ends within it; and the equations
-    /// linearised where it does not.
+    /// The stretch to a distance, cut short if the path ends within it; and the equations linearised at its end if
+    /// the path goes on.
     fn stretch(
         &self,
         arc: &Arc<T, N, ORDER>,
@@ -111,7 +111,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         Ok(place)
     }
 
-    /// The same with the equations linearised there.
+    /// The same place, with the equations linearised there.
     fn arrive_with(
         &self,
         arc: &Arc<T, N, ORDER>,
@@ -132,8 +132,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         Ok((place, linear))
     }
 
-    /// The return to the start, where it lies on the arc: its distance is known, because the
-    /// parameter is one of the entries.
+    /// The return to the start, if it lies on the arc. Its distance is known, because the parameter is one of the
+    /// entries.
     fn closure(&self, arc: &Arc<T, N, ORDER>, end: T) -> Option<(T, Place<T, N>, End<T>)> {
         let start = &self.start.configuration;
         let to_start = start.entry(arc.parameter) - self.here.configuration.entry(arc.parameter);
@@ -155,11 +155,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         is_same.then_some((distance, place, End::Closed { gap }))
     }
 
-    /// The end before a change of orientation within a distance; `None` where the places on both
-    /// sides of it are not neighbours: then one of them is on another curve.
+    /// The end before a change of orientation within a distance; `None` if the places on both sides of it are not
+    /// neighbours, because one of them is then on another curve.
     fn bifurcation(&self, arc: &Arc<T, N, ORDER>, distance: T) -> Option<(T, Place<T, N>, End<T>)> {
         let size = self.curve.linkage.size();
-        // At a distance d, rounding turns the tangent by EPSILON / d^2: nearer, it is none.
+        // At a distance d, rounding turns the tangent by EPSILON / d^2: nearer than this it means nothing.
         let root = T::EPSILON.sqrt().sqrt().sqrt();
         let accuracy = root * root * root * size;
         let [mut low, mut high] = [T::zero(), distance];
@@ -184,9 +184,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
     }
 }
 
-/// [`STRAIGHT`], or more where there are many unknowns: the largest entry of a unit tangent, the
-/// parameter's, is `1 / sqrt(N + 1)` or more, and keeps its sign while the tangents are less than
-/// that apart. The orientation is then beyond doubt.
+/// [`STRAIGHT`], or more if there are many unknowns. The largest entry of a unit tangent, which is the parameter's,
+/// is `1 / sqrt(N + 1)` or more and keeps its sign as long as the tangents are less than that apart. The orientation
+/// is then beyond doubt.
 fn straight<T: Real, const N: usize>() -> T {
     T::constant(STRAIGHT.max(1.0 - 0.5 / (N + 1) as f64))
 }

@@ -9,14 +9,14 @@ use crate::path::{ORDER, Path};
 use crate::signal::Signal;
 use crate::solve::newton::rounding_at;
 
-/// Places of the predictor at which the drive's direction is looked at.
+/// The number of places of the predictor at which the drive's direction is checked.
 const LOOKS: usize = 8;
 
-/// Corrections of a place that is searched for.
+/// The number of corrections of a place that is searched for.
 const SEARCH: usize = 60;
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
-    /// How often the drive turns within a distance, as far as the predictor tells.
+    /// How often the drive turns within a distance, according to the predictor.
     pub(super) fn turns(&self, arc: &Arc<T, N, ORDER>, distance: T) -> usize {
         let mut forwards = self.here.tangent.drive >= T::zero();
         let mut turns = 0;
@@ -61,7 +61,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         rounding_at(self.curve.linkage, &place.configuration.unknowns)
     }
 
-    /// Whether the path is outside its range, by more than its correction at a bound may be.
+    /// Whether the path is outside its range by more than the permitted correction at a bound.
     pub(super) fn is_out_of_range(&self) -> bool {
         self.settings.range.is_some_and(|[low, high]| {
             let nearest = self.curve.coordinate(self.here.value.max(low).min(high));
@@ -70,7 +70,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         })
     }
 
-    /// The stretch, or where it leaves the range the part of it within.
+    /// The stretch or, if it leaves the range, the part of it within the range.
     pub(super) fn within_range(
         &self,
         arc: &Arc<T, N, ORDER>,
@@ -119,9 +119,9 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
         moved.entry(arc.parameter).abs()
     }
 
-    /// The place between two distances where an excess that grows from below to above zero is
-    /// zero, by Newton's method kept between the two. `excess` gives it and its derivative, from
-    /// the drive's coordinate and its derivatives by the distance.
+    /// The place between two distances where an excess that grows from negative to positive is zero, found by
+    /// Newton's method kept between the two. `excess` gives the excess and its derivative, from the drive's
+    /// coordinate and its derivatives with respect to the distance.
     fn search(
         &self,
         arc: &Arc<T, N, ORDER>,

@@ -9,8 +9,8 @@ use num_traits::{One, Zero};
 use super::Signal;
 use crate::arithmetic::scalar::Real;
 
-/// What the formulas of [`wheel`](crate::wheel) need of a number: met by real numbers, and by a [`Signal`]
-/// of one, whose derivatives the formula then has too.
+/// The operations that the formulas of [`wheel`](crate::wheel) need of a number. Implemented by real numbers, and by
+/// a [`Signal`] of one, with which the formula gives derivatives too.
 pub trait Number:
     nalgebra::Scalar
     + Copy
@@ -22,7 +22,7 @@ pub trait Number:
     + ClosedMulAssign
     + ClosedDivAssign
 {
-    /// The square root; not finite with its derivatives at zero.
+    /// The square root; at zero its derivatives are not finite.
     fn square_root(self) -> Self;
 
     /// The angle of the direction `(x, y)` from the x axis: `atan2`.
@@ -31,7 +31,7 @@ pub trait Number:
     /// Whether it is less than zero.
     fn is_below_zero(&self) -> bool;
 
-    /// Its magnitude; at zero the derivatives are those of a number above zero.
+    /// Its magnitude; at zero it has the derivatives of a positive number.
     #[inline]
     fn magnitude(self) -> Self {
         if self.is_below_zero() { -self } else { self }

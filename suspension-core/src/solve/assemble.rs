@@ -21,24 +21,24 @@ pub use fit::{best_rigid_fit, best_rigid_motion};
 use neighbour::beyond_singularity;
 use search::{AROUND, Found, around, nearer};
 
-/// Starts that a search is made from: the guess itself, others around it, and one beyond the
-/// singularity that is nearest to the root found.
+/// The number of starts of a search: the guess itself, others around it, and one beyond the singularity that is
+/// nearest to the root found.
 pub const STARTS: usize = AROUND + 2;
 
 /// Finds the configuration nearest to the guess `q`, in the norm over all coordinates.
 ///
-/// From the guess, and from others around it that are off by as much as the guess is, each body, and
-/// each cluster of links that is as rigid, is replaced by the rigid body that fits it best, and the
-/// equations are solved; then once more from where the root would lie that meets the one found at the
-/// nearest singularity. The nearest root is kept; one with a wrong-handed cluster never is.
+/// The search starts from the guess, and from others around it that are off by as much as the guess is. At each
+/// start, each body, and each cluster of links that is as rigid as a body, is replaced by the rigid body that fits it
+/// best, and the equations are solved. One more search starts where the root would lie that meets the root found at
+/// the nearest singularity. The nearest root is kept; a root with a wrong-handed cluster never is.
 ///
-/// That it is the nearest of all is likely, not certain. The budget is bounded: [`STARTS`] times the
+/// The result is probably, but not certainly, the nearest root of all. The cost is bounded: [`STARTS`] times the
 /// iterations that `newton` allows.
 ///
 /// # Errors
 ///
-/// What the start from the guess itself fails with, where no start leads to a root; see
-/// [`SolveError`]. `q` is then unchanged.
+/// The error of the start from the guess itself, if no start leads to a root; see [`SolveError`]. `q` is then
+/// unchanged.
 pub fn assemble<T, L, C, const N: usize>(
     newton: &Newton<T>,
     linkage: &L,

@@ -10,16 +10,17 @@ use crate::linkage::{Factors, Linkage};
 use crate::listing::Part;
 use crate::solve::lu::Lu;
 
-/// The part of itself by which the Jacobian's smallest singular value may change within what rounding leaves of the position.
-/// At a lock, where it is zero but for that, a residual of `k` roundings makes it `1 / (2 k)`; residuals of eight are accepted.
+/// The fraction of itself by which the Jacobian's smallest singular value may change within the rounding errors of
+/// the position. At a lock, where it would be zero without rounding, a residual of `k` roundings makes it `1 / (2
+/// k)`; residuals of eight are accepted.
 const CHANGE_BY_ROUNDING: f64 = 1.0 / 64.0;
 
-/// Gives `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
+/// Passes to `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.
 ///
 /// # Errors
 ///
-/// [`SolveError::Singular`] from partial pivoting, [`SolveError::NotFinite`] where an entry of the
-/// Jacobian is not finite.
+/// [`SolveError::Singular`] from partial pivoting, [`SolveError::NotFinite`] if an entry of the Jacobian is not
+/// finite.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn with_factors<T, L, R, const N: usize>(
     linkage: &L,
@@ -40,7 +41,8 @@ where
     }
 }
 
-/// The same for rates, which a singularity leaves without a value: refused where they have hardly a digit.
+/// As [`with_factors`], for rates. They have no value at a singularity and are refused where hardly a digit of them
+/// is known.
 ///
 /// # Errors
 ///
@@ -88,7 +90,7 @@ where
     Ok(lu)
 }
 
-/// The direction of the unknowns that changes the equations least: the inverse takes almost anything to it.
+/// The direction of the unknowns that changes the equations least: the inverse takes almost any vector to it.
 #[cold]
 #[inline(never)]
 fn least_determined<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N> {
@@ -97,8 +99,8 @@ fn least_determined<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N
     direction / direction.norm()
 }
 
-/// Refuses factors near a lock by how much of itself the smallest singular value may change where the position is off by what
-/// rounding leaves of it; so much may rates be off.
+/// Refuses factors near a lock, by the fraction of itself by which the smallest singular value may change within the
+/// rounding errors of the position. Rates may be off by the same fraction.
 #[cold]
 #[inline(never)]
 pub(crate) fn check_rates<T, L, const N: usize>(
@@ -141,8 +143,8 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where the position, off by rounding, leaves hardly a digit of a velocity,
-    /// [`SolveError::NotFinite`] where an entry of the Jacobian is not finite.
+    /// [`SolveError::Singular`] if the rounding errors of the position leave hardly a digit of a velocity,
+    /// [`SolveError::NotFinite`] if an entry of the Jacobian is not finite.
     pub fn new<L>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Result<Self, SolveError<T>>
     where
         L: Linkage<N, Scalar = T, Factors = F>,
@@ -157,7 +159,7 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
         }
     }
 
-    /// The factors, whichever they are.
+    /// The factors, of either kind.
     pub fn factors(&self) -> &dyn Factors<T, N> {
         match self {
             Self::InFixedOrder(factors) => factors,

@@ -11,8 +11,7 @@ use crate::listing::Part;
 
 /// The factors of an `N x N` matrix.
 ///
-/// Columns are stored contiguously: `L` below the diagonal (its own diagonal of ones left out),
-/// `U` on and above it.
+/// Columns are stored contiguously: `L` below the diagonal (without its diagonal of ones), `U` on and above it.
 #[derive(Clone, Copy, Debug)]
 pub struct Lu<T, const N: usize> {
     columns: [[T; N]; N],
@@ -26,8 +25,8 @@ impl<T: Real, const N: usize> Lu<T, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] where the largest candidate for a pivot is at most
-    /// `N * EPSILON` times the largest entry of the matrix. A NaN is passed on to what is solved.
+    /// [`SolveError::Singular`] if the largest candidate for a pivot is at most `N * EPSILON` times the largest entry
+    /// of the matrix. A NaN is passed on to the solutions.
     pub fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
         let mut lu = Self::of(*matrix);
         lu.eliminate()?;
@@ -45,8 +44,7 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
     }
 
-    /// Factors the matrix where it stands: on a small stack there is no room for two. Errors as
-    /// those of [`factor`](Self::factor).
+    /// Factors the matrix in place: on a small stack there is no room for two. Errors as in [`factor`](Self::factor).
     #[inline(never)]
     pub(crate) fn eliminate(&mut self) -> Result<(), SolveError<T>> {
         let entries = self.columns.as_flattened().iter();
@@ -71,11 +69,11 @@ impl<T: Real, const N: usize> Lu<T, N> {
         Ok(())
     }
 
-    /// Factors a Jacobian where it stands; its pivots must exceed `threshold`.
+    /// Factors a Jacobian in place; its pivots must exceed `threshold`.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`], and [`SolveError::NotFinite`] where an entry is not finite.
+    /// [`SolveError::Singular`], and [`SolveError::NotFinite`] if an entry is not finite.
     pub(crate) fn eliminate_jacobian(&mut self, threshold: T) -> Result<(), SolveError<T>> {
         for column in &self.columns {
             if let Some(equation) = column.iter().position(|entry| !entry.is_finite()) {
@@ -95,12 +93,12 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
     }
 
-    /// Column and size of the smallest pivot.
+    /// The column and size of the smallest pivot.
     pub fn smallest_pivot(&self) -> (usize, T) {
         self.smallest
     }
 
-    /// Row and size of the largest entry of column `k` on or below the diagonal.
+    /// The row and size of the largest entry of column `k` on or below the diagonal.
     fn largest_candidate(&self, k: usize) -> (usize, T) {
         let mut best = (k, T::zero());
         let candidates = self.columns.get(k).and_then(|column| column.get(k..));
@@ -223,7 +221,7 @@ fn swap<T: Copy, const N: usize>(array: &mut [T; N], i: usize, j: usize) {
     }
 }
 
-/// Below its entry `k`, `target -= target[k] * multipliers`.
+/// Subtracts `target[k] * multipliers` from `target`, below entry `k`.
 fn subtract_multiple<T: Real, const N: usize>(target: &mut [T; N], multipliers: &[T; N], k: usize) {
     let (Some([factor, below @ ..]), Some([_, multipliers @ ..])) =
         (target.get_mut(k..), multipliers.get(k..))

@@ -12,7 +12,7 @@ use crate::linkage::{Factors, Linkage};
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::factored::Factored;
 
-/// The unknowns and their first and second time derivative.
+/// The unknowns and their first and second time derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<T, const N: usize> {
     /// `q`, in units of length.
@@ -21,13 +21,13 @@ pub struct Motion<T, const N: usize> {
     pub velocity: SVector<T, N>,
     /// `qddot`, per second squared.
     pub acceleration: SVector<T, N>,
-    /// The sign of the Jacobian's determinant, where known: it changes only at a singularity, so
-    /// that it tells assemblies apart.
+    /// The sign of the Jacobian's determinant, if known. It changes only at a singularity, so it tells assemblies
+    /// apart.
     pub positive_determinant: Option<bool>,
 }
 
 impl<T: Scalar, const N: usize> Motion<T, N> {
-    /// At rest in a position.
+    /// A motion at rest in a position.
     pub fn at_rest(position: SVector<T, N>) -> Self {
         let zero = SVector::from([T::zero(); N]);
         Self {
@@ -55,7 +55,7 @@ impl<T: Real, const N: usize> Motion<T, N> {
         self.points_with(linkage, &Prescribed::new(linkage, inputs).fixed)
     }
 
-    /// The same with the chassis points at hand.
+    /// The same, given the chassis points.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn points_with<L>(&self, linkage: &L, fixed: &Signal<L::Fixed>) -> Signal<L::Points>
     where
@@ -73,12 +73,12 @@ impl<T: Real, const N: usize> Motion<T, N> {
     }
 }
 
-/// Inputs in the form that the equations take them.
+/// Inputs in the form in which the equations take them.
 #[derive(Clone, Copy, Debug)]
 pub struct Prescribed<F, D> {
-    /// Chassis points, driven coordinates put in.
+    /// Chassis points, with the driven coordinates inserted.
     pub fixed: Signal<F>,
-    /// Drives, angles turned into coordinates.
+    /// Drives, with angles converted to coordinates.
     pub drives: Signal<D>,
 }
 
@@ -99,8 +99,7 @@ impl<F, D> Prescribed<F, D> {
     }
 }
 
-/// A linkage in one configuration with its factored Jacobian: the linear equations that
-/// velocities and accelerations solve.
+/// A linkage in one configuration with its factored Jacobian: the linear equations for velocities and accelerations.
 #[derive(Clone, Copy, Debug)]
 pub struct Tangent<'a, L: Linkage<N>, C, const N: usize> {
     linkage: &'a L,
@@ -120,8 +119,8 @@ where
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] so close to a singularity that the position, off by rounding, leaves hardly a digit of a
-    /// velocity.
+    /// [`SolveError::Singular`] so close to a singularity that the rounding errors of the position leave hardly a
+    /// digit of a velocity.
     pub fn new(
         linkage: &'a L,
         inputs: &Inputs<C, L::Drives>,
@@ -153,7 +152,7 @@ where
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] where a velocity or an acceleration is not finite.
+    /// [`SolveError::Overflow`] if a velocity or an acceleration is not finite.
     pub fn motion(&self) -> Result<Motion<T, N>, SolveError<T>> {
         self.rates().motion()
     }
@@ -164,7 +163,7 @@ where
     }
 }
 
-/// The rates that a [`Tangent`] computes, over borrowed factors: the control loop does not copy them.
+/// The rates that a [`Tangent`] computes, with borrowed factors: the control loop does not copy them.
 pub(crate) struct Rates<'a, L: Linkage<N>, C, const N: usize> {
     linkage: &'a L,
     chassis: PhantomData<C>,

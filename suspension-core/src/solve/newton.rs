@@ -13,31 +13,30 @@ use crate::solve::motion::Prescribed;
 use crate::solve::report::Report;
 use crate::solve::tolerance::Tolerance;
 
-/// See [`Newton::tolerance`]: of 12,000 random geometries none was left by rounding with more
-/// than 4.2.
+/// See [`Newton::tolerance`]: in 12,000 random geometries rounding left no more than 4.2.
 const DEFAULT_TOLERANCE: f64 = 16.0;
 
-/// How to iterate.
+/// Settings of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Newton<T> {
-    /// The largest residual that counts as a root. Rounding is `EPSILON` times the size of the linkage
-    /// or its largest coordinate, whichever is larger.
+    /// The largest residual that is accepted as a root. Rounding is `EPSILON` times the size of the linkage or its
+    /// largest coordinate, whichever is larger.
     pub tolerance: Tolerance<T>,
-    /// Iterations allowed, 1 or more.
+    /// The number of iterations allowed, 1 or more.
     pub max_iterations: usize,
     /// The largest ratio of a correction to the one before it; `None` accepts any.
     ///
-    /// From a start where the Newton-Kantorovich condition holds each correction is at most half
-    /// of the one before (Deuflhard 2011, Newton Methods for Nonlinear Problems, section 2.1): a
-    /// ratio of 1/2 stops early where there is no root near by. It does not keep to an assembly by
-    /// itself; [`Tracker`](crate::Tracker) also bounds the first correction.
+    /// From a start where the Newton-Kantorovich condition holds, each correction is at most half of the one before
+    /// (Deuflhard 2011, Newton Methods for Nonlinear Problems, section 2.1): a ratio of 1/2 stops early if there is
+    /// no root near by. It does not by itself keep the solution in an assembly; [`Tracker`](crate::Tracker) also
+    /// bounds the first correction.
     pub contraction: Option<T>,
     /// How often a correction may be halved until the residual falls; 0 is plain Newton.
     pub max_halvings: usize,
 }
 
 impl<T: Real> Newton<T> {
-    /// From a rough guess: many iterations, damped, any path.
+    /// Settings for a rough guess: many iterations, damped, any path.
     pub fn from_afar() -> Self {
         let tolerance = Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE));
         Self {
@@ -48,7 +47,7 @@ impl<T: Real> Newton<T> {
         }
     }
 
-    /// From a start near the root: few iterations, each correction at most half of the last.
+    /// Settings for a start near the root: few iterations, each correction at most half of the last.
     pub fn near_by() -> Self {
         let tolerance = Tolerance::Roundings(T::constant(DEFAULT_TOLERANCE));
         let contraction = Some(T::constant(0.5));
@@ -60,7 +59,7 @@ impl<T: Real> Newton<T> {
         }
     }
 
-    /// Solves `F(q) = 0`, starting from `q` and leaving the root there.
+    /// Solves `F(q) = 0`, starting from `q`, and stores the root there.
     ///
     /// # Errors
     ///
@@ -79,7 +78,7 @@ impl<T: Real> Newton<T> {
         self.solve_prescribed(linkage, &prescribed, q, None)
     }
 
-    /// Whether `q` is a root by the measure by which [`solve`](Self::solve) claims success.
+    /// Whether `q` is a root by the test with which [`solve`](Self::solve) accepts one.
     pub fn is_root<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -95,7 +94,7 @@ impl<T: Real> Newton<T> {
         magnitude(&residual).is_ok_and(|worst| worst <= self.tolerance_at(linkage, q))
     }
 
-    /// [`solve`](Self::solve) with prepared inputs and a bound for the first correction.
+    /// As [`solve`](Self::solve), with prepared inputs and a bound on the first correction.
     pub(crate) fn solve_prescribed<L, const N: usize>(
         &self,
         linkage: &L,
@@ -126,8 +125,8 @@ impl<T: Real> Newton<T> {
                     if next.worst > self.tolerance_at(linkage, &next.q) {
                         return Ok((size, growth, next));
                     }
-                    // One more correction with the same factors takes off what the square of the
-                    // last one has left.
+                    // One more correction with the same factors removes the error of second order that the last one
+                    // has left.
                     Ok((
                         size,
                         growth,
@@ -161,7 +160,7 @@ impl<T: Real> Newton<T> {
         })
     }
 
-    /// The largest residual that counts as a root at a position.
+    /// The largest residual that is accepted as a root at a position.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn tolerance_at<L, const N: usize>(&self, linkage: &L, q: &SVector<T, N>) -> T
     where
@@ -170,8 +169,8 @@ impl<T: Real> Newton<T> {
         self.tolerance.length(rounding_at(linkage, q))
     }
 
-    /// The correction, halved until the residual falls at least a quarter as fast as its
-    /// linear model does, or no halving is left.
+    /// The correction, halved until the residual falls at least a quarter as fast as its linear model does, or until
+    /// no halving is left.
     fn damped<const N: usize>(
         &self,
         from: &Iterate<T, N>,
@@ -210,8 +209,8 @@ where
     T::EPSILON * linkage.size().max(largest(coordinates))
 }
 
-/// The size of a correction, refused where it exceeds its bound. Corrections of the size of
-/// rounding errors are not bounded.
+/// The size of a correction, which is refused if it exceeds its bound. Corrections of the size of rounding errors are
+/// not bounded.
 pub(crate) fn within<T: Real, const N: usize>(
     step: &SVector<T, N>,
     bound: Option<T>,
@@ -228,7 +227,7 @@ pub(crate) fn within<T: Real, const N: usize>(
     }
 }
 
-/// A point on the way, with its residual and the largest entry of it.
+/// A point on the way, with its residual and the residual's largest entry.
 #[derive(Clone, Copy)]
 struct Iterate<T, const N: usize> {
     q: SVector<T, N>,
@@ -242,7 +241,7 @@ impl<T: Real, const N: usize> Iterate<T, N> {
         Ok(Self { q, residual, worst })
     }
 
-    /// The same, or the point `q` where the residual is smaller.
+    /// The iterate itself, or the point `q` if its residual is smaller.
     fn or_better(
         self,
         q: SVector<T, N>,

@@ -8,8 +8,8 @@ use crate::error::GeometryError;
 use crate::linkage::{Factors, Linkage};
 use crate::solve::lu::Lu;
 
-/// Refuses a position whose pivots are unhealthy in the fixed order and healthy with partial pivoting. Where
-/// both are unhealthy the mechanism is near a singularity, which is no fault of the order.
+/// Refuses a position whose pivots are unhealthy in the fixed order and healthy with partial pivoting. If both are
+/// unhealthy the mechanism is near a singularity, which is not a fault of the order.
 ///
 /// # Errors
 ///
@@ -45,14 +45,14 @@ pub struct Elimination<T> {
     pub unknown: usize,
     /// Its size.
     pub pivot: T,
-    /// The root of [`Factors::growth_squared`].
+    /// The square root of [`Factors::growth_squared`].
     pub growth: T,
-    /// The growth up to which the order is kept; partial pivoting takes its place beyond.
+    /// The growth up to which the order is kept; beyond it, partial pivoting takes its place.
     pub allowed: T,
 }
 
 impl<T: Real> Elimination<T> {
-    /// Of a linkage at a position.
+    /// The smallest pivot and the growth for a linkage at a position.
     pub fn at<L, const N: usize>(linkage: &L, q: &SVector<T, N>, fixed: &L::Fixed) -> Self
     where
         L: Linkage<N, Scalar = T>,
@@ -65,7 +65,7 @@ impl<T: Real> Elimination<T> {
     }
 }
 
-/// The smallest pivot of an order; behind one that is too small all are rounding.
+/// The smallest pivot of an order; after one that is too small, all are rounding errors.
 fn smallest_in_order<T: Real, const N: usize>(
     jacobian: SMatrix<T, N, N>,
     order: &[[usize; 2]],

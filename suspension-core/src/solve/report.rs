@@ -2,45 +2,45 @@
 
 use crate::arithmetic::scalar::Real;
 
-/// What a step did, or an advance in several. It keeps squares where a step computes them: a root is
-/// software on most controllers, and taken only where it is read.
+/// What a step did, or an advance in several steps. It keeps squares where a step computes them: most controllers
+/// compute a root in software, so roots are taken only when they are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Report<T> {
     pub(crate) tolerance: T,
     pub(crate) residual_squared: T,
     pub(crate) error_squared: T,
     pub(crate) growth_squared: T,
-    /// Steps made: one, or of an advance as many as it took.
+    /// The number of steps made: one for a step, as many as it took for an advance.
     pub steps: usize,
-    /// Factorisations made for the position, in all steps together.
+    /// The number of factorisations made for the position, in all steps together.
     pub iterations: usize,
 }
 
 impl<T: Real> Report<T> {
-    /// The residual that is left after the last step, in units of length: the largest, of a bounded
-    /// step the norm of all, from the quadratic identity (far below what rounding leaves; without corrections
-    /// a bound of it, the error).
+    /// The residual left after the last step, in units of length. This is the largest residual; for a bounded step it
+    /// is the norm of all, from the quadratic identity (far below what rounding leaves; without corrections a bound
+    /// of it, the error).
     pub fn residual(&self) -> T {
         self.residual_squared.sqrt()
     }
 
-    /// What the residual was compared with, in units of length.
+    /// The tolerance with which the residual was compared, in units of length.
     pub fn tolerance(&self) -> T {
         self.tolerance
     }
 
-    /// The size of the first correction of the last step, in units of length: the error of the
-    /// predicted position. The largest entry, of a bounded step the norm.
+    /// The size of the first correction of the last step, in units of length: the error of the predicted position.
+    /// This is the largest entry; for a bounded step it is the norm.
     pub fn error(&self) -> T {
         self.error_squared.sqrt()
     }
 
-    /// Pivot growth: the norm of the inverses of the last pivots. Rounding errors grow with it, at most.
+    /// Pivot growth: the norm of the inverses of the last pivots. Rounding errors grow by this factor at most.
     pub fn growth(&self) -> T {
         self.growth_squared.sqrt()
     }
 
-    /// The report of one step more.
+    /// The report after one more step.
     pub(crate) fn and(self, next: Self) -> Self {
         Self {
             steps: self.steps + next.steps,

@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::arithmetic::scalar::Real;
 
-/// Three forces at three points of a rigid body that are together as one force at a place of it with a moment:
-/// `f_i = F / 3 + (I^-1 M) x r_i`, `r_i` from the middle of the points, `M` the moment about that, and `I` the inertia of
-/// unit masses at the points. Not finite where the points are in line.
+/// Three forces at three points of a rigid body that are together equivalent to one force at a place of it and a
+/// moment: `f_i = F / 3 + (I^-1 M) x r_i`. Here `r_i` is measured from the centroid of the points, `M` is the moment
+/// about the centroid, and `I` the inertia of unit masses at the points. Not finite if the points are collinear.
 pub fn spread<T: Real>(
     points: [Vector3<T>; 3],
     force: Vector3<T>,

@@ -15,12 +15,13 @@
 //! J a = -dF/du uddot - C(v, v) + C(e, a)                     (Attia 2003, eq. 7 and 8)
 //! ```
 //!
-//! Each is corrected a fixed number of times, with the last value on the right-hand side. The first
-//! values of `v` and `a` are the rates of the prediction, corrected with the information in `e` about the term
-//! that the prediction lacks, which grows as `dt^(p + 1)` for a prediction of order `p`. If a drive jumps, `e` has no information
-//! about the rates, and a part of it stays in them: of the order of `e^2 / (l dt)` in the velocity and `e^2 / (l dt^2)` in the
-//! acceleration, where `l` is the length of a link. In `f64` a step of a millisecond is accepted only if these are below 1e-8 m/s^2; in
-//! `f32` steps of a millisecond are accepted with 0.01 m/s and 20 m/s^2. [`Report::error`] is the size of `e`.
+//! Each is corrected a fixed number of times, with the last value on the right-hand side. The first values of `v` and
+//! `a` are the rates of the prediction, corrected with the information in `e` about the term that the prediction
+//! lacks, which grows as `dt^(p + 1)` for a prediction of order `p`. If a drive jumps, `e` has no information about
+//! the rates, and a part of it stays in them: of the order of `e^2 / (l dt)` in the velocity and `e^2 / (l dt^2)` in
+//! the acceleration, where `l` is the length of a link. In `f64` a step of a millisecond is accepted only if these
+//! are below 1e-8 m/s^2; in `f32` steps of a millisecond are accepted with 0.01 m/s and 20 m/s^2. [`Report::error`]
+//! is the size of `e`.
 
 use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
@@ -46,8 +47,8 @@ pub use step::Step;
 /// just accept.
 const DEFAULT_TOLERANCE: f64 = 64.0;
 
-/// Which rates a step solves for. What it does not solve for it estimates from what it does: good
-/// for the next prediction, not for reading off.
+/// Which rates a step solves for. The others are estimated from these: good enough for the next prediction, but not
+/// as results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outputs {
     /// The position alone.
@@ -58,26 +59,25 @@ pub enum Outputs {
     Acceleration,
 }
 
-/// How to step at a fixed cost: with `CORRECTIONS` solutions for each of position, velocity and
-/// acceleration from a prediction of order `ORDER`: 0 is the last position, 1 adds its
-/// velocity, 2 its acceleration. More corrections allow for longer steps.
+/// Settings for steps at a fixed cost, with `CORRECTIONS` solutions for each of position, velocity and acceleration,
+/// from a prediction of order `ORDER`: 0 is the last position, 1 adds its velocity, 2 its acceleration. More
+/// corrections allow longer steps.
 ///
-/// With 0 corrections each is solved for once and all terms of `e` are left out, a quarter of the
-/// instructions. Only a step with an error within the tolerance is then accepted, so that what is
-/// left out is rounding: `f32` at 1 ms. With another tolerance than the default what is left out of
-/// the rates grows with it.
+/// With 0 corrections each is solved for once and all terms of `e` are left out, a quarter of the instructions. A
+/// step is then accepted only if its error is within the tolerance, so that what is left out is rounding: `f32` at 1
+/// ms. With a tolerance other than the default, what is left out of the rates grows with it.
 ///
-/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction
-/// is enough for smooth drives where the acceleration is solved for; with less two are, or half the step. The page
+/// A first step from rest is one with `dt = 0`: it finds velocity and acceleration. At 1 ms one correction is enough
+/// for smooth drives if the acceleration is solved for; otherwise it takes two, or half the step. The page
 /// [`controller`](crate::controller#ways-to-step) says how smooth: in `f64` a wheel on a road takes two or three.
 ///
-/// The instructions that a step executes do not depend on its data, as long as the pivots of the
-/// macro's order are healthy, the error of the prediction is within
-/// [`correction_of_size`](Self::correction_of_size) and the step is accepted.
+/// The instructions that a step executes do not depend on its data, as long as the pivots of the macro's order are
+/// healthy, the error of the prediction is within [`correction_of_size`](Self::correction_of_size) and the step is
+/// accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded<T, const CORRECTIONS: usize = 1, const ORDER: usize = 2> {
-    /// The largest norm of the residual that is accepted. Rounding is `EPSILON` times the size of the
-    /// linkage: coordinates are taken to be local ones ([`local`](crate::model::local)).
+    /// The largest norm of the residual that is accepted. Rounding is `EPSILON` times the size of the linkage:
+    /// coordinates are assumed to be local ([`local`](crate::model::local)).
     pub tolerance: Tolerance<T>,
     /// See [`Tracker::correction_of_move`](crate::Tracker::correction_of_move).
     pub correction_of_move: T,
@@ -85,7 +85,7 @@ pub struct Bounded<T, const CORRECTIONS: usize = 1, const ORDER: usize = 2> {
     pub correction_of_size: T,
 }
 
-/// One correction from a prediction of second order: for others see [`Bounded::new`].
+/// One correction from a prediction of second order; for other settings see [`Bounded::new`].
 impl<T: Real> Default for Bounded<T> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn default() -> Self {
@@ -94,7 +94,7 @@ impl<T: Real> Default for Bounded<T> {
 }
 
 impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
-    /// With as many corrections, and a prediction of the order, as the type says: `Bounded::<f32, 0>::new()`.
+    /// Settings with the corrections and the order of prediction that the type states: `Bounded::<f32, 0>::new()`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new() -> Self {
         Self {
@@ -104,10 +104,9 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         }
     }
 
-    /// One step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
+    /// Makes one step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
     ///
-    /// Where the pivots of the macro's order are unhealthy the step is made again with partial
-    /// pivoting.
+    /// If the pivots of the macro's order are unhealthy, the step is made again with partial pivoting.
     ///
     /// # Errors
     ///
@@ -127,7 +126,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         self.step_to(Outputs::Acceleration, linkage, inputs, dt, motion)
     }
 
-    /// [`step`](Self::step), solving only for what is asked.
+    /// As [`step`](Self::step), but solves only for the requested outputs.
     ///
     /// # Errors
     ///
@@ -151,14 +150,13 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         }
     }
 
-    /// [`step_to`](Self::step_to) in the macro's order of pivots or not at all: what a hard real-time
-    /// loop calls. A refusal takes no longer than a step, and brings neither partial pivoting nor the
-    /// search for reasons into the program; where it is to be explained, there is time for `step_to`.
-    ///
+    /// As [`step_to`](Self::step_to), but only in the macro's order of pivots: the call for a hard real-time loop. A
+    /// refusal takes no longer than a step, and brings neither partial pivoting nor the search for reasons into the
+    /// program; if it is to be explained, there is time for `step_to`.
     /// # Errors
     ///
-    /// [`Refusal`]; the motion is then unchanged. An error of the prediction is
-    /// [`Diverging`](Refusal::Diverging) by its size alone, however far the step goes.
+    /// [`Refusal`]; the motion is then unchanged. An error of the prediction is [`Diverging`](Refusal::Diverging) by
+    /// its size alone, however far the step goes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn attempt<L, C, const N: usize>(
         &self,
@@ -176,7 +174,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (next, evidence) = step.in_fixed_order(outputs);
         let before = motion.positive_determinant;
-        // What the step keeps to itself stays in registers: it is not asked how far it goes.
+        // The step's own values stay in registers: the distance it goes is not asked for.
         let settled = self.judge(linkage.size(), &evidence, before, T::zero)?;
         if !evidence.is_healthy() {
             return Err(Refusal::Unhealthy);
@@ -185,8 +183,8 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         Ok(settled)
     }
 
-    /// The step from the start again, with partial pivoting: with the distance that it goes, or with
-    /// the reason why it is refused. In little code and stack: there is no hurry any more.
+    /// Makes the step again from the start with partial pivoting, and returns the distance that it goes or the reason
+    /// why it is refused. Uses little code and stack: time no longer matters here.
     #[cold]
     #[inline(never)]
     fn step_anew<L, C, const N: usize>(
@@ -204,7 +202,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         let prescribed = Prescribed::new(linkage, inputs);
         let step = Step::<L, C, N, CORRECTIONS, ORDER>::new(linkage, &prescribed, motion, dt);
         let (at, fixed) = (&step.prediction.position, &prescribed.fixed.value);
-        // NaN is the reason even where the pivots are too small as well.
+        // NaN is the reason even if the pivots are too small as well.
         let start = step.residual_called(at);
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
             return Err(SolveError::not_finite(equation));

@@ -28,13 +28,13 @@ pub use inputs::{ChassisSeries, InputSeries};
 pub use jet::{Jet, Quantity};
 pub use tracker::SeriesTracker;
 
-/// The motion near an instant, to order `K` in the time from there.
+/// The motion near an instant, to order `K` in the time from that instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Series<T, const N: usize, const K: usize> {
-    /// The unknowns' Taylor coefficients.
+    /// The Taylor coefficients of the unknowns.
     pub unknowns: Jet<SVector<T, N>, K>,
-    /// The sign of the Jacobian's determinant at the instant, and so as far as the series goes:
-    /// it changes only at a singularity.
+    /// The sign of the Jacobian's determinant at the instant, and as far as the series is valid: it changes only at a
+    /// singularity.
     pub positive_determinant: bool,
     /// Pivot growth: the norm of the pivots' inverses.
     pub growth: T,
@@ -45,8 +45,8 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] as for a [`Tangent`](crate::Tangent), [`SolveError::Overflow`]
-    /// where a coefficient is not finite.
+    /// [`SolveError::Singular`] as for a [`Tangent`](crate::Tangent), [`SolveError::Overflow`] if a coefficient is
+    /// not finite.
     pub fn at<L, C>(
         linkage: &L,
         inputs: &InputSeries<C, L::Drives, K>,
@@ -63,7 +63,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         })?
     }
 
-    /// The same with factors that are at hand.
+    /// The same, given the factors.
     pub(crate) fn of<L, C>(
         linkage: &L,
         inputs: &InputSeries<C, L::Drives, K>,
@@ -111,20 +111,19 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         })
     }
 
-    /// An estimate of the radius of convergence, in the unit of time: how far from the instant, in
-    /// the complex plane, the nearest singularity of the motion is. `None` where it cannot be told:
-    /// `K < 3`, or last coefficients that are zero.
+    /// An estimate of the radius of convergence, in the unit of time: the distance in the complex plane from the
+    /// instant to the nearest singularity of the motion. `None` if it cannot be determined: `K < 3`, or last
+    /// coefficients that are zero.
     ///
-    /// Where a mechanism turns, its motion is as a square root, whose coefficients make
+    /// Where a mechanism turns, its motion is like a square root, whose coefficients make
     ///
     /// ```text
     /// R^2 = |q_{k-2}| / |q_k| (k - 3/2) (k - 5/2) / (k (k - 1)).
     /// ```
     ///
-    /// The smaller `R` of `k = K - 1` and `k = K` is returned: a step of two orders bridges the
-    /// zeros of an even or odd motion. It is no bound: a singularity that weighs little shows in
-    /// high orders only. Over the published motion the estimates from 6 and from 8 orders are
-    /// within a third of that from 40.
+    /// The smaller `R` of `k = K - 1` and `k = K` is returned: a step of two orders bridges the zeros of an even or
+    /// odd motion. It is not a bound: a singularity of little weight shows only in high orders. Over the published
+    /// motion the estimates from 6 and from 8 orders are within a third of that from 40.
     pub fn radius(&self) -> Option<T> {
         let order = |k: usize| T::constant(k as f64);
         let sizes = self.unknowns.terms.map(|term| {
@@ -141,7 +140,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
         ratios.reduce(|a, b| a.min(b))
     }
 
-    /// The motion at the time `dt` from the instant, either way.
+    /// The motion at the time `dt` from the instant, in either direction.
     pub fn motion(&self, dt: T) -> Motion<T, N> {
         let Signal {
             value,
@@ -157,8 +156,8 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
     }
 }
 
-/// `1/2 sum_{i=1}^{k-1} C((q_i, u_i), (q_{k-i}, u_{k-i}))` from the coefficients of order 1 to
-/// `k - 1`: each pair once, since `C` is symmetric, and a coefficient with itself half.
+/// `1/2 sum_{i=1}^{k-1} C((q_i, u_i), (q_{k-i}, u_{k-i}))` from the coefficients of order 1 to `k - 1`. Since `C` is
+/// symmetric, each pair is taken once, and half of a coefficient with itself.
 pub(crate) fn half_curvature<T, L, const N: usize>(
     linkage: &L,
     known: &[SVector<T, N>],

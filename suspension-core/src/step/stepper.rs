@@ -15,10 +15,10 @@ pub use crate::step::substeps::Stopped;
 
 /// A way to step from one motion of a linkage to the next: [`Tracker`], [`Bounded`], [`SeriesTracker`].
 ///
-/// Each claims success from the residual alone, says what it did in a [`Report`], and leaves the motion
-/// as it was where it fails.
+/// Each judges success by the residual alone, describes what it did in a [`Report`], and leaves the motion unchanged
+/// if it fails.
 pub trait Stepper<T: Real> {
-    /// One step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
+    /// Makes one step of length `dt` to the configuration of `inputs`, with velocity and acceleration.
     ///
     /// # Errors
     ///
@@ -34,13 +34,13 @@ pub trait Stepper<T: Real> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>;
 
-    /// From one time to another, either way, in as few steps as succeed: a refused step is halved, a good
-    /// one doubled.
+    /// Goes from one time to another, in either direction, in as few steps as succeed: a refused step is halved, and
+    /// after a good one the step is doubled.
     ///
     /// # Errors
     ///
-    /// [`Stopped`] where steps have shrunk to rounding or are used up; the motion is then the last good
-    /// one, at [`Stopped::reached`].
+    /// [`Stopped`] if steps have shrunk to rounding or are used up; the motion is then the last good one, at
+    /// [`Stopped::reached`].
     fn advance<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -107,7 +107,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Stepper<T>
     }
 }
 
-/// By the series to order `K` that the inputs' value and rates at the end of the step give; with more
+/// Uses the series to order `K` that follows from the value and rates of the inputs at the end of the step. With more
 /// of their derivatives [`SeriesTracker::step`] takes longer steps.
 impl<T: Real, const K: usize> Stepper<T> for SeriesTracker<T, K> {
     fn step<L, C, const N: usize>(
@@ -121,7 +121,7 @@ impl<T: Real, const K: usize> Stepper<T> for SeriesTracker<T, K> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        // The inputs at the start, from where the series goes.
+        // The inputs at the start, from which the series proceeds.
         let chassis = Jet::<_, 2>::of_signal(&inputs.chassis.signal(linkage.fixed()));
         let drives = Jet::<_, 2>::of_signal(&inputs.drives);
         let series = InputSeries {

@@ -4,16 +4,15 @@ use crate::arithmetic::scalar::Real;
 use crate::error::{Cause, Explain, Facts, SolveError, messages};
 use crate::solve::report::Report;
 
-/// Steps that one advance may try unless it is told otherwise.
+/// The number of steps that one advance may try by default.
 pub(crate) const MAX_STEPS: usize = 200;
 
-/// Where and why an advance ended early. The motion is that of the last good step.
+/// Where and why an advance ended early. The motion is then that of the last good step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stopped<T> {
     /// The time of the last good motion.
     pub reached: T,
-    /// The last step that was refused, and why; `None` where `max_steps` were used up by good
-    /// steps.
+    /// The length of the last step that was refused, and the reason; `None` if good steps have used up `max_steps`.
     pub refused: Option<(T, SolveError<T>)>,
 }
 
@@ -34,12 +33,12 @@ messages! {
     [T: Real] Stopped<T>;
 }
 
-/// Goes from one time to another, either way, trying at most `max_steps` steps. `step` makes the
-/// step to a time, of a length, or leaves everything as it was.
+/// Goes from one time to another, in either direction, trying at most `max_steps` steps. `step` makes the step to a
+/// time, of a length, or leaves everything unchanged.
 ///
 /// # Errors
 ///
-/// [`Stopped`] where steps have shrunk to rounding or all are used up.
+/// [`Stopped`] if steps have shrunk to rounding or all are used up.
 pub(crate) fn in_steps<T: Real>(
     [from, to]: [T; 2],
     max_steps: usize,
@@ -66,7 +65,7 @@ pub(crate) fn in_steps<T: Real>(
             Err(error) => {
                 refused = Some((next - reached, error));
                 dt = (next - reached) * T::constant(0.5);
-                // A NaN ends here too.
+                // A NaN ends the advance too.
                 let is_long_enough = dt.abs() > shortest;
                 if !is_long_enough {
                     break;

@@ -29,21 +29,21 @@ pub(crate) const CORRECTION_OF_MOVE: f64 = 0.1;
 /// See [`Tracker::correction_of_size`].
 pub(crate) const CORRECTION_OF_SIZE: f64 = 0.02;
 
-/// How to follow a motion.
+/// Settings for following a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracker<T> {
     /// How each step is solved.
     pub newton: Newton<T>,
-    /// Steps that one advance may try, the refused ones included.
+    /// The number of steps that one advance may try, including refused ones.
     pub max_steps: usize,
-    /// The largest first correction of a predicted position, as a part of the predicted move. A
-    /// larger one tells that the prediction has left the motion, and the root may be another's.
+    /// The largest first correction of a predicted position, as a fraction of the predicted move. A larger one shows
+    /// that the prediction has left the motion, and the root may belong to another motion.
     pub correction_of_move: T,
-    /// The correction that is allowed in any case, as a part of the linkage's size: for drives
-    /// that jump, and for the first step from rest.
+    /// The correction that is allowed in any case, as a fraction of the linkage's size: for drives that jump, and for
+    /// the first step from rest.
     pub correction_of_size: T,
-    /// The largest change of the Jacobian over a step, applied to the step itself and solved for:
-    /// a part of the step. With more, singularities may lie between, an even number too.
+    /// The largest change of the Jacobian over a step, applied to the step itself and solved for, as a fraction of
+    /// the step. If it is larger, singularities may lie in between, possibly an even number of them.
     pub change_of_jacobian: T,
 }
 
@@ -60,10 +60,10 @@ impl<T: Real> Default for Tracker<T> {
 }
 
 impl<T: Real> Tracker<T> {
-    /// One step of length `dt` to the configuration of `inputs`, predicted from the last motion.
+    /// Makes one step of length `dt` to the configuration of `inputs`, predicted from the last motion.
     ///
-    /// Chassis points, driven ones too, are taken to have moved as their rates in `inputs` say: the
-    /// inputs of the last motion are not known here. Where their values jump without rates, call
+    /// Chassis points, including driven ones, are assumed to have moved as their rates in `inputs` say, because the
+    /// inputs of the last motion are not known here. If their values jump without rates, call
     /// [`step_between`](Self::step_between), which sees the jump and refuses one across a lock.
     ///
     /// # Errors
@@ -107,7 +107,7 @@ impl<T: Real> Tracker<T> {
         self.by_iteration::<_, C, N>(linkage, change, motion)
     }
 
-    /// The same, compiled once for all laws of inputs over time that [`advance`](Self::advance) is given.
+    /// The same step, compiled once for all functions of time that [`advance`](Self::advance) is given as inputs.
     #[inline(never)]
     fn step_on_the_way<L, C, const N: usize>(
         &self,
@@ -122,8 +122,8 @@ impl<T: Real> Tracker<T> {
         self.step_over::<_, C, N>(linkage, change, motion)
     }
 
-    /// The step where two corrections with the same factors meet every condition, as in most steps
-    /// of a control loop.
+    /// Makes the step if two corrections with the same factors meet every condition, as in most steps of a control
+    /// loop.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn at_once<L, C, const N: usize>(
         &self,
@@ -141,7 +141,7 @@ impl<T: Real> Tracker<T> {
         let predicted = motion.predict(dt);
         let factors = linkage.factor(&predicted, &fixed.value);
         let error = factors.solve(&residual_at(&predicted));
-        // The second correction takes off what the square of the first has left.
+        // The second correction removes the error of second order that the first has left.
         let nearly = difference(&predicted, &error);
         let second = factors.solve(&residual_at(&nearly));
         let position = difference(&nearly, &second);
@@ -182,7 +182,7 @@ impl<T: Real> Tracker<T> {
         })
     }
 
-    /// The step by as many iterations as it takes.
+    /// Makes the step with as many iterations as it takes.
     #[cold]
     #[inline(never)]
     fn by_iteration<L, C, const N: usize>(
@@ -224,22 +224,22 @@ impl<T: Real> Tracker<T> {
         Ok(report)
     }
 
-    /// The largest correction that a step of this move may need.
+    /// The largest correction permitted for a step with this move.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn correction_bound(&self, moved: T, size: T) -> T {
         (self.correction_of_move * moved).max(self.correction_of_size * size)
     }
 
-    /// Follows the motion from time `from` to time `to`, either way, in as few steps as the
-    /// bounds on corrections allow: a refused step is halved, a good one doubled.
+    /// Follows the motion from time `from` to time `to`, in either direction, in as few steps as the bounds on
+    /// corrections allow: a refused step is halved, and after a good one the step is doubled.
     ///
-    /// A step into another assembly is refused: where an odd number of singularities lies between the
-    /// determinant of the Jacobian tells it, else its change over the step.
+    /// A step into another assembly is refused. If an odd number of singularities lies in between, the sign of the
+    /// Jacobian's determinant shows it; otherwise the Jacobian's change over the step does.
     ///
     /// # Errors
     ///
-    /// [`Stopped`] where steps have shrunk to rounding or `max_steps` are used up; the motion is
-    /// then the last good one, at [`Stopped::reached`].
+    /// [`Stopped`] if steps have shrunk to rounding or `max_steps` are used up; the motion is then the last good one,
+    /// at [`Stopped::reached`].
     pub fn advance<L, C, const N: usize>(
         &self,
         linkage: &L,

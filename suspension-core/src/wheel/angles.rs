@@ -7,8 +7,8 @@ use crate::signal::Number;
 /// Camber, positive where the top of the wheel leans outboard: the angle in the y-z plane between
 /// the spin axis and the y axis, `atan2(-s_z, |s_y|)`.
 ///
-/// Another definition in use (Adams/Car) is `asin` of the axis' vertical part,
-/// [`camber_to_ground`]; the two differ where the wheel is steered.
+/// Another definition in use (Adams/Car) is the `asin` of the axis's vertical component, [`camber_to_ground`]; the
+/// two differ if the wheel is steered.
 pub fn camber<N: Number>(spin_axis: &Vector3<N>) -> N {
     N::arc_tangent(-spin_axis.z, spin_axis.y.magnitude())
 }
@@ -42,12 +42,13 @@ pub fn caster<N: Number>(kingpin: &Vector3<N>) -> N {
     N::arc_tangent(-kingpin.x, kingpin.z)
 }
 
-/// Steer angle, positive where the wheel points to the left: [`toe`] on the right, its opposite on the left. ISO 8855.
+/// Steer angle, positive where the wheel points to the left: [`toe`] on the right, negative [`toe`] on the left. ISO
+/// 8855.
 pub fn steer_angle<N: Number>(spin_axis: &Vector3<N>) -> N {
     to_the_left(toe(spin_axis), spin_axis)
 }
 
-/// The rate of [`camber`], where the spin axis changes at a rate.
+/// The rate of [`camber`] when the spin axis changes at a rate.
 pub fn camber_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
     let outboard = outboard(spin_axis);
     arc_tangent_rate(
@@ -56,7 +57,7 @@ pub fn camber_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
     )
 }
 
-/// The rate of [`steer_angle`], where the spin axis changes at a rate.
+/// The rate of [`steer_angle`] when the spin axis changes at a rate.
 pub fn steer_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
     let outboard = outboard(spin_axis);
     let of_toe = arc_tangent_rate(
@@ -66,7 +67,7 @@ pub fn steer_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
     to_the_left(of_toe, spin_axis)
 }
 
-/// 1 on the left, -1 on the right.
+/// 1 for a wheel on the left, -1 on the right.
 fn outboard<N: Number>(spin_axis: &Vector3<N>) -> N {
     if spin_axis.y.is_below_zero() {
         -N::one()
@@ -75,7 +76,7 @@ fn outboard<N: Number>(spin_axis: &Vector3<N>) -> N {
     }
 }
 
-/// From an angle inboard.
+/// Converts an angle that is positive inboard to one that is positive to the left.
 fn to_the_left<N: Number>(inboard: N, spin_axis: &Vector3<N>) -> N {
     -inboard * outboard(spin_axis)
 }

@@ -7,20 +7,20 @@ use super::ground::Heading;
 use super::travel::Carrier;
 use crate::signal::Number;
 
-/// How the wheels of a steered axle stand in a turn, the other axle being straight. The inner wheel is that on the
-/// side to which both turn on average.
+/// The steer angles of the wheels of a steered axle in a turn, with the other axle straight. The inner wheel is the
+/// one on the side to which both turn on average.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<N> {
     /// The steer angle of the inner wheel, positive into the turn.
     pub inner: N,
-    /// That of the outer wheel.
+    /// The steer angle of the outer wheel, positive into the turn.
     pub outer: N,
-    /// The cosine and the sine of that.
+    /// The cosine and the sine of the outer wheel's steer angle.
     heading: [N; 2],
 }
 
 impl<N: Number> Turn<N> {
-    /// Of the spin axes of both wheels, which point outboard.
+    /// Computes the angles from the spin axes of both wheels, which point outboard.
     pub fn of([left, right]: [&Vector3<N>; 2]) -> Self {
         let [of_left, of_right] = [left, right].map(steer_angle);
         let to_the_right = (of_left + of_right).is_below_zero();
@@ -38,14 +38,14 @@ impl<N: Number> Turn<N> {
         }
     }
 
-    /// The steer angle that the inner wheel has where the normals of both meet on the line of the other axle, given the
-    /// outer wheel: `cot(inner) = cot(outer) - track / wheelbase`.
+    /// The steer angle of the inner wheel for which the normals of both wheels meet on the line of the other axle,
+    /// given the outer wheel: `cot(inner) = cot(outer) - track / wheelbase`.
     pub fn ideal_inner(&self, wheelbase: N, track: N) -> N {
         let [ahead, aside] = self.heading;
         N::arc_tangent(wheelbase * aside, wheelbase * ahead - track * aside)
     }
 
-    /// The part that the difference of both steer angles is of the ideal difference; not finite straight ahead.
+    /// The actual difference of the steer angles as a fraction of the ideal difference; not finite straight ahead.
     pub fn ackermann(&self, wheelbase: N, track: N) -> N {
         (self.inner - self.outer) / (self.ideal_inner(wheelbase, track) - self.outer)
     }
@@ -58,8 +58,9 @@ impl<N: Number> Turn<N> {
     }
 }
 
-/// How fast an axle rolls on the chassis, positive where the left wheel rises: the rate of the angle in the front view
-/// between the y axis and the line through both contact points, of their places and velocities.
+/// The rate at which an axle rolls relative to the chassis, positive where the left wheel rises: the rate of the
+/// angle in the front view between the y axis and the line through both contact points, from their positions and
+/// velocities.
 pub fn roll_rate<N: Number>(
     [left, right]: [&Vector3<N>; 2],
     [left_velocity, right_velocity]: [&Vector3<N>; 2],
@@ -68,8 +69,8 @@ pub fn roll_rate<N: Number>(
     arc_tangent_rate([line.z, line.y], [rate.z, rate.y])
 }
 
-/// The roll centre of an axle: where the normals to the velocities of both contact points, as points of the carriers,
-/// meet in the front view. Its x is zero; not finite where they are parallel.
+/// The roll centre of an axle: the point in the front view where the normals to the velocities of both contact
+/// points, taken as points of the carriers, meet. Its x is zero; not finite if the normals are parallel.
 pub fn roll_centre<N: Number>(
     [of_left, of_right]: [&Carrier<N>; 2],
     [left, right]: [&Vector3<N>; 2],

@@ -22,8 +22,8 @@ pub struct InstantCentre<N> {
     pub across: N,
     /// Its height.
     pub z: N,
-    /// The swing arm: its horizontal distance from the wheel centre, positive inboard of it in the front view and
-    /// behind it in the side view.
+    /// The swing arm: its horizontal distance from the wheel centre, positive inboard of the wheel centre in the
+    /// front view and behind it in the side view.
     pub arm: N,
 }
 
@@ -33,8 +33,8 @@ impl<N: Number> Carrier<N> {
         self.velocity + self.omega.cross(&(point - self.centre))
     }
 
-    /// In the plane x = constant through the wheel centre; not finite where the carrier moves parallel there.
-    /// The spin axis points outboard.
+    /// The instant centre in the plane x = constant through the wheel centre; not finite if the carrier moves
+    /// parallel there. The spin axis points outboard.
     pub fn front_view(&self, spin_axis: &Vector3<N>) -> InstantCentre<N> {
         let to_the_right = self.velocity.z / self.omega.x;
         InstantCentre {
@@ -48,7 +48,8 @@ impl<N: Number> Carrier<N> {
         }
     }
 
-    /// In the plane y = constant through the wheel centre; not finite where the carrier moves parallel there.
+    /// The instant centre in the plane y = constant through the wheel centre; not finite if the carrier moves
+    /// parallel there.
     pub fn side_view(&self) -> InstantCentre<N> {
         let arm = -(self.velocity.z / self.omega.y);
         InstantCentre {
@@ -58,14 +59,15 @@ impl<N: Number> Carrier<N> {
         }
     }
 
-    /// The height of the roll centre of an axle whose other wheel mirrors this one in the plane y = 0: where the
-    /// normal to the velocity of the point of the carrier at the contact meets that plane, in the front view.
+    /// The height of the roll centre of an axle whose other wheel mirrors this one in the plane y = 0: the point
+    /// where the normal to the velocity of the carrier's point at the contact meets that plane, in the front view.
     pub fn roll_centre(&self, contact: &Vector3<N>) -> N {
         let velocity = self.velocity_of(contact);
         contact.z + contact.y * velocity.y / velocity.z
     }
 
-    /// How far the point of the carrier at the contact moves outboard for each unit that it rises. The spin axis points outboard.
+    /// How far the carrier's point at the contact moves outboard per unit that it rises. The spin axis points
+    /// outboard.
     pub fn outboard_slope(&self, contact: &Vector3<N>, spin_axis: &Vector3<N>) -> N {
         let velocity = self.velocity_of(contact);
         let to_the_left = velocity.y / velocity.z;

@@ -7,11 +7,11 @@ use crate::arithmetic::vector::{
     cross, difference, dot, minus_multiple, multiple, opposite, plus_multiple,
 };
 
-/// A point `p` at distances `s_k` from `o` along `K` lines to `h_k`: `F = p - o - sum s_k e_k / L_k`, with
-/// `e_k = h_k - o`, of length `L_k` in the design, and unknowns `s_k`. One line: the point is on it; two: it is in
-/// their plane.
+/// A point `p` at distances `s_k` from `o` along `K` lines to `h_k`: `F = p - o - sum s_k e_k / L_k`. Here
+/// `e_k = h_k - o`, `L_k` is its length in the design, and the `s_k` are unknowns. With one line the point is on it;
+/// with two it is in their plane.
 ///
-/// `K` unknowns and three equations: regular wherever the lines point, and where `p` is one of their ends.
+/// `K` unknowns and three equations: regular for any directions of the lines, and also if `p` is one of their ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along<T, const K: usize> {
     lengths: [T; K],
@@ -24,7 +24,8 @@ pub type OnLine<T> = Along<T, 1>;
 /// A point in a plane.
 pub type InPlane<T> = Along<T, 2>;
 
-/// Derivatives of an [`Along`] equation. By the points they are multiples of the identity; by `p` it is 1.
+/// Derivatives of an [`Along`] equation. Those with respect to points are multiples of the identity; with respect to
+/// `p` it is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AlongGradient<T, const K: usize> {
     /// `dF/do`.
@@ -34,7 +35,7 @@ pub struct AlongGradient<T, const K: usize> {
 }
 
 impl<T: Scalar, const K: usize> Along<T, K> {
-    /// Lines whose ends are `lengths` apart, which must not be zero.
+    /// Lines of these lengths, which must not be zero.
     #[inline]
     pub fn new(lengths: [T; K]) -> Self {
         Self {
@@ -43,7 +44,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         }
     }
 
-    /// `F(p, o, h, s)`, from the line or plane to the point; each end with its distance.
+    /// `F(p, o, h, s)`: the vector from the line or plane to the point. Each end is paired with its distance.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(
         &self,
@@ -57,7 +58,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         })
     }
 
-    /// The derivatives by `o`, by the ends of the lines and by the distances.
+    /// The derivatives with respect to `o`, to the ends of the lines and to the distances.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, from: Vector3<T>, ends: [(Vector3<T>, T); K]) -> AlongGradient<T, K> {
         let mut gradient = AlongGradient {
@@ -73,11 +74,11 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         gradient
     }
 
-    /// `C(v, w)`, with the changes of each `e_k` and `s_k` in each.
+    /// `C(v, w)`, where `v` and `w` each hold the changes of every `e_k` and `s_k`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: [(Vector3<T>, T); K], w: [(Vector3<T>, T); K]) -> Vector3<T> {
         let lines = v.into_iter().zip(w).zip(self.inverses);
-        // An addition to a negative zero leaves no trace.
+        // Adding to a negative zero leaves the other number as it is, a negative zero included.
         let zero = opposite(Vector3::zeros());
         lines.fold(zero, |sum, ((v, w), inverse)| {
             let bent = plus_multiple(multiple(v.0, w.1), w.0, v.1);
@@ -85,13 +86,13 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         })
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Along<S, K>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
-        // The inverses to all digits of the other number: they are part of the equation.
+        // The inverses have all digits of the other number type, because they are part of the equation.
         let length = |model: &M, line| of(model).lengths.get(line).copied().unwrap_or_default();
         Self::new(core::array::from_fn(|line| {
             number(&|model| length(model, line))
@@ -100,7 +101,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 }
 
 impl<T: Scalar> OnLine<T> {
-    /// The distance at which the line comes nearest to the point.
+    /// The distance along the line at which it is nearest to the point.
     #[inline]
     pub fn distances(&self, point: Vector3<T>, from: Vector3<T>, [to]: [Vector3<T>; 1]) -> [T; 1] {
         let d = difference(point, from);
@@ -110,7 +111,7 @@ impl<T: Scalar> OnLine<T> {
 }
 
 impl<T: Scalar> InPlane<T> {
-    /// The distances at which the plane comes nearest to the point.
+    /// The distances along the two lines at which their plane is nearest to the point.
     #[inline]
     pub fn distances(&self, point: Vector3<T>, from: Vector3<T>, ends: [Vector3<T>; 2]) -> [T; 2] {
         let (d, [u, v]) = (difference(point, from), ends.map(|to| difference(to, from)));

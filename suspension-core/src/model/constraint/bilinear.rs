@@ -2,8 +2,8 @@
 
 use crate::arithmetic::scalar::Scalar;
 
-/// Products of lengths over a length `L`, and what is linear beside them: `F = l + sum u_k v_k / L`. A row that
-/// defines an unknown has this in `l`, with the factor 1.
+/// Products of lengths over a length `L`, and a linear part `l`: `F = l + sum u_k v_k / L`. In a row that defines an
+/// unknown, the unknown is in `l`, with the factor 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bilinear<T> {
     length: T,
@@ -11,7 +11,7 @@ pub struct Bilinear<T> {
 }
 
 impl<T: Scalar> Bilinear<T> {
-    /// Products over a `length`, which must not be zero.
+    /// Products over this `length`, which must not be zero.
     #[inline]
     pub fn new(length: T) -> Self {
         Self {
@@ -34,14 +34,14 @@ impl<T: Scalar> Bilinear<T> {
         linear.plus_product(sum, self.inverse)
     }
 
-    /// The derivative by one variable, of all that it is multiplied with.
+    /// The derivative with respect to one variable, from all the factors that multiply it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, others: impl IntoIterator<Item = T>) -> T {
         let others = others.into_iter();
         others.fold(T::zero(), |sum, other| sum + other) * self.inverse
     }
 
-    /// `C(v, w)`, with the changes of the factors of each product: in `v`, then in `w`.
+    /// `C(v, w)`, from the changes of both factors of each product, in `v` and then in `w`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, products: impl IntoIterator<Item = [(T, T); 2]>) -> T {
         let products = products.into_iter();
@@ -51,13 +51,13 @@ impl<T: Scalar> Bilinear<T> {
         sum * self.inverse
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Bilinear<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
-        // The inverse to all digits of the other number: it is part of the equation.
+        // The inverse has all digits of the other number type, because it is part of the equation.
         Self::new(number(&|model| of(model).length))
     }
 }

@@ -10,8 +10,8 @@ use crate::arithmetic::vector::{
 
 /// A point `p` of a rigid body, carried by the body's frame: `F = p - (o + a u + b v + c u x v)`.
 ///
-/// Unlike three distances to the frame's points this admits no mirror image of the point and
-/// stays regular where it lies in the frame's plane (`c = 0`).
+/// Unlike three distances to the frame's points, this admits no mirror image of the point and stays regular if the
+/// point lies in the frame's plane (`c = 0`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Carried<T> {
     a: T,
@@ -22,11 +22,11 @@ pub struct Carried<T> {
 /// Jacobian blocks of a [`Carried`] equation with respect to the frame's three points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarriedGradient<T> {
-    /// `dF/d` first point of the frame.
+    /// The derivative with respect to the first point of the frame.
     pub origin: Matrix3<T>,
-    /// `dF/d` second point of the frame.
+    /// The derivative with respect to the second point of the frame.
     pub second: Matrix3<T>,
-    /// `dF/d` third point of the frame.
+    /// The derivative with respect to the third point of the frame.
     pub third: Matrix3<T>,
 }
 
@@ -42,26 +42,26 @@ impl<T: Scalar> Carried<T> {
         plus_multiple(in_plane, normal, self.c)
     }
 
-    /// Where the frame carries the point.
+    /// The position to which the frame carries the point.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn position(&self, frame: &Frame<T>) -> Vector3<T> {
         self.combine(frame, cross(frame.u, frame.v))
     }
 
-    /// The point's velocity, from the frame and its rates.
+    /// The velocity of the carried point, from the frame and its rates.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn velocity(&self, frame: &Frame<T>, rate: &Frame<T>) -> Vector3<T> {
         let normal_rate = plus_cross(cross(rate.u, frame.v), frame.u, rate.v);
         self.combine(rate, normal_rate)
     }
 
-    /// The point's acceleration, from the frame, its rates and second rates.
+    /// The acceleration of the carried point, from the frame, its rates and second rates.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn acceleration(&self, frame: &Frame<T>, rate: &Frame<T>, second: &Frame<T>) -> Vector3<T> {
         difference(self.velocity(frame, second), self.curvature(rate, rate))
     }
 
-    /// `F(p)`, the distance vector from where the frame carries the point to `p`.
+    /// `F(p)`: the vector to `p` from the position to which the frame carries the point.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, point: Vector3<T>, frame: &Frame<T>) -> Vector3<T> {
         let from_origin = difference(point, frame.origin);
@@ -73,11 +73,11 @@ impl<T: Scalar> Carried<T> {
         minus_multiple(in_plane, cross(frame.u, frame.v), self.c)
     }
 
-    /// `dF/d` of the frame's points; `dF/dp` is the identity.
+    /// The derivatives of `F` with respect to the frame's points; `dF/dp` is the identity.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, frame: &Frame<T>) -> CarriedGradient<T> {
         let (of_second, of_third) = (multiple(frame.v, self.c), multiple(frame.u, self.c));
-        // The blocks of all four points add up to zero: a translation changes nothing.
+        // The blocks of all four points add up to zero, because a translation changes nothing.
         CarriedGradient {
             origin: skew_minus(difference(of_third, of_second), T::one() - self.a - self.b),
             second: skew_minus(of_second, self.a),
@@ -85,8 +85,8 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
-    /// The gradient with respect to the frame's three points, from that with respect to the carried point: the transpose of
-    /// [`velocity`](Self::velocity).
+    /// The gradient with respect to the frame's three points, from the gradient with respect to the carried point:
+    /// the transpose of [`velocity`](Self::velocity).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn by_frame(&self, gradient: Vector3<T>, frame: &Frame<T>) -> [Vector3<T>; 3] {
         let (u, v) = (multiple(frame.u, self.c), multiple(frame.v, self.c));
@@ -96,13 +96,13 @@ impl<T: Scalar> Carried<T> {
         [by_origin, by_second, by_third]
     }
 
-    /// `C(v, w)`, with `v` and `w` frames of rates. The point itself enters linearly.
+    /// `C(v, w)`, where `v` and `w` are frames of rates. The point itself enters linearly.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: &Frame<T>, w: &Frame<T>) -> Vector3<T> {
         multiple(plus_cross(cross(v.u, w.v), w.u, v.v), -self.c)
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Carried<S>,
@@ -117,7 +117,7 @@ impl<T: Scalar> Carried<T> {
 }
 
 impl<T: Real> Carried<T> {
-    /// The constants of `point` as it stands in `frame`; `None` where the frame is in line.
+    /// The constants of `point` at its present position in `frame`; `None` if the frame's points are collinear.
     pub fn new(point: Vector3<T>, frame: &Frame<T>) -> Option<Self> {
         let normal = frame.normal()?;
         let area_squared = normal.norm_squared();
@@ -135,9 +135,9 @@ impl<T: Real> Carried<T> {
         frame.points().map(|of_frame| (point - of_frame).norm())
     }
 
-    /// The constants of a point at the given distances from the frame's three points, on the
-    /// side of the frame on which `self` lies; `None` where no point has these distances. A point
-    /// nearer to the frame's plane than rounding can tell is put into it.
+    /// The constants of a point at the given distances from the frame's three points, on the same side of the frame
+    /// as `self`; `None` if no point has these distances. A point that is nearer to the frame's plane than rounding
+    /// can tell is put into the plane.
     pub fn with_lengths(&self, frame: &Frame<T>, lengths: [T; 3]) -> Option<Self> {
         let [from_origin, from_second, from_third] = lengths;
         let (uu, uv, vv) = (
@@ -154,7 +154,7 @@ impl<T: Real> Carried<T> {
         let b = (along_v * uu - along_u * uv) / area_squared;
         let in_plane = frame.u * a + frame.v * b;
         let height_squared = reach - in_plane.norm_squared();
-        // What cancellation leaves of a height of zero.
+        // The error that cancellation leaves in a height of zero.
         let flatness = uu * vv / area_squared;
         let rounding = reach * flatness * T::EPSILON * T::constant(64.0);
         if height_squared < -rounding {

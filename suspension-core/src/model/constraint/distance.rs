@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::vector::{dot, multiple};
 
-/// A constant length `L` between two points, with `d` the vector from one to the other:
-/// `F = (|d|^2 - L^2) / (2 L)`. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
+/// A constant length `L` between two points: `F = (|d|^2 - L^2) / (2 L)`, where `d` is the vector from one to the
+/// other. Attia 2003, eq. (1.1) to (1.14), divided by `2 L`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distance<T> {
     length: T,
@@ -32,7 +32,7 @@ impl<T: Scalar> Distance<T> {
     /// `F(d)`: to first order the amount by which `d` is too long.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn residual(&self, d: Vector3<T>) -> T {
-        // The gradient is at hand wherever the equation is solved.
+        // The gradient is available wherever the equation is solved.
         (dot(d, self.gradient(d)) - self.length) * T::constant(0.5)
     }
 
@@ -42,19 +42,19 @@ impl<T: Scalar> Distance<T> {
         multiple(d, self.inverse)
     }
 
-    /// `C(v, w) = v . w / L`, with `v` and `w` changes of `d`.
+    /// `C(v, w) = v . w / L`, where `v` and `w` are changes of `d`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: Vector3<T>, w: Vector3<T>) -> T {
         dot(v, w) * self.inverse
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Distance<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
-        // The inverse to all digits of the other number: it is part of the equation.
+        // The inverse has all digits of the other number type, because it is part of the equation.
         Self::new(number(&|model| of(model).length))
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::{Real, Scalar};
 use crate::arithmetic::vector::{difference, gather_vector};
 
-/// Three points of a body that do not lie in line: an origin and two edges `u`, `v` from it.
+/// Three points of a body that are not collinear: an origin and two edges `u`, `v` from it.
 ///
 /// The map from points to frame is linear, so rates of three points form a frame of rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl<T: Scalar> Frame<T> {
         }
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same frame in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Frame<S>,
@@ -56,8 +56,8 @@ impl<T: Scalar> Default for Frame<T> {
 }
 
 impl<T: Real> Frame<T> {
-    /// A frame at rest with the given distances first-second, first-third and second-third;
-    /// `None` where they break the triangle inequality.
+    /// A frame at rest with the given distances first-second, first-third and second-third; `None` if they break the
+    /// triangle inequality.
     pub fn from_lengths(first_second: T, first_third: T, second_third: T) -> Option<Self> {
         let (a, b, c) = (first_second, first_third, second_third);
         let along = (a * a + b * b - c * c) / (a + a);
@@ -74,7 +74,7 @@ impl<T: Real> Frame<T> {
         [self.u, self.v, self.v - self.u].map(|edge| edge.norm())
     }
 
-    /// `u x v`, or `None` where the three points lie in line to rounding.
+    /// `u x v`, or `None` if the three points are collinear to rounding.
     pub fn normal(&self) -> Option<Vector3<T>> {
         let normal = self.u.cross(&self.v);
         let flat = T::EPSILON.sqrt() * self.u.norm() * self.v.norm();

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::vector::{dot, multiple};
 
-/// Two lines `d` and `e` of constant lengths whose angle keeps its cosine `c`:
-/// `F = (d . e - c |d| |e|) / (|d| + |e|)`. Singular where the lines are parallel.
+/// Two lines `d` and `e` of constant lengths that keep the cosine `c` of the angle between them:
+/// `F = (d . e - c |d| |e|) / (|d| + |e|)`. Singular if the lines are parallel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Product<T> {
     cosine: T,
@@ -16,7 +16,7 @@ pub struct Product<T> {
 }
 
 impl<T: Scalar> Product<T> {
-    /// Lines of these lengths, which must not be zero.
+    /// Lines of these lengths, which must not be zero, with this cosine.
     #[inline]
     pub fn new(cosine: T, lengths: [T; 2]) -> Self {
         let [d, e] = lengths;
@@ -40,26 +40,26 @@ impl<T: Scalar> Product<T> {
         dot(d, e).minus_product(self.cosine, of_d * of_e) * self.inverse
     }
 
-    /// The derivative by one line, of the other: `dF/dd = e / (|d| + |e|)`.
+    /// The derivative with respect to one line, from the other: `dF/dd = e / (|d| + |e|)`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gradient(&self, other: Vector3<T>) -> Vector3<T> {
         multiple(other, self.inverse)
     }
 
-    /// `C(v, w)`, with the changes of both lines in each.
+    /// `C(v, w)`, where `v` and `w` each hold the changes of both lines.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: [Vector3<T>; 2], w: [Vector3<T>; 2]) -> T {
         let ([v_d, v_e], [w_d, w_e]) = (v, w);
         (dot(v_d, w_e) + dot(v_e, w_d)) * self.inverse
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Product<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
-        // The inverse to all digits of the other number: it is part of the equation.
+        // The inverse has all digits of the other number type, because it is part of the equation.
         let [d, e] = [
             number(&|model| {
                 let [d, _] = of(model).lengths;

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::vector::{dot, multiple};
 
-/// An unknown length `s` between two points, with `d` the vector from one to the other:
-/// `F = (|d|^2 - s^2) / (2 L)`, with `L` the length in the design. A negative `s` acts as its magnitude.
+/// An unknown length `s` between two points: `F = (|d|^2 - s^2) / (2 L)`, where `d` is the vector from one to the
+/// other and `L` the length in the design. A negative `s` acts as its magnitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stretch<T> {
     length: T,
@@ -29,7 +29,7 @@ impl<T: Scalar> Stretch<T> {
         self.length
     }
 
-    /// `|d|`, to rounding where it is between a quarter of `L` and four times as much: Heron's method from `L`.
+    /// `|d|`, by Heron's method starting from `L`: exact to rounding between a quarter of `L` and four times `L`.
     #[inline]
     pub fn reach(&self, d: Vector3<T>) -> T {
         const ROUNDS: usize = 6;
@@ -55,19 +55,19 @@ impl<T: Scalar> Stretch<T> {
         -(length * self.inverse)
     }
 
-    /// `C(v, w)`, with the changes of `d` and of `s` in each.
+    /// `C(v, w)`, where `v` and `w` each hold the changes of `d` and of `s`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, v: (Vector3<T>, T), w: (Vector3<T>, T)) -> T {
         dot(v.0, w.0).minus_product(v.1, w.1) * self.inverse
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Stretch<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
-        // The inverse to all digits of the other number: it is part of the equation.
+        // The inverse has all digits of the other number type, because it is part of the equation.
         Self::new(number(&|model| of(model).length))
     }
 }

@@ -7,15 +7,15 @@ use crate::arithmetic::trigonometry::sine_cosine;
 use crate::arithmetic::vector::{cross, dot};
 use crate::signal::Signal;
 
-/// Heron's method from the design: to rounding where lengths are between a hundredth of what they are there and a
-/// hundred times as much.
+/// Iterations of Heron's method, which starts from the design: exact to rounding if lengths are between a hundredth
+/// of those in the design and a hundred times as much.
 const ROUNDS: usize = 12;
 
 /// Sine and cosine of a quarter of an angle, times a length `L`: `F = (s^2 + c^2 - L^2) / (2 L)`.
 ///
-/// A drive prescribes `s = L sin(theta / 4)`. Those of the half and of the whole angle are products of `s` and `c`
-/// ([`Bilinear`](super::Bilinear)), so that the angle is regular everywhere within a whole turn to either side, 0 and
-/// pi included, where a cosine alone would be singular.
+/// A drive prescribes `s = L sin(theta / 4)`. The sines and cosines of the half and of the whole angle are products
+/// of `s` and `c` ([`Bilinear`](super::Bilinear)). The angle is therefore regular everywhere within a whole turn in
+/// either direction, including 0 and pi, where a cosine alone would be singular.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Turn<T> {
     length: T,
@@ -24,13 +24,13 @@ pub struct Turn<T> {
     quarter: [T; 2],
     /// The length of the axis in the design.
     axis: T,
-    /// How long both [`parts`](Self::parts) are together there.
+    /// The norm of both [`parts`](Self::parts) in the design.
     radius: T,
 }
 
 impl<T: Real> Turn<T> {
-    /// The angle from `d` to `e` about `n` in the design, times a length; `None` where a line has no length, or is
-    /// along the axis.
+    /// The angle from `d` to `e` about `n` in the design, times a length; `None` if a line has no length, or is
+    /// parallel to the axis.
     pub fn new([d, e, n]: [Vector3<T>; 3], length: T) -> Option<Self> {
         let axis = n.norm();
         let [along, across] = Self::parts([d, e, n], axis);
@@ -67,13 +67,14 @@ impl<T: Scalar> Turn<T> {
         part * self.inverse
     }
 
-    /// `C(v, w)`, with the changes of `s` and `c` in each.
+    /// `C(v, w)`, where `v` and `w` each hold the changes of `s` and `c`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn curvature(&self, [v_s, v_c]: [T; 2], [w_s, w_c]: [T; 2]) -> T {
         (v_s * w_s).plus_product(v_c, w_c) * self.inverse
     }
 
-    /// `s` and `c` of the angle from `d` to `e` about `n`, as if it were less than half a turn from that of the design.
+    /// `s` and `c` of the angle from `d` to `e` about `n`, which is taken to be less than half a turn from the
+    /// design's.
     #[inline]
     pub fn quarter(&self, [d, e, n]: [Vector3<T>; 3]) -> [T; 2] {
         let axis = root(dot(n, n), self.axis);
@@ -86,22 +87,22 @@ impl<T: Scalar> Turn<T> {
         [sine, cosine]
     }
 
-    /// Of `e` without its part along `n`, what is along and what is across `d`, without its part along `n`: both over
-    /// the same length, anticlockwise about `n`.
+    /// The components of `e` along and across `d`, after the parts of both along `n` are removed, each times the same
+    /// length. Across is anticlockwise about `n`.
     #[inline]
     fn parts([d, e, n]: [Vector3<T>; 3], axis: T) -> [T; 2] {
         let normal = cross(n, d);
         [dot(normal, cross(n, e)) / axis, dot(normal, e)]
     }
 
-    /// The same in other numbers: see [`Listing::gather`](crate::linkage::Listing::gather).
+    /// The same constraint in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gather<M, S: Scalar>(
         of: impl Fn(&M) -> Turn<S>,
         number: &impl Fn(&dyn Fn(&M) -> S) -> T,
     ) -> Self {
         let length = number(&|model| of(model).length);
-        // The inverse to all digits of the other number: it is part of the equation.
+        // The inverse has all digits of the other number type, because it is part of the equation.
         Self {
             length,
             inverse: T::one() / length,
@@ -121,14 +122,14 @@ impl<T: Scalar> Turn<T> {
     }
 }
 
-/// Heron's method for a square root.
+/// The square root by Heron's method.
 #[inline]
 fn root<T: Scalar>(square: T, guess: T) -> T {
     let half = T::constant(0.5);
     (0..ROUNDS).fold(guess, |root, _| (root + square / root) * half)
 }
 
-/// The same of a complex number, for the root within a quarter of a turn of the guess.
+/// The square root of a complex number by Heron's method: the root within a quarter of a turn of the guess.
 #[inline]
 fn complex_root<T: Scalar>(square: [T; 2], guess: [T; 2]) -> [T; 2] {
     let half = T::constant(0.5);
@@ -146,7 +147,7 @@ fn complex_product<T: Scalar>([a, b]: [T; 2], [c, d]: [T; 2]) -> [T; 2] {
     [(a * c).minus_product(b, d), (a * d).plus_product(b, c)]
 }
 
-/// The coordinate that a driving angle about an axis prescribes: `h = L sin(theta / 4)` and its rates by the chain
+/// The coordinate `h = L sin(theta / 4)` that a driving angle about an axis prescribes, and its rates by the chain
 /// rule.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn turn_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> {

@@ -8,11 +8,11 @@ use crate::error::GeometryError;
 use crate::model::constraint::{Carried, Frame, InPlane};
 use crate::model::handedness::Linked;
 
-/// The smallest sine of the angle between a frame's edges. With less, rounding errors of a body's
-/// equations grow beyond the tolerance of the solver.
+/// The smallest sine of the angle between a frame's edges. With a smaller one, rounding errors of a body's equations
+/// grow beyond the tolerance of the solver.
 const FLATTEST_FRAME: f64 = 1e-2;
 
-/// A frame, with `third` the index of its last point.
+/// A frame of points that are not collinear; `third` is the index of its last point.
 ///
 /// # Errors
 ///
@@ -30,8 +30,8 @@ pub fn frame<T: Real>(third: usize, frame: Frame<T>) -> Result<Frame<T>, Geometr
 ///
 /// # Errors
 ///
-/// [`GeometryError::NotClosed`] where they break the triangle inequality,
-/// [`GeometryError::Collinear`] where they only just meet it.
+/// [`GeometryError::NotClosed`] if they break the triangle inequality, [`GeometryError::Collinear`] if they only just
+/// meet it.
 pub fn frame_of_lengths<T: Real>(
     third: usize,
     [first_second, first_third, second_third]: [T; 3],
@@ -43,21 +43,21 @@ pub fn frame_of_lengths<T: Real>(
     )
 }
 
-/// A plane of three points, with `third` the index of the last.
+/// A plane through three points; `third` is the index of the last.
 ///
 /// # Errors
 ///
-/// [`GeometryError::Collinear`] where they are in line.
+/// [`GeometryError::Collinear`] if the points are collinear.
 pub fn plane<T: Real>(third: usize, points: Frame<T>) -> Result<InPlane<T>, GeometryError> {
     let Frame { u, v, .. } = frame(third, points)?;
     Ok(InPlane::new([u.norm(), v.norm()]))
 }
 
-/// The constants of a carried point as it stands.
+/// The constants of a carried point at its present position.
 ///
 /// # Errors
 ///
-/// [`GeometryError::Collinear`] where the frame's points are in line.
+/// [`GeometryError::Collinear`] if the frame's points are collinear.
 pub fn carried<T: Real>(
     index: usize,
     point: Vector3<T>,
@@ -67,12 +67,11 @@ pub fn carried<T: Real>(
     Carried::new(point, &frame).ok_or(GeometryError::Collinear { point: index })
 }
 
-/// The constants of a carried point from its distances to the frame's points, on the side where
-/// it is now.
+/// The constants of a carried point from its distances to the frame's points, on its present side of the frame.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NotClosed`] where no point has these distances.
+/// [`GeometryError::NotClosed`] if no point has these distances.
 pub fn carried_at<T: Real>(
     index: usize,
     now: &Carried<T>,
@@ -83,7 +82,7 @@ pub fn carried_at<T: Real>(
         .ok_or(GeometryError::NotClosed { point: index })
 }
 
-/// A point as it stands, held to a frame by distances alone.
+/// A point at its present position, held to a frame by distances alone.
 ///
 /// # Errors
 ///
@@ -96,7 +95,7 @@ pub fn linked<T: Real>(
     standing_off(index, carried(index, point, frame)?, frame)
 }
 
-/// The same from its distances to the frame's points, on the side where it is now.
+/// Such a point from its distances to the frame's points, on its present side of the frame.
 ///
 /// # Errors
 ///
@@ -114,8 +113,8 @@ pub fn linked_at<T: Real>(
     )
 }
 
-/// Refuses a point whose three distances are singular: the determinant of their gradients is the
-/// volume over the product of the lengths, and the pivots that it leaves are unhealthy.
+/// Refuses a point whose three distances are singular: the determinant of their gradients is the volume divided by
+/// the product of the lengths, and the pivots that it leaves are unhealthy.
 fn standing_off<T: Real>(
     index: usize,
     shape: Carried<T>,

@@ -7,11 +7,11 @@ use crate::arithmetic::scalar::Real;
 use crate::error::GeometryError;
 use crate::model::constraint::{Bilinear, Distance, OnLine, Product, Stretch, Turn};
 
-/// The distance of two points as they stand.
+/// The present distance between two points.
 ///
 /// # Errors
 ///
-/// [`GeometryError::BadLength`] where they coincide, or are too far apart to square.
+/// [`GeometryError::BadLength`] if they coincide, or are too far apart to square.
 pub fn distance<T: Real>(
     length: usize,
     a: Vector3<T>,
@@ -25,11 +25,11 @@ pub fn distance<T: Real>(
     }
 }
 
-/// A line whose ends are a length apart, `end` being the index of the last.
+/// A line whose ends are this length apart; `end` is the index of the last.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
+/// [`GeometryError::NoLine`] if they coincide, or are too far apart to square.
 pub fn line<T: Real>(end: usize, length: T) -> Result<OnLine<T>, GeometryError> {
     if is_usable(length) {
         Ok(OnLine::new([length]))
@@ -38,11 +38,11 @@ pub fn line<T: Real>(end: usize, length: T) -> Result<OnLine<T>, GeometryError> 
     }
 }
 
-/// Two points whose length is driven, as far apart as in the design, `end` being the index of the last.
+/// Two points whose distance is driven, with its length in the design; `end` is the index of the last.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NoLine`] where they coincide, or are too far apart to square.
+/// [`GeometryError::NoLine`] if they coincide, or are too far apart to square.
 pub fn stretch<T: Real>(end: usize, length: T) -> Result<Stretch<T>, GeometryError> {
     if is_usable(length) {
         Ok(Stretch::new(length))
@@ -51,11 +51,11 @@ pub fn stretch<T: Real>(end: usize, length: T) -> Result<Stretch<T>, GeometryErr
     }
 }
 
-/// Two lines at the angle at which they stand, `end` being the index of the last of their ends.
+/// Two lines at their present angle; `end` is the index of the last of their ends.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NoLine`] where a line has no length, or is too long to square.
+/// [`GeometryError::NoLine`] if a line has no length, or is too long to square.
 pub fn product<T: Real>(end: usize, lines: [Vector3<T>; 2]) -> Result<Product<T>, GeometryError> {
     let (lengths, [d, e]) = (lines.map(|line| line.norm()), lines);
     let [of_d, of_e] = lengths;
@@ -83,12 +83,12 @@ pub fn product_at<T: Real>(
     }
 }
 
-/// Products over the length of a line, or of two lines the geometric mean, `end` being the index of the last of their
-/// ends.
+/// Products over the length of a line, or over the geometric mean of two lengths; `end` is the index of the last of
+/// the lines' ends.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NoLine`] where a line has no length, or is too long to square.
+/// [`GeometryError::NoLine`] if a line has no length, or is too long to square.
 pub fn bilinear<T: Real, const K: usize>(
     end: usize,
     lines: [T; K],
@@ -100,11 +100,11 @@ pub fn bilinear<T: Real, const K: usize>(
     }
 }
 
-/// The angle between two lines about a third one as they stand, `end` being the index of the last of their ends.
+/// The present angle between two lines about a third one; `end` is the index of the last of their ends.
 ///
 /// # Errors
 ///
-/// [`GeometryError::NoLine`] where a line has no length, is too long to square, or where one of the first two is along
+/// [`GeometryError::NoLine`] if a line has no length or is too long to square, or if one of the first two is along
 /// the third.
 pub fn turn<T: Real>(end: usize, lines: [Vector3<T>; 3]) -> Result<Turn<T>, GeometryError> {
     let lengths = lines.map(|line| line.norm());

@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 use crate::arithmetic::scalar::Real;
 
-/// The rigid body `shape` moved, never mirrored, to where it fits `guess` best in the
-/// least-squares sense. A guess that is not finite, or whose points coincide, is returned as it is.
+/// The rigid body `shape`, moved (never mirrored) to where it fits `guess` best in the least-squares sense. A guess
+/// that is not finite, or whose points coincide, is returned unchanged.
 pub fn best_rigid_fit<T: Real, const K: usize>(
     shape: &[Vector3<T>; K],
     guess: &[Vector3<T>; K],
@@ -16,8 +16,8 @@ pub fn best_rigid_fit<T: Real, const K: usize>(
     }
 }
 
-/// How the rigid body `shape` is moved there, point by point: Horn 1987, Closed-form solution of absolute
-/// orientation using unit quaternions. `None` where the guess is not finite, or its points coincide.
+/// The motion of the rigid body `shape` to that place, point by point: Horn 1987, Closed-form solution of absolute
+/// orientation using unit quaternions. `None` if the guess is not finite, or its points coincide.
 pub fn best_rigid_motion<T: Real>(
     shape: &[Vector3<T>],
     guess: &[Vector3<T>],

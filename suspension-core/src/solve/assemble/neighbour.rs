@@ -7,14 +7,14 @@ use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::solve::factored::with_factors;
 
-/// Rounds of inverse iteration. The weakest direction only starts another search: two digits do.
+/// The number of inverse iterations. The weakest direction only starts another search, so two digits are enough.
 const ROUNDS: usize = 4;
 
-/// About where the root lies that would meet `root` at the nearest singularity.
+/// The approximate position of the root that would meet `root` at the nearest singularity.
 ///
-/// Along the direction `v` in which `J` is weakest, `J v = sigma u` with unit `u` and `v`, the
-/// equations are `u . F(root + s v) = sigma s + s^2 u . C(v, v) / 2`, which is zero again at
-/// `s = -2 sigma / (u . C(v, v))`.
+/// Let `v` be the direction in which `J` is weakest, `J v = sigma u` with unit vectors `u` and `v`. Along it the
+/// equations are `u . F(root + s v) = sigma s + s^2 u . C(v, v) / 2`, which is zero again at `s = -2 sigma / (u .
+/// C(v, v))`.
 ///
 /// # Errors
 ///

@@ -9,15 +9,15 @@ use crate::error::SolveError;
 use crate::solve::assemble::assembly::Assembly;
 use crate::solve::report::Report;
 
-/// Starts around the guess.
+/// The number of starts around the guess.
 pub(super) const AROUND: usize = 16;
 
-/// How far a start lies from the guess in each coordinate at most, as a multiple of what the
-/// equations are off by there (root mean square): about as far as the guess is from a root.
+/// The largest distance of a start from the guess in each coordinate, as a multiple of the root mean square of the
+/// equations' errors there: about as far as the guess is from a root.
 const SPREAD: f64 = 1.5;
 
-/// Starts around the guess, the same at every call, whatever room there is behind its `unknowns`. `off` is the residual at the
-/// guess.
+/// The starts around the guess, which are the same at every call, whatever room there is behind its `unknowns`. `off`
+/// is the residual at the guess.
 pub(super) fn around<T: Real, const N: usize>(
     guess: &SVector<T, N>,
     unknowns: usize,
@@ -45,14 +45,14 @@ fn random<T: Real>(state: &mut u64) -> T {
     T::constant(f64::from((*state >> 32) as u32) / f64::from(1_u32 << 31) - 1.0)
 }
 
-/// A root, and how it relates to the guess and to others.
+/// A root, and its relation to the guess and to other roots.
 pub(super) struct Found<T, const N: usize> {
     pub(super) root: SVector<T, N>,
     pub(super) assembly: Assembly<T>,
 }
 
 impl<T: Real, const N: usize> Found<T, N> {
-    /// A root to which one start led.
+    /// The root to which one start led.
     pub(super) fn new(root: SVector<T, N>, guess: &SVector<T, N>, report: Report<T>) -> Self {
         let assembly = Assembly {
             report,
@@ -63,7 +63,7 @@ impl<T: Real, const N: usize> Found<T, N> {
         Self { root, assembly }
     }
 
-    /// The nearer of two, which takes note of the other.
+    /// The nearer of two roots, with a note of the other.
     fn or_nearer(mut self, mut other: Self, size: T) -> Self {
         if is_same(&self.root, &other.root, size) {
             self.assembly.starts += 1;
@@ -79,7 +79,7 @@ impl<T: Real, const N: usize> Found<T, N> {
     }
 }
 
-/// The nearer of what was found so far and one more attempt.
+/// The nearer of the root found so far and that of one more attempt.
 pub(super) fn nearer<T: Real, const N: usize>(
     so_far: Result<Found<T, N>, SolveError<T>>,
     attempt: Result<Found<T, N>, SolveError<T>>,
@@ -92,7 +92,7 @@ pub(super) fn nearer<T: Real, const N: usize>(
     }
 }
 
-/// Whether two results are one root: near a singularity it is known to half the digits only.
+/// Whether two results are the same root: near a singularity a root is known only to half the digits.
 fn is_same<T: Real, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>, size: T) -> bool {
     let ([apart], [coordinates]) = ((a - b).data.0, a.data.0);
     largest(apart) <= least_pivot::<T>() * size.max(largest(coordinates))

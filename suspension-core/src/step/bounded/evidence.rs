@@ -4,14 +4,15 @@ use crate::arithmetic::pivot::is_healthy;
 use crate::arithmetic::scalar::Real;
 use crate::solve::motion::Motion;
 
-/// What a [`Step`](super::Step) is judged by. It keeps squares of norms, which take no comparison and no root.
+/// The evidence by which a [`Step`](super::Step) is judged. It keeps squares of norms, which take no comparison and
+/// no root.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evidence<T> {
-    /// Square of the residual that is left, in units of length squared.
+    /// The square of the residual that is left, in units of length squared.
     pub residual_squared: T,
-    /// Square of the error of the predicted position, in units of length squared.
+    /// The square of the error of the predicted position, in units of length squared.
     pub error_squared: T,
-    /// Square of the acceleration. It is not finite where a velocity that an equation with curvature reads is not.
+    /// The square of the acceleration. It is not finite if a velocity that an equation with curvature reads is not.
     pub rates_squared: T,
     /// Pivot growth, squared: see [`Factors::growth_squared`](crate::linkage::Factors::growth_squared).
     pub growth_squared: T,
@@ -22,7 +23,7 @@ pub struct Evidence<T> {
 }
 
 impl<T> Evidence<T> {
-    /// Each number turned into another, into one of its lanes for example.
+    /// The evidence with each number converted, for example to one of its lanes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn map<U>(self, number: impl Fn(T) -> U) -> Evidence<U> {
         Evidence {

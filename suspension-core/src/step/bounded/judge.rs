@@ -14,7 +14,7 @@ use crate::signal::ChassisMotion;
 use crate::solve::motion::Motion;
 use crate::solve::report::Report;
 
-/// Which test a step failed.
+/// The test that a step failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// A position, velocity or acceleration is not finite.
@@ -25,9 +25,9 @@ pub enum Refusal {
     NotConverged,
     /// The determinant has changed its sign.
     CrossedSingularity,
-    /// A point that links alone hold is mirrored.
+    /// A point that only links hold is mirrored.
     Mirrored,
-    /// The pivots of the fixed order are too small: with partial pivoting there may be a step.
+    /// The pivots of the fixed order are too small; with partial pivoting a step may be possible.
     Unhealthy,
 }
 
@@ -50,12 +50,12 @@ messages! {
 }
 
 impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIONS, ORDER> {
-    /// The largest residual that is accepted of a linkage of the given size.
+    /// The largest residual that is accepted for a linkage of the given size.
     fn residual_tolerance(&self, size: T) -> T {
         self.tolerance.length(T::EPSILON * size)
     }
 
-    /// The error of the prediction that is accepted however short the step.
+    /// The error of the prediction that is accepted however short the step is.
     fn smallest_bound(&self, size: T) -> T {
         if CORRECTIONS == 0 {
             self.residual_tolerance(size)
@@ -64,7 +64,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         }
     }
 
-    /// The error that is accepted of a step that has `moved` so far.
+    /// The error that is accepted for a step that has `moved` this far.
     fn bound(&self, size: T, moved: impl FnOnce() -> T) -> T {
         let smallest = self.smallest_bound(size);
         if CORRECTIONS == 0 {
@@ -74,9 +74,9 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         }
     }
 
-    /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is
-    /// the sign of the determinant at the last motion, where known; `moved` the distance from its
-    /// position, which is asked for where the error of the prediction is not small by itself.
+    /// Accepts a step of a linkage of the given size, or tells which test it failed. `before` is the sign of the
+    /// determinant at the last motion, if known. `moved` gives the distance from its position and is called only if
+    /// the error of the prediction is not small by itself.
     ///
     /// # Errors
     ///
@@ -126,7 +126,7 @@ where
     L: Linkage<N, Scalar = T>,
     C: ChassisMotion<L::Fixed>,
 {
-    /// How far the step goes.
+    /// The distance that the step goes.
     #[cold]
     #[inline(never)]
     pub(super) fn moved(&self, next: &Motion<T, N>) -> T {
@@ -167,8 +167,7 @@ where
                 tolerance: settings.residual_tolerance(size),
                 iterations: CORRECTIONS,
             },
-            // Small pivots are an attempt's refusal: with partial pivoting nothing is left of them but a
-            // singularity near by.
+            // Small pivots make an attempt refuse: with partial pivoting they can only mean a singularity near by.
             Refusal::CrossedSingularity | Refusal::Unhealthy => SolveError::CrossedSingularity {
                 part: Part::Unknown(index_of_largest(&(next.position - self.from.position))),
             },

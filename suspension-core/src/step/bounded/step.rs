@@ -15,7 +15,7 @@ use crate::model::handedness::count_mirrored;
 use crate::signal::ChassisMotion;
 use crate::solve::motion::{Motion, Prescribed, input_terms};
 
-/// A step before it is judged, over any numbers, lanes of them too: nothing here compares.
+/// A step before it is judged, over any numbers including lanes: nothing here compares.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<
     'a,
@@ -56,7 +56,7 @@ where
         }
     }
 
-    /// The motion in the macro's order of pivots, and what to judge it by.
+    /// The motion in the macro's order of pivots, and the evidence to judge it by.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn in_fixed_order(&self, outputs: Outputs) -> (Motion<L::Scalar, N>, Evidence<L::Scalar>) {
         let at = &self.prediction.position;
@@ -64,8 +64,8 @@ where
         self.settle::<_, false>(&factors, outputs)
     }
 
-    /// The motion with any factors of the Jacobian at the prediction. The equations are written out
-    /// wherever they are evaluated, which is fast; or `CALLED`, which is short.
+    /// The motion with any factors of the Jacobian at the prediction. The equations are either written out wherever
+    /// they are evaluated, which is fast, or `CALLED`, which is short.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn settle<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
@@ -99,7 +99,7 @@ where
     L: Linkage<N>,
     C: ChassisMotion<L::Fixed>,
 {
-    /// The error of the prediction, and the square of the residual that is left without it.
+    /// The error of the prediction, and the square of the residual that is left after it is subtracted.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn error<F: Factors<L::Scalar, N>, const CALLED: bool>(
         &self,
@@ -114,13 +114,13 @@ where
         };
         let mut error = factors.solve(&residual);
         if CORRECTIONS == 0 {
-            // What is left, C(e, e) / 2, is below the error as long as that is below the shortest
-            // length over the root of N.
+            // What is left, C(e, e) / 2, is below the error as long as the error is below the shortest length over
+            // the root of N.
             let bound = sum_of_squares(error.data.0[0]);
             return (error, bound);
         }
-        // F(q0 - e) = F(q0) - J e + C(e, e) / 2: of the first solution the last term is left, of
-        // each later one what that term changed by.
+        // F(q0 - e) = F(q0) - J e + C(e, e) / 2: the first solution leaves the last term, each later one the change
+        // of that term.
         let mut curvature = self.change_of_jacobian::<CALLED>(&error, &error);
         let mut left = curvature;
         for _ in 1..CORRECTIONS {
@@ -185,7 +185,7 @@ where
         rate
     }
 
-    /// `C(v, w)` of changes that leave the chassis where it is.
+    /// `C(v, w)` for changes that leave the chassis where it is.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn change_of_jacobian<const CALLED: bool>(
         &self,

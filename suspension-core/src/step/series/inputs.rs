@@ -13,14 +13,14 @@ use crate::signal::{ChassisMotion, Inputs, Signal, Still};
 /// [`Inputs`] over a span of time. `chassis` is [`Still`] or the [`Jet`] of the chassis points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InputSeries<C, D, const K: usize> {
-    /// How the chassis points move.
+    /// The motion of the chassis points.
     pub chassis: C,
     /// The drives, in the unit of the hardpoints and radians.
     pub drives: Jet<D, K>,
 }
 
 impl<D, const K: usize> InputSeries<Still, D, K> {
-    /// Inputs with the chassis points at rest where the model has them.
+    /// Inputs with the chassis points at rest at their positions in the model.
     pub fn still(drives: Jet<D, K>) -> Self {
         Self {
             chassis: Still,
@@ -44,15 +44,15 @@ impl<C, D, const K: usize> InputSeries<C, D, K> {
     }
 }
 
-/// How the chassis points `F` move over a span of time.
+/// The motion of the chassis points `F` over a span of time.
 pub trait ChassisSeries<T, F, const K: usize>: Copy {
-    /// How they move at one instant.
+    /// Their motion at one instant.
     type At: ChassisMotion<F>;
 
     /// Their motion at the time `dt` from the instant of the series.
     fn at(&self, dt: T) -> Self::At;
 
-    /// Their Taylor coefficients, given the positions `rest` of the model.
+    /// Their Taylor coefficients, given the positions `rest` in the model.
     fn jet(&self, rest: &F) -> Jet<F, K>;
 }
 
@@ -80,11 +80,11 @@ impl<T: Scalar, F: Values<Vector3<T>>, const K: usize> ChassisSeries<T, F, K> fo
     }
 }
 
-/// Input series in the form that the equations take them.
+/// Input series in the form in which the equations take them.
 pub(super) struct PrescribedSeries<F, D, const K: usize> {
-    /// Chassis points, driven coordinates put in.
+    /// Chassis points, with the driven coordinates inserted.
     pub(super) fixed: Jet<F, K>,
-    /// Drives, angles turned into coordinates.
+    /// Drives, with angles converted to coordinates.
     pub(super) drives: Jet<D, K>,
 }
 
@@ -107,9 +107,9 @@ impl<F: Copy, D: Copy, const K: usize> PrescribedSeries<F, D, K> {
 
 /// Taylor coefficients of the coordinates `h(theta(t))` that drives `theta` prescribe.
 ///
-/// With `g = dh/dtheta`: `h' = g theta'`, and `g' = -h theta'` of an angle, whose coordinate is
-/// `L cos(theta)`, `g' = -h theta' / 16` of one about an axis, with `L sin(theta / 4)`, but `g' = 0` of a
-/// coordinate (Griewank, Walther 2008, Evaluating Derivatives, table 13.2).
+/// With `g = dh/dtheta`, `h' = g theta'`. For an angle, whose coordinate is `L cos(theta)`, `g' = -h theta'`; for an
+/// angle about an axis, with `L sin(theta / 4)`, `g' = -h theta' / 16`; for a coordinate `g' = 0` (Griewank, Walther
+/// 2008, Evaluating Derivatives, table 13.2).
 fn coordinates<L, const N: usize, const K: usize>(
     linkage: &L,
     drives: &Jet<L::Drives, K>,

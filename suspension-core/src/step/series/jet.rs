@@ -8,8 +8,8 @@ use crate::arithmetic::scalar::Scalar;
 use crate::linkage::Values;
 use crate::signal::Signal;
 
-/// A quantity near an instant: `value + terms[0] dt + terms[1] dt^2 + ...`, `K` terms, `dt` the
-/// time from that instant.
+/// A quantity near an instant: `value + terms[0] dt + terms[1] dt^2 + ...`, with `K` terms, where `dt` is the time
+/// from that instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<V, const K: usize> {
     /// The quantity at the instant.
@@ -58,8 +58,8 @@ impl<V: Copy, const K: usize> Jet<V, K> {
 }
 
 impl<S, const K: usize> Jet<S, K> {
-    /// The polynomial of second order with the value and rates of a signal: all that is known
-    /// where no higher derivatives are.
+    /// The polynomial of second order with the value and rates of a signal, for use where no higher derivatives are
+    /// known.
     pub fn of_signal<V: Quantity>(signal: &Signal<S>) -> Self
     where
         S: Values<V>,

@@ -15,22 +15,22 @@ use crate::solve::report::Report;
 use crate::solve::tolerance::Tolerance;
 use crate::step::tracker::guard::change_of_jacobian;
 
-/// How to follow a motion by its series to order `K`.
+/// Settings for following a motion by its series to order `K`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeriesTracker<T, const K: usize> {
     /// The largest residual of a result; rounding as for [`Newton`](crate::solve::newton::Newton).
     ///
-    /// It speaks of positions. A truncated series of order `K` has about `K / dt` times their error
-    /// in velocities, and `K^2 / dt^2` times in accelerations.
+    /// It applies to positions. A truncated series of order `K` has about `K / dt` times their error in velocities,
+    /// and `K^2 / dt^2` times in accelerations.
     pub tolerance: Tolerance<T>,
-    /// The longest step, as a part of the radius of convergence: of the [estimate](Series::radius) from
-    /// the coefficients, and below order 4, where that is none or rests on two of them, of the one from
-    /// the change of the Jacobian over the step too.
+    /// The longest step, as a fraction of the radius of convergence. The radius is the [estimate](Series::radius)
+    /// from the coefficients. Below order 4, where that estimate does not exist or rests on two of them, the estimate
+    /// from the change of the Jacobian over the step is used too.
     pub part_of_radius: T,
 }
 
 impl<T: Real, const K: usize> SeriesTracker<T, K> {
-    /// Steps of up to half the radius of convergence, to residuals of this length.
+    /// Settings for steps of up to half the radius of convergence, to residuals of this length.
     pub fn within(length: T) -> Self {
         Self {
             tolerance: Tolerance::Length(length),
@@ -38,16 +38,15 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
         }
     }
 
-    /// One step of length `dt`, either way, by the series of the motion.
+    /// Makes one step of length `dt`, in either direction, by the series of the motion.
     ///
-    /// `inputs` start at the instant of `motion`. Where the position solves them only nearly, one
-    /// correction with the factors of this step comes first, so that errors do not add up from
-    /// step to step.
+    /// `inputs` start at the instant of `motion`. If the position solves them only nearly, one correction with the
+    /// factors of this step comes first, so that errors do not add up from step to step.
     ///
     /// # Errors
     ///
-    /// [`SolveError::StepTooLong`] and [`SolveError::NotConverged`] as the fields have it, the
-    /// others as for a [`Tracker`](crate::Tracker); the motion is then unchanged.
+    /// [`SolveError::StepTooLong`] and [`SolveError::NotConverged`] according to the fields, the others as for a
+    /// [`Tracker`](crate::Tracker); the motion is then unchanged.
     pub fn step<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -118,15 +117,15 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
     }
 }
 
-/// The order from which the coefficients alone tell the radius. Of 75,600 steps of random suspensions
-/// beyond a turning point, of orders 1 to 3 with tolerances of 1 and 10 cm, 37,121 were accepted by the
-/// coefficients and the residual alone, and 40 with the change of the Jacobian; of orders from 4 none.
+/// The order from which the coefficients alone determine the radius. In 75,600 steps of random suspensions beyond a
+/// turning point, of orders 1 to 3 with tolerances of 1 and 10 cm, the coefficients and the residual alone accepted
+/// 37,121, and with the change of the Jacobian 40; of orders from 4, none were accepted.
 const TELLING_ORDER: usize = 4;
 
-/// The series from a motion's position after one correction with the factors that it needs anyway; and
-/// below [`TELLING_ORDER`] an estimate of the radius from the change of the Jacobian over the step `dt`:
-/// with `d` the move and `w` as for [`guard`](crate::step::tracker::guard), a motion that turns as a square
-/// root has `|w| / |d| = |dt| / (2 R)` to first order.
+/// The series from a motion's position after one correction with the factors that it needs anyway. Below
+/// [`TELLING_ORDER`] also an estimate of the radius from the change of the Jacobian over the step `dt`: with `d` the
+/// move and `w` as for [`guard`](crate::step::tracker::guard), a motion that turns like a square root has
+/// `|w| / |d| = |dt| / (2 R)` to first order.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn series_from<T, L, C, const N: usize, const K: usize>(
     linkage: &L,

@@ -11,9 +11,9 @@ use crate::solve::motion::{Motion, Prescribed};
 use crate::solve::report::Report;
 use crate::step::substeps::Stopped;
 
-/// How chassis points `F` move between two instants.
+/// The motion of the chassis points `F` between two instants.
 pub trait Between<T, F>: ChassisMotion<F> {
-    /// Their motion at a place between that of `self` and that of `to`.
+    /// Their motion at a place between the motions `self` and `to`.
     fn between(&self, to: &Self, cubic: &Cubic<T>) -> Self;
 }
 
@@ -29,16 +29,16 @@ impl<T: Scalar, F: Values<Vector3<T>>> Between<T, F> for Signal<F> {
     }
 }
 
-/// A place on the cubic that has the values and rates of two instants (Hermite): what values and
-/// rates at the ends weigh in its value, rate and second rate.
+/// A place on the cubic (Hermite) that has the values and rates of two instants: the weights of the values and rates
+/// at the ends in its value, rate and second rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubic<T> {
-    /// Weights of the change of the value, the first rate and the last.
+    /// The weights of the change of the value, of the first rate and of the last rate.
     weights: Signal<[T; 3]>,
 }
 
 impl<T: Scalar> Cubic<T> {
-    /// The place a time `t` after the first of two instants that lie `dt`, not zero, apart.
+    /// The place at a time `t` after the first of two instants, which are `dt`, not zero, apart.
     pub fn at(t: T, dt: T) -> Self {
         let [one, two, three, six] = [1.0, 2.0, 3.0, 6.0].map(T::constant);
         let s = t / dt;
@@ -64,7 +64,7 @@ impl<T: Scalar> Cubic<T> {
         }
     }
 
-    /// The same place on a straight line, which is a cubic too: the rates of the ends do not matter.
+    /// The same place on a straight line, which is a cubic too: the rates at the ends do not matter.
     fn on_line(t: T, dt: T) -> Self {
         let [zero, one] = [T::zero(), T::one()];
         Self {
@@ -106,19 +106,19 @@ impl<T: Scalar> Cubic<T> {
 type Interpolation<T> = fn(T, T) -> Cubic<T>;
 
 impl<T: Real> Tracker<T> {
-    /// One step of length `dt` between two inputs that may lie far apart: in as many
-    /// sub-steps as the bounds on corrections ask for, [`max_steps`](Self::max_steps) at most.
-    /// `motion` is the one at `from`. Between the ends drives and chassis points follow the cubics
-    /// that have their values and rates there. Where these lead nowhere, as after a rate that was wrong or over a step that
-    /// was long, they follow straight lines, in [`max_steps`](Self::max_steps) sub-steps more. The result has the rates of `to`.
+    /// Makes one step of length `dt` between two inputs that may lie far apart, in as many sub-steps as the bounds on
+    /// corrections require, at most [`max_steps`](Self::max_steps). `motion` is the motion at `from`. Between the
+    /// ends, drives and chassis points follow the cubics that have their values and rates there. If these lead
+    /// nowhere, as after a wrong rate or over a long step, they follow straight lines, in at most
+    /// [`max_steps`](Self::max_steps) further sub-steps. The result has the rates of `to`.
     ///
-    /// A step with `dt` zero, as of a simulator that pauses, is not divided: it begins at the last position, gets to inputs that lie near
-    /// the last ones, and finds their rates.
+    /// A step with `dt` zero, for example in a simulator that pauses, is not divided: it begins at the last position,
+    /// goes to inputs that lie near the last ones, and finds their rates.
     ///
     /// # Errors
     ///
-    /// As [`advance`](Self::advance), with the times counted from the start of the step; the motion is then unchanged. The error is
-    /// that on the cubics.
+    /// As [`advance`](Self::advance), with the times counted from the start of the step; the motion is then
+    /// unchanged. The error is the one on the cubics.
     pub fn step_between<L, C, const N: usize>(
         &self,
         linkage: &L,
@@ -135,7 +135,7 @@ impl<T: Real> Tracker<T> {
             let advanced = self.advance_along(curve, linkage, &mut inputs, to, dt, &mut next)?;
             Ok((next, advanced))
         };
-        // From rest, in the same assembly: the last rates are what led the cubics astray.
+        // From rest, in the same assembly: the last rates led the cubics astray.
         let at_rest = Motion {
             positive_determinant: motion.positive_determinant,
             ..Motion::at_rest(motion.position)
@@ -146,8 +146,8 @@ impl<T: Real> Tracker<T> {
         Ok(advanced)
     }
 
-    /// [`step_between`](Self::step_between) along the cubics alone that keeps what it has got to where it stops early: `inputs`,
-    /// those of `motion`, move with it.
+    /// As [`step_between`](Self::step_between) along the cubics alone, but if it stops early it keeps the progress:
+    /// `inputs`, those of `motion`, move with it.
     ///
     /// # Errors
     ///
@@ -201,13 +201,13 @@ impl<T: Real> Tracker<T> {
         let advanced = self.advance(linkage, at, T::zero(), dt, motion);
         match &advanced {
             Ok(_) => *inputs = *to,
-            // At the start the second rates are the caller's and not the cubic's.
+            // At the start the second rates are those of the caller and not of the cubic.
             Err(stopped) if stopped.reached == T::zero() => {}
             Err(stopped) => *inputs = at(stopped.reached),
         }
         advanced
     }
-    /// The step of no length, which has no rates between its ends.
+    /// A step of zero length, which has no rates between its ends.
     fn step_at_once<L, C, const N: usize>(
         &self,
         linkage: &L,

@@ -33,19 +33,19 @@ use crate::listing::{Kind, Part};
 use crate::signal::{ChassisMotion, Signal};
 use crate::solve::motion::Prescribed;
 
-/// See [`change_of_jacobian`](super::Tracker::change_of_jacobian) of the tracker. Of 560,000 accepted steps of random five-link suspensions 2
-/// ended in another assembly without it, both with a change above 3.7, and none with it; where the
-/// bounds on corrections were loosened fivefold, 29 of 110,000 did, the least change 1.27.
+/// See [`change_of_jacobian`](super::Tracker::change_of_jacobian) of the tracker. Of 560,000 accepted steps of random
+/// five-link suspensions, 2 ended in another assembly without it, both with a change above 3.7, and none with it.
+/// With the bounds on corrections loosened fivefold, 29 of 110,000 did, with a smallest change of 1.27.
 pub(super) const CHANGE_OF_JACOBIAN: f64 = 1.0;
 
-/// The part of the predicted move that the error of a prediction may be without a doubt of the
-/// step: in the same trial it was 0.19 or more where a step ended in another assembly.
+/// The fraction of the predicted move up to which the error of a prediction leaves no doubt about the step: in the
+/// same trial it was 0.19 or more if a step ended in another assembly.
 const SMALL_OF_MOVE: f64 = 0.05;
 
-/// An error, as a part of the linkage's size, that is small whatever the move.
+/// An error, as a fraction of the linkage's size, that is small whatever the move.
 const LEAST_OF_SIZE: f64 = 1e-5;
 
-/// An error, as a part of the linkage's size, that is not small whatever the move.
+/// An error, as a fraction of the linkage's size, that is not small whatever the move.
 const MOST_OF_SIZE: f64 = 1e-3;
 
 /// Whether the error of a prediction is so small that the step needs no further proof.
@@ -55,8 +55,8 @@ pub(super) fn is_beyond_doubt<T: Real>(error: T, moved: T, size: T) -> bool {
     error <= (T::constant(SMALL_OF_MOVE) * moved).min(most).max(least)
 }
 
-/// For a move `d` between two positions, with the factors at one of them, `w` from above and the size
-/// of `d` beside the chassis.
+/// For a move `d` between two positions, with the factors at one of them: `w` from above, and the size of `d`
+/// relative to the chassis.
 pub(crate) fn change_of_jacobian<L, C, const N: usize>(
     linkage: &L,
     moves: &SVector<L::Scalar, N>,
@@ -78,22 +78,22 @@ where
     (change, largest(relative))
 }
 
-/// How the inputs change over a step.
+/// The change of the inputs over a step.
 pub(super) struct Change<'a, L: Linkage<N>, const N: usize> {
-    /// Before it, where known.
+    /// The inputs before it, if known.
     pub(super) from: Option<&'a Prescribed<L::Fixed, L::Drives>>,
     pub(super) to: &'a Prescribed<L::Fixed, L::Drives>,
     pub(super) dt: L::Scalar,
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
-    /// How far the chassis points move.
+    /// The displacement of the chassis points.
     fn of_chassis<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
         let by_rates = by_rates(&self.to.fixed, self.dt);
         by_rates.combined(&self.beyond_rates::<C>(linkage), |a, b| a + b)
     }
 
-    /// The largest coordinate of a chassis point's move that its rates do not tell.
+    /// The largest coordinate of the part of a chassis point's move that its rates do not explain.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn jump<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> T {
         let points = self.beyond_rates::<C>(linkage);
@@ -103,7 +103,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
         })
     }
 
-    /// The part of the chassis points' move that their rates do not tell; zero where it is not known.
+    /// The part of the chassis points' move that their rates do not explain; zero if it is not known.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beyond_rates<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
         let (Some(from), to) = (self.from, self.to) else {
@@ -119,7 +119,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
     }
 }
 
-/// How far quantities have moved in the time `dt` that has passed, by their rates.
+/// The displacement of quantities in the past time `dt`, according to their rates.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn by_rates<T, V, S>(signal: &Signal<S>, dt: T) -> S
 where
