@@ -8,9 +8,9 @@ use suspension_core::{Inputs, Listing, Motion, Real, Signal, Still, Values};
 
 use crate::number::{Number, Vector};
 
-/// Models and motions in lanes, whatever the instructions.
+/// Models and motions in lanes, independent of the instruction set.
 pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Send + Sync {
-    /// Computes the next motion of all lanes, to be judged.
+    /// Computes the next motion of all lanes, which is then judged.
     fn attempt(
         &mut self,
         outputs: Outputs,
@@ -18,13 +18,13 @@ pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Se
         dt: T,
     ) -> [Evidence<T>; LANES];
 
-    /// Makes the next motion of all lanes the last.
+    /// Makes the next motion of all lanes the last one.
     fn accept(&mut self);
 
     /// The last motion of a lane.
     fn motion(&self, lane: usize) -> Motion<T, N>;
 
-    /// The motion of a lane that was attempted.
+    /// The attempted motion of a lane.
     fn next(&self, lane: usize) -> Motion<T, N>;
 
     /// Sets the last motion of a lane.
@@ -40,7 +40,7 @@ pub(crate) struct Vectors<
     const ORDER: usize,
 > {
     model: G::Model<Number<V>>,
-    /// The last motion and the next, in turns.
+    /// The last motion and the next one, which alternate.
     motions: [Motion<Number<V>, N>; 2],
     last: usize,
     proof: V::Proof,
@@ -52,7 +52,7 @@ where
     G: Listing<N>,
     V: Vector<Lane: Real>,
 {
-    /// Of one model a lane, at rest.
+    /// Lanes at rest, with one model each.
     pub(crate) fn new<const LANES: usize>(
         proof: V::Proof,
         models: [&G::Model<V::Lane>; LANES],
@@ -67,9 +67,9 @@ where
     }
 }
 
-/// Makes the function that it is inlined into align its frame for whole vectors. Without a variable
-/// that asks for it vectors are spilt to wherever the frame happens to lie, across cache lines more
-/// often than not: 640 ns for eight lanes instead of 450.
+/// Makes the function that it is inlined into align its frame for whole vectors. Without a variable that requires
+/// this, vectors are spilt to wherever the frame happens to lie, across cache lines more often than not: 640 ns for
+/// eight lanes instead of 450.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn align_frame() {
     #[repr(align(64))]
@@ -78,7 +78,7 @@ fn align_frame() {
     std::hint::black_box(&mut line);
 }
 
-/// One number of each lane.
+/// One number of each lane, as a vector.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
     let mut vector = V::splat(0.0);
@@ -88,7 +88,7 @@ fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
     Number(vector)
 }
 
-/// A lane of each entry.
+/// One lane of each entry.
 fn lane_of<V: Vector<Lane: Real>, const N: usize>(
     motion: &Motion<Number<V>, N>,
     lane: usize,
@@ -184,7 +184,7 @@ where
     }
 }
 
-/// Lanes in two halves: for vectors that are half as long.
+/// Lanes in two halves, for vectors that are half as long.
 pub(crate) struct Halves<E>(pub(crate) [E; 2]);
 
 macro_rules! halves {

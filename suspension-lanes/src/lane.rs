@@ -10,7 +10,7 @@ type Boxed<G, T, const N: usize, const LANES: usize> = Box<dyn Engine<G, T, N, L
 
 macro_rules! engine_of {
     ($name:ident, $lanes:literal) => {
-        /// An engine of so many lanes, for the instructions that `S` proves.
+        /// An engine with this number of lanes, for the instructions that `S` proves.
         fn $name<G, S, const N: usize, const CORRECTIONS: usize, const ORDER: usize>(
             proof: S,
             models: [&G::Model<Self>; $lanes],
@@ -21,7 +21,7 @@ macro_rules! engine_of {
     };
 }
 
-/// A number that comes in lanes.
+/// A number type that comes in lanes.
 pub trait Lane: Real {
     engine_of!(one_lane, 1);
     engine_of!(four_lanes, 4);
@@ -55,8 +55,9 @@ impl Lane for f64 {
     engine!(one_lane, 1, Fused<S, f64>);
     engine!(four_lanes, 4, f64x4<S>);
 
-    /// In one pass where a register holds eight: two thirds of the time of two halves on processors whose
-    /// units are as wide, and no longer on others. In two halves elsewhere, because pairs of registers do not suffice.
+    /// In one pass if a register holds eight: this takes two thirds of the time of two halves on processors whose
+    /// units are as wide, and no longer on others. Otherwise in two halves, because there are not enough pairs of
+    /// registers.
     fn eight_lanes<G, S, const N: usize, const CORRECTIONS: usize, const ORDER: usize>(
         proof: S,
         models: [&G::Model<Self>; 8],

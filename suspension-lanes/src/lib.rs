@@ -17,19 +17,19 @@ use suspension_core::solve::report::Report;
 use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveError};
 
-/// Which instructions run the lanes.
+/// The instruction set that runs the lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instructions {
-    /// Those that every processor of the target has: one lane after the other.
+    /// Instructions that every processor of the target has: one lane after the other.
     Plain,
-    /// Vectors of 256 bits, and products that are added without rounding in between.
+    /// Vectors of 256 bits, and fused multiply-add.
     Avx2,
     /// Vectors of 512 bits.
     Avx512,
 }
 
 impl Instructions {
-    /// The best that this processor has.
+    /// The best instructions that this processor has.
     pub fn best() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
@@ -47,11 +47,11 @@ impl Instructions {
 
 /// `LANES` models of the listing `G`, each with its motion, on still chassis.
 ///
-/// A lane that fails keeps its motion and says why; its neighbours are not affected. It is to catch up before the next step, whose length
-/// is the same for all: see [`set_motion`](Self::set_motion). `N` is how many unknowns
-/// the listing has, `Listing::PARTS.unknowns.len()`, and `_` where the models tell. See [`Bounded`] for
-/// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together,
-/// so that results differ from those of [`Bounded::step`] by rounding.
+/// A lane that fails keeps its motion and returns the reason; the other lanes are not affected. It must catch up
+/// before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion). `N` is the number of
+/// unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it. See [`Bounded`] for
+/// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together, so results differ from those of
+/// [`Bounded::step`] by rounding.
 ///
 /// ```
 /// use suspension_core::step::bounded::Outputs;
@@ -84,14 +84,14 @@ pub struct Lanes<
     const CORRECTIONS: usize = 1,
     const ORDER: usize = 2,
 > {
-    /// When a step is accepted.
+    /// The conditions under which a step is accepted.
     pub settings: Bounded<T, CORRECTIONS, ORDER>,
     models: [G::Model<T>; LANES],
     signs: [Option<bool>; LANES],
     engine: Box<dyn Engine<G, T, N, LANES>>,
 }
 
-/// How many lanes there can be, and what they are made of.
+/// The possible numbers of lanes, and the types that they consist of.
 macro_rules! lanes {
     ($lanes:literal, $engine:ident) => {
         impl<G, T, const N: usize, const CORRECTIONS: usize, const ORDER: usize>
@@ -100,12 +100,12 @@ macro_rules! lanes {
             G: Listing<N> + 'static,
             T: Lane,
         {
-            /// For the best instructions that this processor has.
+            /// Creates lanes for the best instructions that this processor has.
             pub fn new(models: [G::Model<T>; $lanes], motions: &[Motion<T, N>; $lanes]) -> Self {
                 Self::with(Instructions::best(), models, motions)
             }
 
-            /// For instructions of choice, or as many of them as this processor has.
+            /// Creates lanes for the chosen instructions, or for as many of them as this processor has.
             pub fn with(
                 instructions: Instructions,
                 models: [G::Model<T>; $lanes],
@@ -182,7 +182,7 @@ where
     ///
     /// # Panics
     ///
-    /// Where there is no such lane.
+    /// If there is no such lane.
     pub fn motion(&self, lane: usize) -> Motion<T, N> {
         Motion {
             positive_determinant: self.signs[lane],
@@ -190,7 +190,7 @@ where
         }
     }
 
-    /// One step of length `dt` in every lane, solving for what is asked.
+    /// Makes one step of length `dt` in every lane, solving only for the requested outputs.
     ///
     /// # Errors
     ///
@@ -211,7 +211,7 @@ where
         if judged.iter().all(Option::is_some) {
             self.engine.accept();
             self.signs = evidence.map(|evidence| Some(evidence.determinant_sign > T::zero()));
-            // Each is there: no lane is left to step alone.
+            // All are present: no lane has to step alone.
             return judged.map(Option::unwrap_or_default).map(Ok);
         }
         std::array::from_fn(|lane| match judged[lane] {
@@ -224,7 +224,7 @@ where
         })
     }
 
-    /// A lane whose pivots are unhealthy, or that is refused: by itself, in all ways there are.
+    /// Steps a lane alone, in every available way, if its pivots are unhealthy or its step is refused.
     #[cold]
     fn step_alone(
         &mut self,
@@ -243,9 +243,10 @@ where
         Ok(settled)
     }
 
-    /// Puts a lane into a motion of its model: back among the others, say, once
-    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own through the step that it was
-    /// refused. A lane whose drives are not finite is to step to its last good ones instead, [`Signal::still`].
+    /// Sets the motion of a lane, for example to bring it back among the others after
+    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own motion through the step that
+    /// it was refused. A lane whose drives are not finite should instead step to its last good ones,
+    /// [`Signal::still`].
     ///
     /// ```
     /// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
@@ -280,7 +281,7 @@ where
     ///
     /// # Panics
     ///
-    /// Where there is no such lane.
+    /// If there is no such lane.
     pub fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
         self.signs[lane] = motion.positive_determinant;
         self.engine.set_motion(lane, motion);

@@ -1,5 +1,5 @@
 //! Vectors of numbers as one number, for generated code in lanes.
-// Numbers are made of nothing, the proof of their instructions with them: see `Vector::Proof`.
+// Numbers are created from nothing, and with them the proof of their instructions: see `Vector::Proof`.
 #![allow(unsafe_code)]
 
 use std::marker::PhantomData;
@@ -14,11 +14,11 @@ pub trait Token: Simd {
     /// The size of a vector register.
     const REGISTER_BITS: u32;
 
-    /// The proof, taken for granted.
+    /// The proof, assumed without a check.
     ///
     /// # Safety
     ///
-    /// The processor has the instructions.
+    /// The processor must have the instructions.
     unsafe fn assumed() -> Self;
 }
 
@@ -30,7 +30,7 @@ macro_rules! token {
 
             #[cfg_attr(not(debug_assertions), inline(always))]
             unsafe fn assumed() -> Self {
-                // SAFETY: the caller's.
+                // SAFETY: the caller guarantees it.
                 unsafe { Self::assume_supported() }
             }
         }
@@ -40,17 +40,16 @@ macro_rules! token {
 token!(Avx2, 256);
 token!(Avx512, 512);
 
-/// Lanes of `f32` or `f64`, and one alone.
+/// Lanes of `f32` or `f64`, or a single one.
 pub(crate) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
     /// A lane.
     type Lane: Copy;
 
-    /// What proves that the processor has the instructions for it. An
-    /// [`Engine`](crate::engine::Engine) is made of such a proof, and no vector is made without an
-    /// engine.
+    /// The proof that the processor has the instructions for it. An [`Engine`](crate::engine::Engine) is made from
+    /// such a proof, and no vector is made without an engine.
     type Proof: Token;
 
-    /// Beside a number this large there is no room for a fraction.
+    /// A sum with a number this large has no digits left for a fraction.
     const LARGE: f64;
 
     fn splat(value: f64) -> Self;
@@ -61,7 +60,7 @@ pub(crate) trait Vector: Copy + Send + Sync + std::fmt::Debug + 'static {
     fn multiply(self, other: Self) -> Self;
     fn divide(self, other: Self) -> Self;
     fn negative(self) -> Self;
-    /// `self + a b`, rounded once where there are instructions for it.
+    /// `self + a b`, rounded once if there are instructions for it.
     fn plus_product(self, a: Self, b: Self) -> Self;
 }
 
@@ -119,7 +118,7 @@ vector!(f32x8, f32);
 vector!(f64x4, f64);
 vector!(f64x8, f64);
 
-/// One number that rounds `a + b c` once: fast only in code for processors that do.
+/// One number that rounds `a + b c` once: fast only in code for processors that have the instruction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fused<S, T>(T, PhantomData<S>);
 
@@ -209,7 +208,7 @@ impl<V: Vector> Neg for Number<V> {
 }
 
 impl<V: Vector> PartialEq for Number<V> {
-    /// Never: lanes are compared one by one.
+    /// Always false: lanes are compared one by one.
     fn eq(&self, _: &Self) -> bool {
         false
     }
