@@ -13,23 +13,25 @@ use suspension_listing::system::Quantity;
 use crate::listing::Listing;
 use crate::statement::Statement;
 
-/// How far two directions may be apart to count as one, radians.
+/// The largest angle between two directions that count as one, radians.
 const PARALLEL: f64 = 1e-6;
 
-/// A line of an angle, as a part or the chassis carries it. Points are numbers among all points.
+/// A line of an angle, which a part or the chassis carries. Points are numbers among all points.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Line {
     ends: [usize; 2],
-    /// The end that neither the other line has nor the axis: the force there is of this line alone.
+    /// The end that the line shares neither with the other line nor with the axis: the force there comes from this
+    /// line alone.
     free_end: usize,
-    /// Of an angle about an axis the ends of that, and two points of the line's carrier along it.
+    /// For an angle about an axis: the ends of the axis, and two points of the line's carrier along it.
     axis: Option<[[usize; 2]; 2]>,
 }
 
 type OnPoint = (usize, Vector3<f64>);
 
 impl Line {
-    /// The forces at the line's ends, and about an axis at two more points, which leave a moment about that alone.
+    /// The forces at the line's ends and, for an angle about an axis, at two more points, so that only a moment about
+    /// the axis is left.
     fn couple(
         &self,
         force: impl Fn(usize) -> Vector3<f64>,
@@ -58,25 +60,25 @@ impl Line {
     }
 }
 
-/// The share of a part in what an angle exerts.
+/// The share of a part in the forces that an angle exerts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AngleShare {
-    /// The number of the part, of [`Listing::parts`].
+    /// The number of the part in [`Listing::parts`].
     pub part: usize,
     of: Share,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Share {
-    /// The part carries a line: a moment.
+    /// The part carries a line, on which a moment acts.
     Line(Line),
-    /// The part carries the axis, which has at its ends what is left beside the shares of lines.
+    /// The part carries the axis, whose ends bear what the shares of the lines leave over.
     Axis { ends: [usize; 2], lines: Vec<Line> },
 }
 
 impl AngleShare {
-    /// The forces on the part, at points, in the unit of the `force` that the angle exerts at a point, with the points where `at` has
-    /// them.
+    /// The forces on the part, at points, in the unit of the `force` that the angle exerts at a point, for the
+    /// positions `at` of the points.
     pub fn forces(
         &self,
         force: impl Fn(usize) -> Vector3<f64>,
@@ -111,7 +113,7 @@ struct Lines {
 }
 
 impl Listing {
-    /// Of each measure the shares of parts in what acts along it, where it is an angle.
+    /// For each measure, the shares of parts in the force along it if it is an angle.
     pub fn shares_in_measures(&self) -> Vec<Vec<AngleShare>> {
         let parts: Vec<_> = self.parts().collect();
         let measures = self.system().measures.iter();
@@ -119,7 +121,7 @@ impl Listing {
         lines.map(|lines| self.shares(&lines, &parts)).collect()
     }
 
-    /// The shares of parts in what a statement drives or holds, where it is an angle.
+    /// The shares of parts in what a statement drives or holds, if that is an angle.
     pub(crate) fn shares_in(
         &self,
         statement: &Statement<'_>,
@@ -128,7 +130,7 @@ impl Listing {
         self.shares(&self.lines_of_statement(statement), parts)
     }
 
-    /// The lines of what a statement drives or holds.
+    /// The lines of the angle that a statement drives or holds.
     fn lines_of_statement(&self, statement: &Statement<'_>) -> Lines {
         let system = self.system();
         let mut drives = system.drives.iter();
@@ -165,8 +167,8 @@ impl Listing {
         }
     }
 
-    /// The shares of the bodies, hinges and links that carry lines and axis; a line or an axis between chassis points is the
-    /// chassis'.
+    /// The shares of the bodies, hinges and links that carry the lines and the axis. A line or an axis between
+    /// chassis points belongs to the chassis.
     fn shares(&self, Lines { lines, about }: &Lines, parts: &[Statement<'_>]) -> Vec<AngleShare> {
         let chassis = self.system().fixed.len();
         let is_fixed = |ends: &[usize; 2]| ends.iter().all(|end| *end < chassis);
@@ -187,7 +189,7 @@ impl Listing {
         let [fixed, moving]: [Vec<_>; 2] =
             [true, false].map(|of| lines.iter().filter(|line| is_fixed(line) == of).collect());
         let of_parts: Vec<(usize, Line)> = moving.into_iter().filter_map(of_part).collect();
-        // What the chassis bears is not left for the axis, at an end that both have.
+        // What the chassis bears at an end that a line and the axis share is not left for the axis.
         let of_chassis = fixed.into_iter();
         let of_chassis = of_chassis.filter_map(|ends| line(ends, None));
         let of_all: Vec<Line> = of_parts
@@ -212,7 +214,7 @@ impl Listing {
         of_parts.chain(axis).collect()
     }
 
-    /// The part that keeps two points apart, or the bodies of markers: a body or a hinge, or else a link.
+    /// The part that keeps two points, or the bodies of markers, apart: a body or a hinge, otherwise a link.
     fn carrier_of(&self, ends: &[usize; 2], parts: &[Statement<'_>]) -> Option<usize> {
         let carriers = self.carriers();
         let places = |end: &usize| {
@@ -229,7 +231,8 @@ impl Listing {
         carries(&[Kind::BODY, Kind::HINGE]).or_else(|| carries(&[Kind::LINK]))
     }
 
-    /// Two points of a part that may be along an axis: the axis' own ends, or those that a hinge has on the chassis.
+    /// Two points of a part that may be along an axis: the ends of the axis itself, or those that a hinge has on the
+    /// chassis.
     fn along(&self, part: &Statement<'_>, about: [usize; 2]) -> Option<[usize; 2]> {
         if about.iter().all(|end| part.points.contains(end)) {
             return Some(about);

@@ -14,7 +14,7 @@ impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// The guess `q` with each body, and each cluster of links, put where it fits best.
+    /// The guess `q` with each body, and each cluster of links, moved to where it fits best.
     pub(crate) fn best_fit(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
         let plan = self.plan();
         let mut q = *q;
@@ -43,7 +43,7 @@ where
     }
 }
 
-/// Puts the free points of a rigid shape, the sites of a frame and others, where it fits `q` best.
+/// Moves the free points of a rigid shape (the sites of a frame and others) to where it fits `q` best.
 fn fit<T: Real, const N: usize>(
     q: &mut SVector<T, N>,
     fixed: &Few<Vector3<T>, N>,

@@ -6,8 +6,9 @@ use suspension_listing::system::Quantity;
 use crate::listing::Listing;
 
 impl Listing {
-    /// The first statement that is of another mechanism where the coordinates of all points are multiplied by `signs`: one that
-    /// joins coordinates, as a sum or along a direction, of which some change their signs and others do not.
+    /// The first statement that describes another mechanism if the coordinates of all points are multiplied by
+    /// `signs`: one that combines coordinates, in a sum or along a direction, of which some change sign and others do
+    /// not.
     pub fn bound_to_axes(&self, signs: [f64; 3]) -> Option<&str> {
         let system = self.system();
         let is_bound = |factors: &mut dyn Iterator<Item = (usize, f64)>| {
@@ -48,8 +49,8 @@ impl Listing {
         named.chain(equations).next().map(|name| name.as_str())
     }
 
-    /// 1 or -1: which way a measure goes where the coordinates of all points are multiplied by `signs`, a rotation that no statement
-    /// is [bound](Self::bound_to_axes) by.
+    /// 1 or -1: the sign of a measure's change if the coordinates of all points are multiplied by `signs`, a rotation
+    /// by which no statement is [bound](Self::bound_to_axes).
     pub fn measure_sign(&self, measure: &str, signs: [f64; 3]) -> f64 {
         let mut measures = self.system().measures.iter();
         let found = measures.find(|found| found.named.name.as_str() == measure);

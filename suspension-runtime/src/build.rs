@@ -50,7 +50,7 @@ where
         Ok(built.sized())
     }
 
-    /// The points that the listing has.
+    /// The points of the listing.
     fn points_of(&self, points: &Points<Vector3<T>, N>) -> impl Iterator<Item = Vector3<T>> {
         let plan = self.plan();
         let count = usize::from(plan.chassis + plan.free) + plan.markers.len();
@@ -211,7 +211,7 @@ where
         Ok(self)
     }
 
-    /// With `size` brought up to the other self.
+    /// The model with `size` brought up to date.
     pub(crate) fn sized(self) -> Self {
         let forms = self.forms();
         let distances = forms.distances.all(self.distances.as_slice().iter());
@@ -256,7 +256,7 @@ where
     }
 }
 
-/// A table of results, up to the first error.
+/// A table of results, filled up to the first error.
 pub(crate) fn fill<V, F: Values<V>>(
     values: impl Iterator<Item = Result<V, GeometryError>>,
 ) -> Result<F, GeometryError>

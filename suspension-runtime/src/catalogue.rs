@@ -9,7 +9,8 @@ pub fn listing(name: &str) -> Option<&'static str> {
     listings.find_map(|(known, text)| (*known == name).then_some(*text))
 }
 
-/// That the catalogue has no such layout, which one may be meant, or else what it has, and what there is besides.
+/// The message that the catalogue has no such layout: it names the layout that may be meant, or otherwise all of
+/// them, and what there is `besides`.
 pub fn unknown(name: &str, besides: &str) -> String {
     let known: Vec<&str> = LISTINGS.iter().map(|(known, _)| *known).collect();
     let hint = did_you_mean(name, known.iter().copied());

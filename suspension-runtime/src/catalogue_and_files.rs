@@ -7,15 +7,15 @@ use suspension_listing::include_source::{IncludeSource, Wanted};
 
 use crate::catalogue;
 
-/// The listings of the catalogue, and the files beside one.
+/// The listings of the catalogue, and the files in the folder of one listing.
 #[derive(Clone, Debug, Default)]
 pub struct CatalogueAndFiles {
-    /// The file of the listing that is read, where it is in one.
+    /// The file of the listing that is read, if it is in one.
     file: Option<PathBuf>,
 }
 
 impl CatalogueAndFiles {
-    /// With the files beside one.
+    /// The catalogue with the files in the folder of this file.
     pub fn beside(file: impl Into<PathBuf>) -> Self {
         Self {
             file: Some(file.into()),
@@ -39,7 +39,7 @@ impl IncludeSource for CatalogueAndFiles {
                     );
                 };
                 let path = file.with_file_name(path);
-                // What is read from elsewhere may never end.
+                // Reading from anything but a file may never end.
                 if path.metadata().is_ok_and(|found| !found.is_file()) {
                     return Err(format!(
                         "cannot read {}: it is no regular file",

@@ -22,7 +22,7 @@ use crate::table::{Table, index, put, put_three};
 
 pub use rates::AlongDrive;
 
-/// The unknowns and the chassis points of a model: where they are, or a derivative of theirs.
+/// The unknowns and the chassis points of a model: their positions, or a derivative of these.
 #[derive(Clone, Copy, Debug)]
 pub struct Unknowns<T: Scalar, const N: usize>
 where
@@ -34,7 +34,7 @@ where
     pub chassis: Few<Vector3<T>, N>,
 }
 
-/// Where a model is whose design changes: at a position that solves its equations.
+/// A model whose design changes, at a position that solves its equations.
 #[derive(Clone, Debug)]
 pub struct Start<'a, 'l, T: Scalar, const N: usize>
 where
@@ -50,8 +50,9 @@ where
     pub drives: Few<T, N>,
 }
 
-/// A change of the design of a model: of hardpoints, of which it is made anew where they stand then, the drives as those have
-/// them; then of lengths of links, the drives held. All derivatives are per unit of it.
+/// A change of the design of a model. Hardpoints change first: the model is made anew with them, and the drives get
+/// the values that they give. Lengths of links change second, with the drives held. All derivatives are per unit of
+/// the change.
 #[derive(Clone, Debug)]
 pub struct DesignChange<'a, 'l, T: Real, const N: usize>
 where
@@ -62,26 +63,27 @@ where
     reshapes: bool,
     /// The derivatives of the constants of the points that bodies carry.
     carried: Few<Carried<T>, N>,
-    /// The same of markers.
+    /// The derivatives of the constants of markers.
     markers: Few<Carried<T>, N>,
-    /// The derivatives of the logarithms of the lengths that sums of products are over.
+    /// The derivatives of the logarithms of the lengths by which sums of products are divided.
     scales: Few<T, N>,
-    /// Those of the coordinates that drives prescribe, and of both derivatives of these with respect to the drive.
+    /// The derivatives of the coordinates that drives prescribe, and of the first and second derivatives of these
+    /// with respect to the drive.
     coordinates: Signal<Few<T, N>>,
 }
 
-/// What changes.
+/// The given change.
 #[derive(Clone, Debug)]
 struct Given<'a, 'l, T: Scalar, const N: usize>
 where
     Room<N>: Size,
 {
     start: &'a Start<'a, 'l, T, N>,
-    /// Points by their places, each with how far it is moved.
+    /// Points by their indices, each with its displacement.
     points: &'a [(usize, Vector3<T>)],
-    /// Lengths of links by their places, each with how much longer it is made.
+    /// Lengths of links by their indices, each with the increase.
     lengths: &'a [(usize, T)],
-    /// The points that are no markers.
+    /// The displacements of the points that are not markers.
     moved: Unknowns<T, N>,
 }
 
@@ -89,7 +91,7 @@ impl<T: Scalar, const N: usize> Unknowns<T, N>
 where
     Room<N>: Size,
 {
-    /// None but the unknowns.
+    /// The unknowns alone; chassis points are zero.
     pub fn of_free(free: SVector<T, N>) -> Self {
         Self {
             free,
@@ -111,8 +113,8 @@ impl<'a, 'l, T: Real, const N: usize> DesignChange<'a, 'l, T, N>
 where
     Room<N>: Size,
 {
-    /// Points and lengths by their places, each with how far it is moved or how much longer it is made; `None` of a length that
-    /// no link keeps.
+    /// A change of points and lengths by their indices, each with its displacement or increase; `None` for a length
+    /// that no link keeps.
     pub fn new(
         start: &'a Start<'a, 'l, T, N>,
         points: &'a [(usize, Vector3<T>)],
@@ -139,13 +141,13 @@ where
         })
     }
 
-    /// How hardpoints and what they are on the chassis are moved; unknowns that are no coordinates rest.
+    /// The displacements of the hardpoints and the chassis points. Unknowns that are not coordinates do not move.
     pub fn moved(&self) -> &Unknowns<T, N> {
         &self.given.moved
     }
 
-    /// The residual of the equations, to first order, where the points are [`moved`](Self::moved) and the constants change with the
-    /// design.
+    /// The residual of the equations, to first order, if the points are [`moved`](Self::moved) and the constants
+    /// change with the design.
     pub fn residual(&self) -> SVector<T, N> {
         let Start {
             model, unknowns, ..
@@ -200,7 +202,7 @@ impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Whether a link keeps a length, and no body.
+    /// Whether a link, and not a body, keeps a length.
     fn is_of_link(&self, length: usize) -> bool {
         let mut bodies = self.forms().bodies.iter();
         let place = index(length);
@@ -220,7 +222,7 @@ where
         Some(distance.span.row)
     }
 
-    /// The unknowns and chassis points where points are moved so.
+    /// The displacements of unknowns and chassis points if points are moved so.
     fn moved(&self, points: &[(usize, Vector3<T>)]) -> Unknowns<T, N> {
         let plan = self.plan();
         let [chassis, free] = [plan.chassis, plan.free].map(usize::from);

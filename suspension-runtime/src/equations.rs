@@ -14,7 +14,7 @@ impl<T: Scalar, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// In place, as every vector of unknowns here: what a call returns is copied.
+    /// Writes in place, like all functions here for vectors of unknowns: what a call returns is copied.
     #[inline(never)]
     pub(crate) fn residual_to(
         &self,
@@ -53,7 +53,7 @@ where
         matrix
     }
 
-    /// In rows that are [`zeros`].
+    /// Writes into rows that are [`zeros`].
     #[inline(never)]
     pub(crate) fn curvature_to(
         &self,
@@ -72,8 +72,8 @@ where
         });
     }
 
-    /// Puts `-dF/du udot`, the right-hand side of the rates, into rows that are [`zeros`]: of the drives and the chassis points that
-    /// they move, or without `drive_rate` of all other chassis points.
+    /// Writes `-dF/du udot`, the right-hand side of the rates, into rows that are [`zeros`]: for the drives and the
+    /// chassis points that they move, or without `drive_rate` for all other chassis points.
     #[inline(never)]
     pub(crate) fn input_rates_to(
         &self,
@@ -110,7 +110,7 @@ impl<T: Scalar, const N: usize> Entries<T> for Whole<'_, T, N> {
     }
 }
 
-/// Rows that nothing contributes to: zeros that an addition leaves no trace of, their sign included.
+/// Rows without contributions: zeros that leave no trace in a sum, not even in its sign.
 #[inline(always)]
 pub(crate) fn zeros<T: Scalar, const N: usize>() -> SVector<T, N> {
     SVector::from_array_storage(ArrayStorage([[-T::zero(); N]]))

@@ -14,15 +14,15 @@ use crate::site::Sites;
 use crate::size::{Few, Room, Size};
 use crate::table::Table;
 
-/// The Jacobian eliminated in the order of the listing, `L D U`.
+/// The Jacobian, factored as `L D U` in the order of the listing.
 #[derive(Clone, Copy, Debug)]
 pub struct Factors<'l, T: Scalar, const N: usize>
 where
     Room<N>: Size,
 {
     plan: &'l Plan,
-    /// Multipliers left of each pivot; the pivot's inverse and what is right of it, divided by it; the edges of
-    /// frames.
+    /// The multipliers left of each pivot; the pivot's inverse and the entries right of it, divided by the pivot; the
+    /// edges of frames.
     numbers: <Room<N> as Size>::Numbers<T>,
     carried: Few<Carried<T>, N>,
     growth_squared: T,
@@ -33,7 +33,7 @@ impl<'l, T: Scalar, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
-    /// Assembled and eliminated.
+    /// The assembled and eliminated factors.
     #[inline(always)]
     pub(crate) fn factored(
         &self,
@@ -56,8 +56,8 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Assembles and eliminates in place: factors that a call returns are copied. Not inlined, or its 15 kB would be in
-    /// every caller, for each size.
+    /// Assembles and eliminates in place, because factors that a call returns are copied. It is not inlined,
+    /// otherwise its 15 kB would be in every caller, for each size.
     #[inline(never)]
     fn fill(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         self.assemble(model, q, fixed);
@@ -70,7 +70,7 @@ where
     fn assemble(&mut self, model: &Model<'_, T, N>, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
         let sites = Sites::new(q.as_slice(), fixed);
-        // What fills in starts at a zero that a subtraction leaves no trace of, its sign included.
+        // Fill-in starts at a zero that leaves no trace in a difference, not even in its sign.
         for &number in &plan.elimination.filled {
             *numbers.place(number) = -T::zero();
         }
@@ -80,7 +80,7 @@ where
         *numbers.place(ZERO) = T::zero();
     }
 
-    /// Rows that depend on carried points depend on their frames instead.
+    /// Makes rows that depend on carried points depend on their frames instead.
     #[inline(always)]
     fn reduce(&mut self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         let (plan, numbers) = (self.plan, &mut self.numbers);
@@ -110,7 +110,7 @@ where
     }
 }
 
-/// The next few of a list.
+/// The next `count` entries of a list.
 #[inline(always)]
 fn take<'a, V>(list: &mut &'a [V], count: u16) -> &'a [V] {
     let (taken, left) = list.split_at_checked(count.into()).unwrap_or_default();

@@ -6,7 +6,7 @@ use crate::listing::Listing;
 use crate::plan::Plan;
 use crate::size::{LARGEST, Room, Size};
 
-/// A listing that fits into models of `N` unknowns: the family of its models over any number.
+/// A listing that fits into models of `N` unknowns: the family of its models over any number type.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted<'l, const N: usize>(&'l Listing);
 
@@ -14,7 +14,7 @@ impl<'l, const N: usize> Fitted<'l, N>
 where
     Room<N>: Size,
 {
-    /// `None` where the listing is too large.
+    /// `None` if the listing is too large.
     pub(crate) fn new(listing: &'l Listing) -> Option<Self> {
         let fits = listing.plan().exceeded::<N>().is_none();
         fits.then_some(Self(listing))
@@ -56,9 +56,9 @@ impl<const N: usize> Parts for Fitted<'_, N> {
     }
 }
 
-/// Work on the models of a listing, whatever their size.
+/// Work on the models of a listing of any size.
 pub trait Work {
-    /// What comes of it.
+    /// The result of the work.
     type Answer;
 
     /// Does the work with the smallest models that have room for the listing.
@@ -68,7 +68,7 @@ pub trait Work {
 }
 
 impl Listing {
-    /// The listing as one that fits into models of `N` unknowns; `None` where it is too large.
+    /// The listing as one that fits into models of `N` unknowns; `None` if it is too large.
     pub fn fitted<const N: usize>(&self) -> Option<Fitted<'_, N>>
     where
         Room<N>: Size,
@@ -76,14 +76,14 @@ impl Listing {
         Fitted::new(self)
     }
 
-    /// Does some work with the smallest models that have room for the listing.
+    /// Does work with the smallest models that have room for the listing.
     pub fn in_its_size<W: Work>(&self, work: W) -> W::Answer {
         if let Some(listing) = self.fitted::<15>() {
             work.on(listing)
         } else if let Some(listing) = self.fitted::<30>() {
             work.on(listing)
         } else {
-            // Larger ones are refused when they are read.
+            // Larger listings are refused when they are read.
             work.on(Fitted::<LARGEST>(self))
         }
     }

@@ -9,22 +9,22 @@ use suspension_listing::system::{Body, Equation, Site};
 
 use crate::listing::Listing;
 
-/// A body that its first three points do not carry, because they lie in line.
+/// A body that its first three points cannot carry, because they are collinear.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FlatBody<'l> {
     /// The body's name.
     pub name: &'l str,
-    /// Its three points in line: chassis points first, then points that another body has too.
+    /// Its three collinear points: chassis points first, then points that another body has too.
     pub in_line: [&'l str; 3],
     /// Whether it is a hinge, whose first two points are its axis.
     pub is_hinge: bool,
-    /// A point of the body that carries the others in the third one's place if it is listed before that.
+    /// A point of the body that would carry the others in place of the third one if it were listed before that.
     pub instead: Option<&'l str>,
 }
 
 impl Listing {
-    /// The body whose first three points lie in line, the last of them being `third`, where these are the positions of
-    /// all points.
+    /// The body whose first three points are collinear at these `positions` of all points, with `third` the last of
+    /// them.
     pub fn flat_body(&self, third: usize, positions: &[Vector3<f64>]) -> Option<FlatBody<'_>> {
         let carries = |frame: [&Site; 3]| {
             let [a, b, c] = frame.map(|site| positions.get(self.place_of(site)).copied());
@@ -50,7 +50,8 @@ impl Listing {
         })
     }
 
-    /// Whether another statement keeps the distance of a body's point and another of its points: such points come first.
+    /// Whether another statement keeps the distance between a body's point and another of its points: such points
+    /// come first.
     fn is_shared(&self, point: &Site, body: &Body) -> bool {
         let is_other = |site: &Site| site != point && body.points().any(|own| own == site);
         let mut bodies = self.system().bodies.iter();
@@ -77,7 +78,7 @@ fn is_of(equation: &Equation, body: &Body, kind: Kind) -> bool {
     equation.origin.statement == body.name && equation.origin.kind == kind
 }
 
-/// Of the angle between a frame's edges.
+/// The sine of the angle between a frame's edges.
 fn sine(frame: &Frame<f64>) -> f64 {
     frame.u.cross(&frame.v).norm() / (frame.u.norm() * frame.v.norm())
 }

@@ -32,29 +32,29 @@ pub(crate) use turn::Turn;
 
 use place::Place;
 
-/// What is asked of an equation, or of those of one body. `F` holds chassis points.
+/// The functions of an equation, or of the equations of one body. `F` holds chassis points.
 pub(crate) trait Walked<T: Scalar, F: Table<Vector3<T>>> {
-    /// What a geometry makes of it.
+    /// The constant that a geometry gives it.
     type Constant: ?Sized;
 
-    /// Puts what is left of it into its rows.
+    /// Writes its residual into its rows.
     fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]);
 
-    /// Puts its derivatives by the unknowns.
+    /// Writes its derivatives with respect to the unknowns.
     fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>);
 
-    /// Puts `C(v, w)` into its rows, which are zeros.
+    /// Writes `C(v, w)` into its rows, which are zeros.
     fn curvature(&self, _: &Self::Constant, [_v, _w]: [&Sites<'_, T, F>; 2], _rows: &mut [T]) {}
 
-    /// Puts `-dF/du udot` into its rows, which are zeros. A long one is not inlined: inputs enter few equations, and
-    /// the walk over all forms would need its registers.
+    /// Writes `-dF/du udot` into its rows, which are zeros. A long implementation is not inlined: inputs enter few
+    /// equations, and the walk over all forms would need its registers.
     fn input_rate(&self, _: &Self::Constant, _inputs: &Inputs<'_, T, F>, _rows: &mut [T]) {}
 
-    /// Puts the unknowns that it has beside coordinates where the points are.
+    /// Sets the unknowns of this equation that are not coordinates, for the positions of the points.
     fn put_scalars(&self, _: &Self::Constant, _q: &mut [T], _fixed: &F) {}
 }
 
-/// Where derivatives are held.
+/// A store of derivatives.
 pub(crate) trait Entries<T> {
     fn put(&mut self, entry: u16, derivative: T);
 }
@@ -66,7 +66,7 @@ impl<T: Scalar, M: Table<T>> Entries<T> for M {
     }
 }
 
-/// Puts a derivative by a point.
+/// Writes a derivative with respect to a point.
 #[inline(always)]
 fn put_vector<T: Scalar>([x, y, z]: [u16; 3], by_point: Vector3<T>, to: &mut impl Entries<T>) {
     to.put(x, by_point.x);

@@ -13,21 +13,21 @@ use crate::size::{LARGEST, Points, Room, Size};
 /// Why there is no model of a listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelError {
-    /// Models of this size have no room for the listing: it has `count` of something, of which there may be
-    /// `most`.
+    /// Models of this size have no room for the listing: it has `count` of one kind of part, of which there may be at
+    /// most `most`.
     TooSmall {
-        /// How many the listing has.
+        /// The number that the listing has.
         count: usize,
-        /// How many there is room for.
+        /// The number that there is room for.
         most: usize,
-        /// Of what.
+        /// The kind of part.
         what: &'static str,
     },
     /// There are more or fewer hardpoints than points in the listing.
     Hardpoints {
-        /// How many there are.
+        /// The number given.
         given: usize,
-        /// How many there should be.
+        /// The number required.
         wanted: usize,
     },
     /// The hardpoints make no linkage; `error.named(&listing)` prints the names of the parts concerned.
@@ -35,8 +35,8 @@ pub enum ModelError {
 }
 
 impl Listing {
-    /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each
-    /// point; of a listing that states its design itself, unchanged where its order suits them.
+    /// The listing with the order of elimination chosen by the positions around these hardpoints, one for each point.
+    /// A listing that states its design itself is returned unchanged if its order suits them.
     #[must_use]
     pub fn ordered_at(self, hardpoints: &[Vector3<f64>]) -> Self {
         let (fixed, free) = (self.system().fixed.len(), self.system().free.len());
@@ -53,7 +53,7 @@ impl Listing {
         self.with_order(&order)
     }
 
-    /// Whether the order of elimination suits hardpoints, as far as those are a geometry.
+    /// Whether the order of elimination suits hardpoints, if these are a valid geometry.
     fn suits(&self, hardpoints: &[Vector3<f64>]) -> bool {
         let model = self.built::<LARGEST>(hardpoints);
         let small = |error| {
@@ -69,9 +69,8 @@ impl Listing {
     ///
     /// # Errors
     ///
-    /// [`ModelError`]. With [`GeometryError::SmallPivot`] the order of elimination does not suit the
-    /// hardpoints: [`ordered_at`](Self::ordered_at) gives one that does, and [`Build::of`] builds the model
-    /// all the same.
+    /// [`ModelError`]. With [`GeometryError::SmallPivot`] the order of elimination does not suit the hardpoints:
+    /// [`ordered_at`](Self::ordered_at) gives one that does, and [`Build::of`] builds the model nevertheless.
     pub fn model<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
@@ -89,7 +88,7 @@ impl Listing {
         }
     }
 
-    /// A model with these hardpoints, whose number is not checked: those that are missing are at the origin.
+    /// A model with these hardpoints, whose number is not checked: missing ones are at the origin.
     fn built<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
@@ -110,8 +109,8 @@ impl Listing {
         Ok(model)
     }
 
-    /// A suspension at rest with these hardpoints, to be moved. It borrows the listing, and so do its failures, which
-    /// print the listing's names: where one leaves the function that has the listing, make it text.
+    /// A suspension at rest with these hardpoints, ready to be moved. It borrows the listing, and so do its failures,
+    /// which print the listing's names: convert a failure to text if it leaves the function that has the listing.
     ///
     /// # Errors
     ///

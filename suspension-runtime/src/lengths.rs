@@ -61,7 +61,7 @@ where
         Ok(model.sized())
     }
 
-    /// A frame at rest whose edges have lengths as they are given.
+    /// A frame at rest whose edges have the given lengths.
     fn frame_with(
         &self,
         lengths: &Lengths<T, N>,
@@ -186,7 +186,7 @@ where
         }))
     }
 
-    /// The length between two points as it is given, or where both are on the chassis, as it stands.
+    /// The given length between two points or, if both are on the chassis, their present distance.
     fn given(&self, lengths: &Lengths<T, N>, length: Option<u16>, [a, b]: [Site; 2]) -> T {
         let at_rest = |site| match site {
             Site::Chassis(point) => self.fixed.get(point),

@@ -24,19 +24,18 @@ pub struct Listing {
 impl Listing {
     /// Reads a listing: its statements, as they stand inside the braces of `linkage!`.
     ///
-    /// The order of elimination is chosen as `linkage!` chooses it: by the positions `at` which the listing
-    /// states its points, otherwise by designs as suspensions have them; see
-    /// [`ordered_at`](Self::ordered_at).
+    /// The order of elimination is chosen as `linkage!` chooses it: by the positions that the listing states with
+    /// `at`, otherwise by typical suspension designs; see [`ordered_at`](Self::ordered_at).
     ///
     /// # Errors
     ///
-    /// All mistakes, those of size included: see [`Size`](crate::Size) for what models of 60 unknowns have room for.
+    /// All mistakes, including those of size: see [`Size`](crate::Size) for the room in models of 60 unknowns.
     pub fn parse(text: &str) -> Result<Self, Mistakes> {
         Self::parse_with(text, "listing", &CatalogueAndFiles::default())
     }
 
-    /// The same of a text from a file, which is named in the mistakes, and in whose folder the files are that
-    /// it includes.
+    /// As [`parse`](Self::parse), for a text from a file. The mistakes name the file, and the files that it includes
+    /// are in its folder.
     ///
     /// # Errors
     ///
@@ -45,7 +44,7 @@ impl Listing {
         Self::parse_with(text, file, &CatalogueAndFiles::beside(file))
     }
 
-    /// The same; the texts of the listings that it includes come from `includes`.
+    /// As [`parse`](Self::parse), for a listing whose included listings come from `includes`.
     ///
     /// # Errors
     ///
@@ -78,7 +77,7 @@ impl Listing {
         Err(refuse(text::too_many(count, most, what, "")))
     }
 
-    /// The listing with another order of elimination; unchanged where that is too large.
+    /// The listing with another order of elimination; unchanged if that is too large.
     pub(crate) fn with_order(self, order: &Order) -> Self {
         let plan = Plan::new(&self.system, order);
         match plan.exceeded::<LARGEST>() {
@@ -100,7 +99,7 @@ impl Listing {
         self.system.size()
     }
 
-    /// The design position, where the listing states that of every point.
+    /// The design position, if the listing states that of every point.
     pub fn design(&self) -> Option<Vec<Vector3<f64>>> {
         let points = self.system.fixed.iter().chain(&self.system.free);
         let markers = self.system.markers.iter().map(|marker| marker.at);
@@ -116,7 +115,7 @@ impl Listing {
         stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
     }
 
-    /// The links: the two points of each, by their places.
+    /// The links: the two points of each, by their indices.
     pub fn links(&self) -> Vec<[usize; 2]> {
         let of_links = |equation: &&Equation| equation.origin.operand.is_none();
         let links = self.system.equations.iter().filter(of_links);
@@ -125,14 +124,14 @@ impl Listing {
             .collect()
     }
 
-    /// The bodies of three points or more: their points, by their places.
+    /// The bodies of three points or more: their points, by their indices.
     pub fn bodies(&self) -> Vec<Vec<usize>> {
         let bodies = self.system.bodies.iter();
         let points = bodies.map(|body| body.points().map(|site| self.place_of(site)).collect());
         points.collect()
     }
 
-    /// What slides: the two ends of each line and the point on it, by their places.
+    /// The slides: the two ends of each line and the point on it, by their indices.
     pub fn slides(&self) -> Vec<[usize; 3]> {
         let forms = self.system.equations.iter().map(|equation| &equation.form);
         let slides = forms.filter_map(|form| match form {
@@ -155,7 +154,7 @@ impl Listing {
         }
     }
 
-    /// The two points of each length that is driven or measured, by their places.
+    /// The two points of each length that is driven or measured, by their indices.
     pub fn driven_and_measured_lengths(&self) -> Vec<[usize; 2]> {
         let drives = self.system.drives.iter().map(|drive| &drive.quantity);
         let measures = self.system.measures.iter().map(|measure| &measure.quantity);
@@ -179,22 +178,22 @@ impl Listing {
         before + site.index
     }
 
-    /// The place of a point among all: chassis points, free points, markers.
+    /// The index of a point among all: chassis points, free points, markers.
     pub fn point(&self, name: &str) -> Option<usize> {
         place(self.names.points(), name)
     }
 
-    /// The place of a drive.
+    /// The index of a drive.
     pub fn drive(&self, name: &str) -> Option<usize> {
         place(self.names.drives(), name)
     }
 
-    /// The place of a measure.
+    /// The index of a measure.
     pub fn measure(&self, name: &str) -> Option<usize> {
         place(self.names.measures(), name)
     }
 
-    /// The place of a length.
+    /// The index of a length.
     pub fn length(&self, name: &str) -> Option<usize> {
         place(self.names.lengths(), name)
     }

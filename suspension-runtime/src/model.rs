@@ -15,7 +15,7 @@ use crate::plan::Plan;
 use crate::size::{Few, Room, Size, Unknowns};
 use crate::table::{Table, Value};
 
-/// Lists the tables of constants: what each is of, how many of them a plan has, and what these are called.
+/// Lists the tables of constants: what each is for, how many of them a plan has, and what these are called.
 macro_rules! model {
     ($($(#[$doc:meta])* $table:ident: $room:ident<$constant:ident>, |$plan:ident| $count:expr, $what:literal;)*) => {
         /// The geometry of a listing: chassis points at rest and the constants of every equation.
@@ -34,7 +34,7 @@ macro_rules! model {
         where
             Room<N>: Size,
         {
-            /// With constants that are yet to be found.
+            /// A model whose constants are yet to be found.
             pub(crate) fn of_chassis(listing: Fitted<'l, N>, fixed: Few<Vector3<T>, N>) -> Self {
                 Self { listing, fixed, size: T::zero(), $($table: Default::default(),)* }
             }
@@ -70,27 +70,27 @@ macro_rules! model {
 
 model! {
     markers: Few<Carried>, |plan| plan.markers.len(), "markers";
-    /// Of all bodies.
+    /// Constants of all bodies.
     frames: Few<Frame>, |plan| plan.forms.bodies.len(), "bodies";
-    /// Of the points that all bodies carry.
+    /// Constants of the points that all bodies carry.
     carried: Few<Carried>, |plan| plan.forms.carried(), "points carried by bodies";
     cluster_frames: Few<Frame>, |plan| plan.clusters.len(), "rigid parts that links alone make";
-    /// Of the points of all clusters beside their frames.
+    /// Constants of the points of all clusters, except those of their frames.
     linked: Few<Linked>, |plan| plan.linked(), "points that links alone hold rigidly";
     distances: Unknowns<Distance>, |plan| plan.forms.distances.len(), "constant lengths";
-    /// Of the lines that points slide on.
+    /// Constants of the lines that points slide on.
     lines: Few<OnLine>, |plan| plan.forms.lines.len(), "slides";
-    /// Of the planes that points stay in.
+    /// Constants of the planes that points stay in.
     planes: Few<InPlane>, |plan| plan.forms.planes.len(), "planes";
-    /// Of the angles between lines that stay as they are.
+    /// Constants of the angles between lines that stay as they are.
     products: Few<Product>, |plan| plan.forms.products.len(), "angles";
-    /// Of the angles about axes that drives prescribe.
+    /// Constants of the angles about axes that drives prescribe.
     turns: Few<Turn>, |plan| plan.forms.turns.len(), "driven angles about axes";
-    /// Of the lengths that sums of products are over.
+    /// Constants of the lengths by which sums of products are divided.
     scales: Few<Bilinear>, |plan| plan.forms.scales.len(), "lengths of driven angles about axes";
-    /// Of the sums of coordinates that stay as they are.
+    /// Constants of the sums of coordinates that stay as they are.
     held: Few<Held>, |plan| plan.forms.held().count(), "couples";
-    /// Of the lengths that drives prescribe.
+    /// Constants of the lengths that drives prescribe.
     stretches: Few<Stretch>, |plan| plan.forms.stretches.len(), "driven lengths";
 }
 
@@ -112,7 +112,7 @@ where
     }
 }
 
-/// A table of what is made for each of its first places.
+/// A table whose first `count` places are filled by `make`.
 fn first<V: Value, F: Table<V>>(count: usize, make: impl Fn(u16) -> V) -> F {
     F::from_values((0..).take(count).map(make))
 }

@@ -32,7 +32,7 @@ impl Names {
         }
     }
 
-    /// The name of a part; `?` where there is none.
+    /// The name of a part; `?` if there is none.
     pub(crate) fn of(&self, part: Part) -> &str {
         let table = match part {
             Part::Equation(_) => &self.equations,

@@ -1,5 +1,5 @@
-//! The forces of the parts of a listing on the points that they join: those of their own equations, and their shares in angles that
-//! are driven or held.
+//! The forces of the parts of a listing on the points that they join: those of their own equations, and their shares
+//! in angles that are driven or held.
 
 use std::ops::Range;
 
@@ -21,11 +21,11 @@ struct Moment {
     angle: String,
     share: AngleShare,
     equations: Vec<Range<usize>>,
-    /// Whether it acts on the part; if not, the part is the angle itself, and the share is another's.
+    /// Whether it acts on the part; if not, the part is the angle itself, and the share belongs to another part.
     acts: bool,
 }
 
-/// What the forces of a part consist of.
+/// The contributions to the forces of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartForces {
     equations: Vec<Range<usize>>,
@@ -33,7 +33,7 @@ pub struct PartForces {
 }
 
 impl PartForces {
-    /// Those of the equations of a statement alone.
+    /// The forces of the equations of a statement alone.
     pub fn of_own(statement: &Statement<'_>) -> Self {
         Self {
             equations: statement.equations.clone(),
@@ -41,19 +41,19 @@ impl PartForces {
         }
     }
 
-    /// Whether moments about angles that are driven or held act on the part.
+    /// Whether moments about driven or held angles act on the part.
     pub fn bears_moments(&self) -> bool {
         self.moments.iter().any(|moment| moment.acts)
     }
 
-    /// Whether the part is an angle that is held, and other parts carry both its lines: all its forces are theirs.
+    /// Whether the part is a held angle whose lines are both carried by other parts: all its forces are theirs.
     pub fn are_of_others(&self) -> bool {
         let shares = self.moments.iter().filter(|moment| !moment.acts);
         shares.filter(|moment| moment.share.is_of_line()).count() == LINES_OF_AN_ANGLE
     }
 
-    /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads, with the
-    /// points where `at` has them.
+    /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads,
+    /// for the positions `at` of the points.
     pub fn under<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
         loads: &Loads<'_, L, N>,
@@ -69,8 +69,8 @@ impl PartForces {
         forces
     }
 
-    /// The moments that angles which are driven or held exert on the part, each with the name of what drives or holds the angle, in
-    /// the unit of the loads times that of the points.
+    /// The moments that driven or held angles exert on the part, each with the name of the statement that drives or
+    /// holds the angle, in the unit of the loads times that of the points.
     pub fn moments_under<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
         loads: &Loads<'_, L, N>,
@@ -91,7 +91,7 @@ impl PartForces {
 }
 
 impl Moment {
-    /// The forces at points that are the share.
+    /// The forces at points that make up the share.
     fn forces<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
         loads: &Loads<'_, L, N>,
@@ -120,7 +120,7 @@ fn nth<P: Values<Vector3<f64>>>(points: &P, point: usize) -> Vector3<f64> {
 }
 
 impl Listing {
-    /// What the forces of each of [`parts`](Self::parts) consist of.
+    /// The contributions to the forces of each of [`parts`](Self::parts).
     pub fn part_forces(&self) -> Vec<PartForces> {
         let parts: Vec<_> = self.parts().collect();
         let mut forces: Vec<PartForces> = parts.iter().map(PartForces::of_own).collect();

@@ -30,14 +30,14 @@ pub(crate) const ZERO: u16 = u16::MAX - 1;
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) unknowns: u16,
-    /// How many of the points are free: their coordinates are the first unknowns.
+    /// The number of free points: their coordinates are the first unknowns.
     pub(crate) free: u16,
     pub(crate) chassis: u16,
-    /// With derivatives where the factors hold them.
+    /// The equations with derivatives at their places in the factors.
     pub(crate) forms: Forms,
-    /// The same with derivatives at their [places in the matrix](place_in_matrix).
+    /// The equations with derivatives at their [places in the matrix](place_in_matrix).
     pub(crate) forms_in_matrix: Forms,
-    /// Which chassis points drives move.
+    /// Whether drives move each chassis point.
     pub(crate) driven: Vec<bool>,
     pub(crate) elimination: Elimination,
     pub(crate) drives: Vec<Drive>,
@@ -76,19 +76,19 @@ impl Plan {
         }
     }
 
-    /// How many points clusters have beside their frames.
+    /// The number of points of clusters, without those of their frames.
     pub(crate) fn linked(&self) -> usize {
         let clusters = self.clusters.iter();
         clusters.map(|cluster| cluster.points.len()).sum()
     }
 }
 
-/// The entry of the whole matrix in a row and a column.
+/// The index of an entry of the whole matrix, by its row and column.
 fn entry_in_matrix(row: usize, column: Option<usize>) -> u16 {
     column.map_or(SPARE, |column| index(row * LARGEST + column))
 }
 
-/// Its row and column.
+/// The row and column of an entry.
 pub(crate) fn place_in_matrix(entry: u16) -> (usize, usize) {
     let entry = usize::from(entry);
     (entry / LARGEST, entry % LARGEST)

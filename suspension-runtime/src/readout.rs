@@ -17,7 +17,7 @@ impl<T: Scalar, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Chassis points, free points, and what is made of the sites that carry each marker.
+    /// Chassis points, free points, and markers, each made from the sites that carry it.
     pub(crate) fn all_points(
         &self,
         q: &SVector<T, N>,
@@ -52,7 +52,7 @@ where
         Frame::new(a, b, c)
     }
 
-    /// The place of a site among all points.
+    /// The index of a site among all points.
     pub(crate) fn point(&self, site: Site) -> u16 {
         match site {
             Site::Free(first) => self.plan().chassis + first / 3,
@@ -74,7 +74,7 @@ where
         q
     }
 
-    /// Puts in the unknowns that are no coordinates.
+    /// Sets the unknowns that are not coordinates.
     pub(crate) fn put_scalars(&self, q: &mut SVector<T, N>, fixed: &Few<Vector3<T>, N>) {
         let q = rows(q);
         walk!(self.forms(), all(), self, |form, constant| {
@@ -82,7 +82,7 @@ where
         });
     }
 
-    /// Puts in the coordinate that each driving angle prescribes.
+    /// Sets the coordinate that each driving angle prescribes.
     #[inline(never)]
     pub(crate) fn put_angles(&self, drives: &mut Signal<Few<T, N>>) {
         for (place, drive) in (0..).zip(&self.plan().drives) {
@@ -132,7 +132,7 @@ impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// What the listing measures, of points by their places.
+    /// The measures of the listing, from points by their indices.
     pub fn measures_of(
         &self,
         point: impl Fn(usize) -> Signal<Vector3<T>>,
@@ -151,7 +151,7 @@ where
     }
 }
 
-/// A quantity and its rates, of points by their places.
+/// A quantity and its rates, from points by their indices.
 pub(crate) fn measured<T: Real>(
     quantity: &Measure,
     point: impl Fn(u16) -> Signal<Vector3<T>>,

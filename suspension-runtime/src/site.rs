@@ -6,7 +6,7 @@ use suspension_listing::system;
 
 use crate::table::{Table, index};
 
-/// A free or a chassis point: where its coordinates are.
+/// A free or a chassis point: the place of its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Site {
     /// The first of its unknowns.
@@ -25,7 +25,7 @@ impl From<&system::Site> for Site {
 }
 
 impl Site {
-    /// The column of a coordinate, where it is an unknown.
+    /// The column of a coordinate, if it is an unknown.
     pub(crate) fn column(self, axis: usize) -> Option<usize> {
         match self {
             Self::Free(first) => Some(usize::from(first) + axis),
@@ -34,7 +34,7 @@ impl Site {
     }
 }
 
-/// Positions of the points that equations join, or rates.
+/// Positions, or rates, of the points that equations join.
 #[derive(Clone, Copy)]
 pub(crate) struct Sites<'a, T, F> {
     free: &'a [T],
@@ -43,7 +43,7 @@ pub(crate) struct Sites<'a, T, F> {
 }
 
 impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
-    /// Without drives.
+    /// Sites without drives.
     #[inline(always)]
     pub(crate) fn new(q: &'a [T], chassis: &'a F) -> Self {
         Self {
@@ -58,7 +58,7 @@ impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
         Self { drives, ..self }
     }
 
-    /// The vector of a site. There is one for each site of the listing.
+    /// The vector of a site. Every site of the listing has one.
     #[inline(always)]
     pub(crate) fn get(&self, site: Site) -> Option<Vector3<T>> {
         match site {
@@ -67,7 +67,7 @@ impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
         }
     }
 
-    /// An unknown that is no coordinate.
+    /// An unknown that is not a coordinate.
     #[inline(always)]
     pub(crate) fn scalar(&self, unknown: u16) -> Option<T> {
         self.free.get(usize::from(unknown)).copied()
@@ -78,21 +78,21 @@ impl<'a, T: Scalar, F: Table<Vector3<T>>> Sites<'a, T, F> {
         self.drives.get(usize::from(drive)).copied()
     }
 
-    /// The vectors of three.
+    /// The vectors of three sites.
     #[inline(always)]
     pub(crate) fn get_each(&self, [a, b, c]: [Site; 3]) -> Option<[Vector3<T>; 3]> {
         Some([self.get(a)?, self.get(b)?, self.get(c)?])
     }
 }
 
-/// Inputs of which some move: either the chassis points that drives move, with the drives, or the other ones.
+/// Inputs of which some move: either the drives with the chassis points that they move, or the other chassis points.
 #[derive(Clone, Copy)]
 pub(crate) struct Inputs<'a, T, F> {
     pub(crate) at: Sites<'a, T, F>,
     pub(crate) chassis_rate: &'a F,
-    /// Empty where drives do not move.
+    /// Empty if drives do not move.
     pub(crate) drive_rate: &'a [T],
-    /// Which chassis points drives move.
+    /// Whether drives move each chassis point.
     pub(crate) driven: &'a [bool],
     pub(crate) are_driven: bool,
 }
@@ -109,7 +109,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Inputs<'_, T, F> {
     }
 }
 
-/// Three numbers in a row.
+/// Three consecutive numbers.
 #[inline(always)]
 pub(crate) fn three<T: Scalar>(numbers: &[T], first: u16) -> Option<Vector3<T>> {
     let first = usize::from(first);

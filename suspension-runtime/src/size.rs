@@ -10,7 +10,7 @@ pub struct Room<const N: usize>;
 /// The unknowns of the largest size.
 pub(crate) const LARGEST: usize = 60;
 
-/// What a model of a size has room for. There are three: `Room<15>`, `Room<30>`, `Room<60>`.
+/// The room in a model of a size. There are three sizes: `Room<15>`, `Room<30>`, `Room<60>`.
 ///
 /// | unknowns | chassis points, drives, measures, markers, bodies, carried points, each | lengths | numbers of the factored Jacobian |
 /// | --- | --- | --- | --- |
@@ -22,7 +22,7 @@ pub trait Size: Value {
     type Few<V: Value>: Table<V>;
     /// A value for each unknown, and one more.
     type Unknowns<V: Value>: Table<V>;
-    /// A value for each point: on the chassis, free, markers.
+    /// A value for each point: chassis points, free points, markers.
     type Points<V: Value>: Table<V>;
     /// A value for each length.
     type Lengths<V: Value>: Table<V>;

@@ -9,21 +9,21 @@ use suspension_listing::system::{Equation, Quantity, Site};
 
 use crate::listing::Listing;
 
-/// A statement, and what of the model it is.
+/// A statement, and its part of the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statement<'l> {
     /// Its name.
     pub name: &'l str,
-    /// What the name stands for.
+    /// The kind of part that the name stands for.
     pub kind: Kind,
-    /// Its equations by number, in runs that are not interrupted by those of others.
+    /// Its equations by number, in runs that equations of other statements do not interrupt.
     pub equations: Vec<Range<usize>>,
-    /// The chassis points and free points that they join, by their places among all.
+    /// The chassis points and free points that they join, by their indices among all points.
     pub points: Vec<usize>,
 }
 
 impl Listing {
-    /// The statements that have equations, in the order of these.
+    /// The statements that have equations, in the order of their equations.
     pub fn statements(&self) -> Vec<Statement<'_>> {
         let mut statements: Vec<Statement<'_>> = Vec::new();
         let mut first = 0;
@@ -47,13 +47,13 @@ impl Listing {
         statements
     }
 
-    /// The statements that bear loads: all that have equations but drives.
+    /// The statements that bear loads: all that have equations, except drives.
     pub fn parts(&self) -> impl Iterator<Item = Statement<'_>> {
         let statements = self.statements().into_iter();
         statements.filter(|statement| statement.kind != Kind::DRIVE)
     }
 
-    /// The statements of drives of lengths, which push two points apart.
+    /// The statements that drive lengths, which push two points apart.
     pub fn actuators(&self) -> impl Iterator<Item = Statement<'_>> {
         let is_of_length = |name: &str| {
             let mut drives = self.system().drives.iter();
@@ -67,14 +67,14 @@ impl Listing {
             .filter(move |statement| statement.kind == Kind::DRIVE && is_of_length(statement.name))
     }
 
-    /// The chassis points that drives move, by their place among all points.
+    /// The chassis points that drives move, by their indices among all points.
     pub fn driven_points(&self) -> Vec<usize> {
         let moved = self.system().drives.iter();
         let moved = moved.filter_map(|drive| drive.moves.as_ref());
         moved.map(|site| self.place_of(site)).collect()
     }
 
-    /// The chassis points to which nothing is joined, by name: drives and measures alone read them.
+    /// The chassis points to which nothing is joined, by name: only drives and measures read them.
     pub fn unjoined_points(&self) -> Vec<&str> {
         let joined: BTreeSet<usize> = self.parts().flat_map(|part| part.points).collect();
         let chassis = self.system().fixed.iter().enumerate();
@@ -84,7 +84,8 @@ impl Listing {
             .collect()
     }
 
-    /// Markers, each with two of the points that carry it which no equation, no body and not the chassis keeps apart, by name.
+    /// Markers, each with two of the points that carry it whose distance neither an equation, nor a body, nor the
+    /// chassis keeps, by name.
     pub fn loose_markers(&self) -> Vec<[&str; 3]> {
         let system = self.system();
         let markers = system.markers.iter();
@@ -95,7 +96,7 @@ impl Listing {
         loose.collect()
     }
 
-    /// Each marker, by its place among all points, with three points of the body that carries it.
+    /// Each marker, by its index among all points, with three points of the body that carries it.
     pub fn carriers(&self) -> Vec<(usize, [usize; 3])> {
         let system = self.system();
         let before = system.fixed.len() + system.free.len();
@@ -104,7 +105,7 @@ impl Listing {
         (before..).zip(places).collect()
     }
 
-    /// Of each measure the points that its value is of, by their places among all points; none of an angle.
+    /// For each measure, the points that its value depends on, by their indices among all points; none for an angle.
     pub fn points_of_measures(&self) -> Vec<Vec<usize>> {
         let measures = self.system().measures.iter();
         let names = measures.map(|measure| match &measure.quantity {

@@ -5,28 +5,28 @@ use core::fmt::Debug;
 use nalgebra::Vector3;
 use suspension_core::{Scalar, Values};
 
-/// The last place of any table: what is not needed goes there.
+/// The last place of any table: values that are not needed go there.
 pub(crate) const SPARE: u16 = u16::MAX;
 
-/// An index as plans hold it. Listings are held to far fewer of everything.
+/// An index as plans store it. Listings are limited to far fewer of everything.
 pub(crate) fn index(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(SPARE)
 }
 
-/// What a table holds.
+/// A value that a table holds.
 pub trait Value: Copy + Default + Debug + Send + Sync {}
 
 impl<V: Copy + Default + Debug + Send + Sync> Value for V {}
 
 /// A table with room for a fixed number of values; those that a listing does not fill keep their defaults.
 pub trait Table<V: Value>: Value + Values<V> {
-    /// How many values there is room for.
+    /// The number of values that there is room for.
     const ROOM: usize;
 
-    /// The value at an index; of an index beyond the table, that of another place.
+    /// The value at an index; for an index beyond the table, the value of another place.
     fn get(&self, index: u16) -> V;
 
-    /// The place of an index; of an index beyond the table, another place.
+    /// The place of an index; for an index beyond the table, another place.
     fn place(&mut self, index: u16) -> &mut V;
 
     /// All places.
@@ -36,7 +36,7 @@ pub trait Table<V: Value>: Value + Values<V> {
     fn as_mut_slice(&mut self) -> &mut [V];
 }
 
-/// The values of `K` places, a power of two: an index is masked, which takes neither a branch nor a panic.
+/// The values of `K` places, a power of two: an index is masked, which needs neither a branch nor a panic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Masked<V, const K: usize>([V; K]);
 
@@ -88,7 +88,7 @@ impl<V: Value, const K: usize> Table<V> for Masked<V, K> {
     }
 }
 
-/// Puts a value into a row, or an unknown into its place.
+/// Writes a value into a row, or an unknown into its place.
 #[inline(always)]
 pub(crate) fn put<T>(rows: &mut [T], row: u16, value: T) {
     if let Some(place) = rows.get_mut(usize::from(row)) {
@@ -104,7 +104,7 @@ pub(crate) fn put_three<T: Scalar>(rows: &mut [T], first: u16, value: Vector3<T>
     }
 }
 
-/// Puts the sum of terms, where there are any.
+/// Writes the sum of terms, if there are any.
 #[inline(always)]
 pub(crate) fn put_sum<T: Scalar>(rows: &mut [T], row: u16, terms: impl Iterator<Item = T>) {
     if let Some(sum) = terms.reduce(|sum, term| sum + term) {

@@ -52,7 +52,7 @@ where
         } = self.start;
         let (at, moved) = (unknowns.sites(), self.moved.sites());
         let rates = model.forms().scales.iter().map(|scale| {
-            // A mean of lengths is what unknowns are multiplied with.
+            // A mean of lengths is a factor of unknowns.
             let (kept, [line]) = (scale.kept?, scale.lines.as_slice()) else {
                 return None;
             };
@@ -62,7 +62,7 @@ where
         Values::from_values(rates.map(Option::unwrap_or_default))
     }
 
-    /// By which part of it a line gets longer for the lengths that change.
+    /// The relative increase of a line due to the lengths that change.
     pub(super) fn longer(&self, kept: LineLength, line: Vector3<T>) -> T {
         let LineLength::Given(Some(length)) = kept else {
             return T::zero();
@@ -70,7 +70,7 @@ where
         self.longer_by(length) / line.norm()
     }
 
-    /// How far a point is moved.
+    /// The displacement of a point.
     fn moved_by(&self, point: u16) -> Vector3<T> {
         let points = self.points.iter();
         let of_it = points.filter(|(place, _)| *place == usize::from(point));
@@ -98,7 +98,8 @@ where
         coordinates
     }
 
-    /// The change of what a drive prescribes: of its value, and of an angle with the length that it becomes a coordinate with.
+    /// The change of the coordinate that a drive prescribes: of its value and, for an angle, due to the length that
+    /// converts it to a coordinate.
     fn coordinate(&self, drive: &Drive, value: T, moved: T) -> Signal<T> {
         let Start {
             model, unknowns, ..
@@ -111,7 +112,7 @@ where
         let Some(coordinate) = model.coordinate_of(drive, per_drive) else {
             return Signal::still(moved);
         };
-        // The third derivative of a cosine, or of the sine of a quarter.
+        // The third derivative of a cosine, or of the sine of a quarter of the angle.
         let (third, longer) = match drive.quantity {
             Measure::Between { .. } => (-coordinate.rate / T::constant(16.0), T::zero()),
             _ => {
@@ -134,7 +135,7 @@ where
     }
 }
 
-/// From one site to another.
+/// The vector from one site to another.
 fn between<T: Scalar, F: Table<Vector3<T>>>(
     sites: &Sites<'_, T, F>,
     [from, to]: [Site; 2],
@@ -142,8 +143,8 @@ fn between<T: Scalar, F: Table<Vector3<T>>>(
     Some(sites.get(to)? - sites.get(from)?)
 }
 
-/// The derivatives of the constants of a carried point, where its frame and itself are moved: the constants of what it is moved
-/// against the frame.
+/// The derivatives of the constants of a carried point when it and its frame are moved: the constants of its
+/// displacement relative to the frame.
 fn carried_rate<T: Real>(
     constant: &Carried<T>,
     (frame, moved): (Frame<T>, Frame<T>),

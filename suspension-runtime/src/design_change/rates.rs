@@ -19,9 +19,9 @@ where
 {
     /// The drive.
     pub drive: u16,
-    /// Of the unknowns.
+    /// Derivatives of the unknowns.
     pub unknowns: &'a Unknowns<T, N>,
-    /// How these change with the design.
+    /// The derivatives of these with respect to the change of the design.
     pub changed: &'a Unknowns<T, N>,
 }
 
@@ -29,8 +29,8 @@ impl<T: Real, const N: usize> DesignChange<'_, '_, T, N>
 where
     Room<N>: Size,
 {
-    /// The right-hand side `J x` for `x`, the change of the unknowns' derivative with respect to a drive, where the design's change
-    /// moves the unknowns as `moved` says.
+    /// The right-hand side `J x`, where `x` is the change of the unknowns' derivative with respect to a drive and the
+    /// change of the design moves the unknowns by `moved`.
     pub fn of_first(
         &self,
         moved: &Unknowns<T, N>,
@@ -43,7 +43,7 @@ where
         terms
     }
 
-    /// The same of the second derivative `both` with respect to two drives, or twice the same.
+    /// The same for the second derivative `both` with respect to two drives, or twice to the same one.
     pub fn of_second(
         &self,
         moved: &Unknowns<T, N>,
@@ -63,14 +63,14 @@ where
         terms
     }
 
-    /// The derivatives of all points, where those of the unknowns are as `moved` says.
+    /// The derivatives of all points, if those of the unknowns are `moved`.
     pub fn points(&self, moved: &Unknowns<T, N>) -> impl Iterator<Item = Vector3<T>> {
         self.with_markers(moved, |_, rate, _, frame| {
             rate.position(frame) - frame.origin
         })
     }
 
-    /// Those of the points' derivatives with respect to a drive.
+    /// The derivatives of the points' derivatives with respect to a drive.
     pub fn first(
         &self,
         moved: &Unknowns<T, N>,
@@ -82,7 +82,7 @@ where
         })
     }
 
-    /// Those of the second derivatives `both`, which change as `changed` says.
+    /// The derivatives of the second derivatives `both`, which change by `changed`.
     pub fn second(
         &self,
         moved: &Unknowns<T, N>,
@@ -101,8 +101,8 @@ where
         })
     }
 
-    /// All points. Markers move as their frames do, and by what is computed of a marker's constants, of their derivatives, and of
-    /// the frame and what it is of.
+    /// All points. Markers move with their frames, plus a term that `by` computes from the marker's constants, the
+    /// derivatives of these, the sites of the frame and the frame.
     fn with_markers(
         &self,
         changed: &Unknowns<T, N>,
@@ -122,7 +122,8 @@ where
         chassis.chain(free).chain(markers)
     }
 
-    /// Adds what the constants' derivatives contribute, along a derivative of the unknowns; of second ones, with the two first.
+    /// Adds the contribution of the constants' derivatives along a derivative of the unknowns; for a second
+    /// derivative it takes both first ones too.
     fn add_of_constants(
         &self,
         terms: &mut SVector<T, N>,
@@ -155,8 +156,8 @@ where
         }
     }
 
-    /// What the length that a sum of products is over contributes: the equation is met, so that the sum over the length is what
-    /// it defines, less.
+    /// The contribution of the length by which a sum of products is divided: since the equation is met, the sum
+    /// divided by the length is what it defines, with the opposite sign.
     pub(super) fn of_scale(
         &self,
         bilinear: &Bilinear,
@@ -165,7 +166,7 @@ where
         Some(self.scales.get(bilinear.constant) * along.scalar(bilinear.unknown()?)?)
     }
 
-    /// Adds what a drive contributes whose coordinate changes.
+    /// Adds the contribution of a drive whose coordinate changes.
     fn add_of_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
         for linear in self.given.start.model.forms().linear.iter() {
             if let Prescribed::Drive(of) = linear.prescribed

@@ -7,7 +7,7 @@ use crate::plan::Step;
 use crate::size::{Room, Size};
 use crate::table::Table;
 
-/// What the steps have yet to do.
+/// What remains for the steps to do.
 struct Ahead<'a> {
     uppers: &'a [u16],
     multipliers: &'a [u16],
@@ -18,7 +18,7 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// Eliminates; sets the growth and a number with the sign of the determinant, each in four chains side by
+    /// Eliminates, and sets the growth and a number with the sign of the determinant, each in four chains side by
     /// side.
     #[inline(always)]
     pub(super) fn eliminate(&mut self) {
@@ -56,7 +56,7 @@ where
 }
 
 impl Ahead<'_> {
-    /// One step; returns the pivot's inverse.
+    /// Makes one step; returns the pivot's inverse.
     #[inline(always)]
     fn step<T: Scalar>(&mut self, step: &Step, numbers: &mut impl Table<T>) -> T {
         let inverse = T::one() / numbers.get(step.pivot);
@@ -78,8 +78,8 @@ impl Ahead<'_> {
         inverse
     }
 
-    /// The multipliers, and what they take from each row below; the numbers right of the pivot are `R`, which
-    /// stay in registers.
+    /// Computes the multipliers and subtracts their products from each row below. There are `R` numbers right of the
+    /// pivot, which stay in registers.
     #[inline(always)]
     fn rows<T: Scalar, const R: usize>(
         &mut self,
@@ -109,7 +109,7 @@ impl Ahead<'_> {
         }
     }
 
-    /// The same with any number of them.
+    /// The same with any count of numbers right of the pivot.
     #[inline(always)]
     fn long_rows<T: Scalar>(
         &mut self,

@@ -11,7 +11,7 @@ use crate::site::three;
 use crate::size::{Room, Size};
 use crate::table::{Table, put};
 
-/// A place for each unknown, where first the row of the step that finds it stands.
+/// A place for each unknown, which at first holds the row of the step that finds it.
 type Places<T, const N: usize> = <Room<N> as Size>::Unknowns<T>;
 
 impl<T: Scalar, const N: usize> linkage::Factors<T, N> for Factors<'_, T, N>
@@ -20,7 +20,7 @@ where
 {
     #[inline(always)]
     fn solve(&self, right: &SVector<T, N>) -> SVector<T, N> {
-        // Rows beyond those of the listing are the unknowns there.
+        // Rows beyond those of the listing are themselves the unknowns.
         let mut solution = *right;
         self.solve_to(rows(&mut solution), right);
         solution
@@ -60,7 +60,7 @@ impl<T: Scalar, const N: usize> Factors<'_, T, N>
 where
     Room<N>: Size,
 {
-    /// The unknowns of the listing, in place.
+    /// Solves for the unknowns of the listing in place.
     #[inline(never)]
     fn solve_to(&self, solution: &mut [T; N], right: &SVector<T, N>) {
         let elimination = &self.plan.elimination;
@@ -101,7 +101,7 @@ where
         }
     }
 
-    /// A frame that carries points, but for its place.
+    /// A frame that carries points, without its position.
     #[inline(always)]
     fn edges(&self, carrier: &Carrier) -> Frame<T> {
         let edge = |first| three(self.numbers.as_slice(), first).unwrap_or_default();
@@ -112,7 +112,7 @@ where
         }
     }
 
-    /// The carried points' unknowns, once those of their frames are found.
+    /// Computes the unknowns of carried points, once those of their frames are found.
     #[inline(always)]
     fn carried_unknowns(&self, solution: &mut [T; N], x: &Places<T, N>) {
         for carrier in &self.plan.elimination.carriers {
@@ -130,7 +130,7 @@ where
         }
     }
 
-    /// What the carried points' unknowns add to those of their frame in a transposed solution.
+    /// Adds the contributions of the carried points' unknowns to those of their frame in a transposed solution.
     fn carried_gradients(&self, carrier: &Carrier, x: &mut Places<T, N>) {
         let frame = self.edges(carrier);
         for point in &carrier.points {
@@ -160,7 +160,7 @@ where
     x
 }
 
-/// A number less what the terms of its row take of it.
+/// A number minus the terms of its row.
 #[inline(always)]
 fn less<T: Scalar>(from: T, terms: &[u16], numbers: &[T], x: &impl Table<T>) -> T {
     let terms = terms.iter().zip(numbers);

@@ -21,15 +21,15 @@ pub(crate) struct Along<const K: usize> {
     pub(crate) ends: [Site; K],
     /// The unknown distances.
     distances: [u16; K],
-    /// What keeps the first line's length, as far as anything does.
+    /// The part that keeps the first line's length, if any does.
     pub(crate) length: LineLength,
-    /// Where the derivatives of each row are held by the point and by the lines' start, and for each line by its end
-    /// and by its distance.
+    /// The places of each row's derivatives: with respect to the point and to the lines' start, and for each line to
+    /// its end and to its distance.
     entries: [([u16; 2], [[u16; 2]; K]); 3],
 }
 
 impl<const K: usize> Along<K> {
-    /// `None` of a form with another number of lines.
+    /// `None` for a form with another number of lines.
     pub(super) fn new(form: &form::Along, place: &Place<'_>) -> Option<Self> {
         let columns = form.distances.iter();
         let columns = columns.map(|distance| place.system.scalar_column(distance));
@@ -69,7 +69,7 @@ impl<const K: usize> Along<K> {
         Some(lines)
     }
 
-    /// The residual where the points are moved, per unit of that, and the distances rest.
+    /// The residual per unit of the displacement when the points are moved and the distances are not.
     pub(crate) fn left_where_moved<T: Scalar, F: Table<Vector3<T>>>(
         &self,
         constant: &constraint::Along<T, K>,
@@ -84,7 +84,7 @@ impl<const K: usize> Along<K> {
         Some(constant.residual(point, from, lines))
     }
 
-    /// From the start of each line to its end, and the distance; or their rates.
+    /// The vector from the start of each line to its end, and the distance; or their rates.
     #[inline(always)]
     fn change<T: Scalar>(
         &self,
@@ -105,7 +105,7 @@ impl<const K: usize> Along<K> {
     }
 }
 
-/// A line, or the lines of a plane: where their distances come nearest to a point.
+/// A line, or the lines of a plane: the distances at which it is nearest to a point.
 pub(crate) trait Nearest<T, const K: usize> {
     fn nearest(&self, point: Vector3<T>, from: Vector3<T>, ends: [Vector3<T>; K]) -> [T; K];
 }

@@ -15,21 +15,21 @@ use crate::table::{SPARE, Table, index, put, put_sum};
 #[derive(Clone, Debug)]
 pub(crate) struct Bilinear {
     pub(crate) row: u16,
-    /// Its constant's place among those of all lengths that such sums are over.
+    /// The index of its constant among those of all lengths by which such sums are divided.
     pub(crate) constant: u16,
-    /// The unknown that it defines, and where the derivative by it is held.
+    /// The unknown that it defines, and the place of the derivative with respect to it.
     defines: Option<[u16; 2]>,
-    /// What stands beside the products, in lengths.
+    /// The constant term beside the products, as a multiple of the length.
     beside: f64,
     products: Vec<Multiplied>,
     derivatives: Vec<Derivative>,
 }
 
-/// The lines over whose length, or geometric mean of lengths, products are.
+/// The lines by whose length, or geometric mean of lengths, products are divided.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scale {
     pub(crate) lines: Vec<[Site; 2]>,
-    /// What keeps the length of a single one.
+    /// The part that keeps the length, if there is a single line.
     pub(crate) kept: Option<LineLength>,
 }
 
@@ -45,11 +45,11 @@ enum Factor {
     Edge { line: [Site; 2], axis: usize },
 }
 
-/// By a variable, all that it is multiplied with.
+/// The derivative with respect to a variable: all the factors that multiply it.
 #[derive(Clone, Debug)]
 struct Derivative {
     of: Variable,
-    /// Where it is held.
+    /// The place where it is stored.
     entry: u16,
     others: Vec<(f64, Factor)>,
 }
@@ -57,7 +57,7 @@ struct Derivative {
 #[derive(Clone, Copy, Debug)]
 enum Variable {
     Unknown,
-    /// Of a chassis point.
+    /// A coordinate of a chassis point.
     Input {
         site: Site,
         axis: usize,
@@ -121,7 +121,7 @@ impl Scale {
 }
 
 impl Bilinear {
-    /// `constant` is its constant's place.
+    /// `constant` is the index of its constant.
     pub(super) fn new(form: &form::Bilinear, place: &Place<'_>, constant: usize) -> Self {
         let system = place.system;
         let factor = |factor: &form::Factor| Factor::new(system, factor);

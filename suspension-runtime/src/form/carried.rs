@@ -11,12 +11,12 @@ use crate::plan::lengths::LengthNames;
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{SPARE, Table, index, put_three};
 
-/// A body: the frame of three points, and those that it carries.
+/// A body: the frame of three points, and the points that it carries.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) frame: [Site; 3],
-    /// The lengths of the frame's edges: first-second, first-third, second-third; `None` where both ends are
-    /// on the chassis.
+    /// The lengths of the frame's edges: first-second, first-third, second-third; `None` if both ends are on the
+    /// chassis.
     pub(crate) edges: [Option<u16>; 3],
     pub(crate) carried: Vec<Carried>,
 }
@@ -26,13 +26,13 @@ pub(crate) struct Body {
 pub(crate) struct Carried {
     /// The first of its rows.
     pub(crate) row: u16,
-    /// Its constant's place among those of the points that all bodies carry.
+    /// The index of its constant among those of the points that all bodies carry.
     pub(super) constant: u16,
     pub(crate) point: Site,
     /// The lengths to the frame's points.
     pub(crate) reaches: [u16; 3],
-    /// Where the derivatives of each row are held, by the frame's points and by the point's own coordinate; `None` in
-    /// factors that take the point out first.
+    /// The places of each row's derivatives, with respect to the frame's points and to the point's own coordinate;
+    /// `None` in factors that take the point out first.
     entries: Option<[[u16; 10]; 3]>,
 }
 
@@ -45,7 +45,7 @@ impl Body {
         }
     }
 
-    /// Adds a point that it carries.
+    /// Adds a carried point.
     pub(super) fn carry(&mut self, form: &form::Carried, place: &Place<'_>) {
         let point = Site::from(&form.point);
         let entries = [0, 1, 2].map(|axis| {
@@ -67,7 +67,7 @@ impl Body {
         });
     }
 
-    /// The points that it carries, each with its constant.
+    /// The carried points, each with its constant.
     #[inline(always)]
     fn with_constants<'a, C>(
         &'a self,
@@ -77,7 +77,7 @@ impl Body {
         carried.filter_map(|carried| Some((carried, constants.get(usize::from(carried.constant))?)))
     }
 
-    /// The frame as it stands, or of rates; `None` where it carries nothing.
+    /// The present frame, or its rates; `None` if it carries nothing.
     #[inline(always)]
     pub(crate) fn frame<T: Scalar>(
         &self,
@@ -92,7 +92,7 @@ impl Body {
 }
 
 impl Carried {
-    /// Puts the derivatives where they are held.
+    /// Writes the derivatives to their places.
     #[inline(always)]
     fn gradient<T: Scalar>(
         &self,

@@ -15,7 +15,7 @@ use crate::table::{Table, put};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Distance {
     pub(crate) span: Span,
-    /// Its place among the lengths.
+    /// Its index among the lengths.
     pub(crate) length: u16,
 }
 

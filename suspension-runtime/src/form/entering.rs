@@ -11,9 +11,9 @@ use crate::table::index;
 #[derive(Clone, Debug)]
 pub(crate) struct Equations<F> {
     all: Vec<F>,
-    /// Which of them drives enter, or chassis points that these move.
+    /// The equations in which drives, or chassis points that these move, occur.
     driven: Vec<u16>,
-    /// Which of them other chassis points enter.
+    /// The equations in which other chassis points occur.
     undriven: Vec<u16>,
 }
 
@@ -23,7 +23,7 @@ impl<F> Equations<F> {
         self.all.push(form);
     }
 
-    /// Notes that the inputs of an equation enter the one at `place`.
+    /// Notes which inputs occur in the equation at `place`.
     pub(super) fn enter(&mut self, place: usize, equation: &dyn form::Equations) {
         let (place, sites) = (index(place), equation.sites());
         let has = |motion| sites.iter().any(|site| site.motion == motion);
@@ -36,7 +36,7 @@ impl<F> Equations<F> {
         }
     }
 
-    /// Each with its constant.
+    /// All equations, each with its constant.
     #[inline(always)]
     pub(crate) fn all<C>(
         &self,
@@ -45,7 +45,8 @@ impl<F> Equations<F> {
         self.all.iter().zip(constants)
     }
 
-    /// Those that drives and what they move enter, or those that other chassis points enter; each with its constant.
+    /// The equations in which drives and the points that they move occur, or those in which other chassis points
+    /// occur; each with its constant.
     #[inline(always)]
     pub(crate) fn entered<C>(
         &self,

@@ -15,20 +15,20 @@ pub(crate) struct Linear {
     pub(crate) row: u16,
     pub(crate) prescribed: Prescribed,
     pub(crate) terms: Vec<Term>,
-    /// An unknown that is no coordinate, added to the terms.
+    /// An unknown that is not a coordinate, added to the terms.
     scalar: Option<u16>,
-    /// The terms of chassis points with the opposite sign, those that are added first.
+    /// The terms of chassis points with the opposite sign, which are added first.
     of_chassis: Vec<Term>,
-    /// Where the derivative by each term's coordinate is held, and by the scalar.
+    /// The places of the derivatives with respect to each term's coordinate, and to the scalar.
     entries: Vec<u16>,
     by_scalar: u16,
 }
 
-/// What prescribes a sum.
+/// What prescribes the value of a sum.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Prescribed {
     Drive(u16),
-    /// Its place among the sums that stay as they are.
+    /// The design: its index among the sums that stay as they are.
     Design(u16),
 }
 
@@ -64,7 +64,7 @@ impl Term {
 }
 
 impl Linear {
-    /// `held` others before it stay as they are.
+    /// `held` is the number of sums before it that stay as they are.
     pub(super) fn new(form: &form::Linear, place: &Place<'_>, held: usize) -> Self {
         let terms: Vec<Term> = form.terms.iter().map(Term::from).collect();
         let columns = terms.iter().map(|term| term.site.column(term.axis));
@@ -97,7 +97,7 @@ impl Linear {
         }
     }
 
-    /// Whether it stays as it is.
+    /// Whether its sum stays as it is.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.prescribed, Prescribed::Design(_))
     }

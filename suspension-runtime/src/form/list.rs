@@ -21,12 +21,13 @@ pub(crate) struct Forms {
     pub(crate) products: Equations<Product>,
     pub(crate) turns: Equations<Turn>,
     pub(crate) bilinear: Equations<Bilinear>,
-    /// The lengths that these are over, each once.
+    /// The lengths by which these are divided, each once.
     pub(crate) scales: Vec<Scale>,
 }
 
-/// Does something with each equation of some [`Forms`] and its constant in a model: with `all()`, or with those that are
-/// [`entered(by_drives)`](Equations::entered). A form with constants that are not one to an equation gets their table.
+/// Does something with each equation of some [`Forms`] and its constant in a model: with `all()`, or with those that
+/// are [`entered(by_drives)`](Equations::entered). A form that does not have one constant per equation gets the table
+/// of its constants.
 macro_rules! walk {
     ($forms:expr, $which:ident($($by:expr)?), $model:expr, |$form:ident, $constant:ident| $each:expr) => {{
         use core::iter::repeat;
@@ -64,7 +65,7 @@ macro_rules! walk {
 pub(crate) use walk;
 
 impl Forms {
-    /// With each derivative where `entries` says: by its row and, of an unknown, its column.
+    /// Creates the forms. `entries` gives the place of each derivative, by its row and, for an unknown, its column.
     pub(crate) fn new(
         system: &System,
         lengths: &LengthNames<'_>,
@@ -140,7 +141,7 @@ impl Forms {
         self.linear.iter().filter(|linear| linear.is_held())
     }
 
-    /// How many points bodies carry.
+    /// The number of points that bodies carry.
     pub(crate) fn carried(&self) -> usize {
         self.bodies.iter().map(|body| body.carried.len()).sum()
     }

@@ -6,11 +6,11 @@ use suspension_listing::system::System;
 use crate::plan::lengths::LengthNames;
 use crate::site::Site;
 
-/// Where an equation stands.
+/// The place of an equation.
 pub(super) struct Place<'a> {
     pub(super) system: &'a System,
     pub(super) lengths: &'a LengthNames<'a>,
-    /// Where derivatives are held: by row and column.
+    /// The places of derivatives, by row and column.
     pub(super) entries: &'a dyn Fn(usize, Option<usize>) -> u16,
     pub(super) name: &'a Name,
     /// Its first row.
@@ -18,12 +18,12 @@ pub(super) struct Place<'a> {
 }
 
 impl Place<'_> {
-    /// Where the derivative of a row of the equation is held, counted from its first.
+    /// The place of the derivative of a row of the equation, counted from its first row.
     pub(super) fn entry(&self, row: usize, column: Option<usize>) -> u16 {
         (self.entries)(self.row + row, column)
     }
 
-    /// The same of those by the coordinates of a site.
+    /// The places of the derivatives with respect to the coordinates of a site.
     pub(super) fn by_site(&self, row: usize, site: Site) -> [u16; 3] {
         [0, 1, 2].map(|axis| self.entry(row, site.column(axis)))
     }

@@ -16,9 +16,9 @@ use crate::table::{Table, index, put, put_sum};
 pub(crate) struct Product {
     pub(crate) row: u16,
     pub(crate) lines: [[Site; 2]; 2],
-    /// What keeps the length of each line.
+    /// The parts that keep the length of each line.
     pub(crate) lengths: [LineLength; 2],
-    /// Where the derivatives by the ends of each line are held.
+    /// The places of the derivatives with respect to the ends of each line.
     entries: [[[u16; 3]; 2]; 2],
 }
 
@@ -47,7 +47,7 @@ impl Product {
         ])
     }
 
-    /// The derivative by each of the lines.
+    /// The derivatives with respect to each of the lines.
     #[inline(always)]
     fn by_lines<T: Scalar>(
         &self,

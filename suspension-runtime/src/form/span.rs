@@ -9,13 +9,13 @@ use super::{Entries, Place, put_vector};
 use crate::site::{Inputs, Site, Sites};
 use crate::table::{Table, index};
 
-/// Two points that a row is about.
+/// Two points whose difference a row contains.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
     pub(crate) row: u16,
     pub(crate) from: Site,
     pub(crate) to: Site,
-    /// Where the derivatives by `to` and by `from` are held.
+    /// The places of the derivatives with respect to `to` and to `from`.
     entries: [[u16; 3]; 2],
 }
 
@@ -30,7 +30,7 @@ impl Span {
         }
     }
 
-    /// From one point to the other, or its rate.
+    /// The vector from one point to the other, or its rate.
     #[inline(always)]
     pub(crate) fn vector<T: Scalar>(
         &self,
@@ -39,7 +39,7 @@ impl Span {
         Some(difference(sites.get(self.to)?, sites.get(self.from)?))
     }
 
-    /// The vector, and the rate of its start where that is moved.
+    /// The vector, and the rate of its start if that is moved.
     #[inline(always)]
     pub(super) fn moved<T: Scalar>(
         &self,
@@ -49,7 +49,7 @@ impl Span {
         Some([self.vector(&inputs.at)?, rate])
     }
 
-    /// Puts the derivative by the vector.
+    /// Writes the derivative with respect to the vector.
     #[inline(always)]
     pub(super) fn put<T: Scalar>(&self, gradient: Vector3<T>, to: &mut impl Entries<T>) {
         let [by_to, by_from] = self.entries;

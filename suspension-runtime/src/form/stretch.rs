@@ -17,7 +17,7 @@ pub(crate) struct Stretch {
     pub(crate) span: Span,
     /// The unknown length.
     length: u16,
-    /// Where the derivative by the length is held.
+    /// The place of the derivative with respect to the length.
     by_length: u16,
 }
 
@@ -31,7 +31,7 @@ impl Stretch {
         }
     }
 
-    /// The vector between the points with the length, or the rates of both.
+    /// The vector between the points and the length, or the rates of both.
     #[inline(always)]
     fn change<T: Scalar>(
         &self,

@@ -17,7 +17,7 @@ pub(crate) struct Turn {
     pub(crate) lines: [[Site; 2]; 3],
     /// The unknowns: sine and cosine.
     unknowns: [u16; 2],
-    /// Where the derivatives by them are held.
+    /// The places of the derivatives with respect to them.
     entries: [u16; 2],
 }
 

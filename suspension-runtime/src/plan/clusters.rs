@@ -6,23 +6,23 @@ use super::LengthNames;
 use super::places::point;
 use crate::site::Site;
 
-/// Points that links alone make a rigid body.
+/// Points that links alone join to a rigid body.
 #[derive(Clone, Debug)]
 pub(crate) struct Cluster {
     pub(crate) frame: [Site; 3],
-    /// The lengths of the frame's edges: first-second, first-third, second-third; `None` where both ends are
-    /// on the chassis.
+    /// The lengths of the frame's edges: first-second, first-third, second-third; `None` if both ends are on the
+    /// chassis.
     pub(crate) edges: [Option<u16>; 3],
     pub(crate) points: Vec<Clustered>,
 }
 
-/// One of them beside the frame.
+/// A point of a cluster that is not in its frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Clustered {
     pub(crate) site: Site,
-    /// Its place among all points.
+    /// Its index among all points.
     pub(crate) point: u16,
-    /// The lengths to the frame's points; `None` where both ends are on the chassis.
+    /// The lengths to the frame's points; `None` if both ends are on the chassis.
     pub(crate) reaches: [Option<u16>; 3],
 }
 

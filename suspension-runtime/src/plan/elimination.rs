@@ -14,11 +14,11 @@ use super::substitution;
 use super::substitution::{Carrier, Rows, Solution};
 use crate::table::{SPARE, index};
 
-/// The indices that factorisation and solutions walk.
+/// The indices over which factorisation and solutions walk.
 #[derive(Clone, Debug)]
 pub(crate) struct Elimination {
     stored: BTreeMap<(usize, usize), u16>,
-    /// Numbers that start from nothing.
+    /// Numbers that start at zero: fill-in.
     pub(crate) filled: Vec<u16>,
     pub(crate) carriers: Vec<Carrier>,
     pub(crate) steps: Vec<Step>,
@@ -28,7 +28,7 @@ pub(crate) struct Elimination {
     pub(crate) uppers: Vec<u16>,
     /// For each step, for each row below it, the multiplier.
     pub(crate) multipliers: Vec<u16>,
-    /// For each of those, for each number right of the pivot, what it is subtracted from.
+    /// For each of those, for each number right of the pivot, the number from which the product is subtracted.
     pub(crate) targets: Vec<u16>,
     /// Whether the order changes the sign of the determinant.
     pub(crate) is_odd: bool,
@@ -44,9 +44,9 @@ pub(crate) struct Elimination {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub(crate) pivot: u16,
-    /// How many numbers are right of it.
+    /// The number of entries right of it.
     pub(crate) right: u16,
-    /// How many rows are below it.
+    /// The number of rows below it.
     pub(crate) below: u16,
     /// Whether it is 1 in every position.
     pub(crate) unit: bool,
@@ -87,13 +87,13 @@ impl Elimination {
         elimination
     }
 
-    /// The number that an entry of the matrix has in the factors.
+    /// The index in the factors of an entry of the matrix.
     pub(crate) fn entry(&self, row: usize, column: Option<usize>) -> u16 {
         let number = column.and_then(|column| self.stored.get(&(row, column)));
         *number.unwrap_or(&SPARE)
     }
 
-    /// How many numbers the factors have.
+    /// The count of numbers that the factors have.
     pub(crate) fn numbers(&self) -> usize {
         self.stored.len() + 6 * self.carriers.len()
     }

@@ -6,7 +6,7 @@ use suspension_listing::system::{self, System, distance_between, pair_name};
 use super::places::{distance, position};
 use crate::table::index;
 
-/// What keeps a length.
+/// The part that keeps a length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Length {
     Distance(u16),
@@ -15,7 +15,8 @@ pub(crate) enum Length {
         body: u16,
         edge: u16,
     },
-    /// A carried point, of those of all bodies: to the first, second or third point of the frame of its body.
+    /// A carried point, numbered among those of all bodies: the length to the first, second or third point of its
+    /// body's frame.
     Reach {
         body: u16,
         carried: u16,
@@ -23,10 +24,10 @@ pub(crate) enum Length {
     },
 }
 
-/// What keeps the length of a line that a point slides on.
+/// The part that keeps the length of a line that a point slides on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum LineLength {
-    /// A length; `None` where both ends are on the chassis.
+    /// A length; `None` if both ends are on the chassis.
     Given(Option<u16>),
     /// A body, by two of its points.
     Body { body: u16, ends: [BodyPoint; 2] },
@@ -37,7 +38,7 @@ pub(crate) enum LineLength {
 pub(crate) enum BodyPoint {
     /// The first, second or third point of its frame.
     Frame(u16),
-    /// Of the points that all bodies carry.
+    /// One of the points that all bodies carry.
     Carried(u16),
 }
 
@@ -54,25 +55,25 @@ impl<'a> LengthNames<'a> {
         Self { system, names }
     }
 
-    /// The place of a length.
+    /// The index of a length.
     pub(crate) fn place(&self, name: &Name) -> u16 {
         position(self.names.iter(), name)
     }
 
-    /// That of the length between two points of a body; `None` where both are on the chassis.
+    /// The index of the length between two points of a body; `None` if both are on the chassis.
     pub(crate) fn of_body(&self, body: &Name, ends: [&system::Site; 2]) -> Option<u16> {
         let [a, b] = ends;
         let is_kept = a.is_free() || b.is_free();
         is_kept.then(|| self.place(&pair_name(body, &a.name, &b.name)))
     }
 
-    /// That of the length that an equation keeps between two points.
+    /// The index of the length that an equation keeps between two points.
     pub(super) fn between(&self, [a, b]: [&system::Site; 2]) -> Option<u16> {
         let name = distance_between(&self.system.equations, &a.name, &b.name)?;
         Some(self.place(name))
     }
 
-    /// What keeps the length between two points that nothing moves against each other.
+    /// The part that keeps the length between two points that nothing moves relative to each other.
     pub(crate) fn of_line(&self, ends: [&system::Site; 2]) -> LineLength {
         let [a, b] = ends;
         let given = self.between(ends);
@@ -96,7 +97,7 @@ impl<'a> LengthNames<'a> {
         LineLength::Given(given)
     }
 
-    /// What keeps each.
+    /// The part that keeps each length.
     pub(super) fn lengths(&self) -> Vec<Length> {
         let bodies = (0..).zip(&self.system.bodies);
         let edges = bodies.clone().flat_map(|(body, of)| {

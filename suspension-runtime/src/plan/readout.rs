@@ -7,29 +7,29 @@ use suspension_listing::system::{self, Quantity, System};
 use super::places::{distance, point, turn};
 use crate::table::index;
 
-/// How a drive enters.
+/// How a drive enters the equations.
 #[derive(Clone, Debug)]
 pub(crate) struct Drive {
     pub(crate) quantity: Measure,
-    /// The distance, or the angle about an axis, with whose length an angle becomes a coordinate.
+    /// The distance, or the angle about an axis, whose length converts an angle to a coordinate.
     pub(crate) angle_of: Option<u16>,
     /// The chassis point that it moves.
     pub(crate) moves: Option<u16>,
 }
 
-/// What is read off the points.
+/// A quantity that is read from the points.
 #[derive(Clone, Debug)]
 pub(crate) enum Measure {
     /// A sum of coordinates.
     Sum(Vec<Coordinate>),
     /// The angle of a line from an axis.
     Angle { axis: u16, line: [u16; 2] },
-    /// The angle between two lines, seen about a third one where there is one.
+    /// The angle between two lines, seen along a third one if there is one.
     Between {
         lines: [[u16; 2]; 2],
         about: Option<[u16; 2]>,
     },
-    /// The distance of two points.
+    /// The distance between two points.
     Length { line: [u16; 2] },
     /// The coordinate of a point along a unit vector.
     Along { point: u16, direction: [f64; 3] },
@@ -46,7 +46,7 @@ pub(crate) struct Coordinate {
 /// The points of a wheel and of its kingpin.
 #[derive(Clone, Debug)]
 pub(crate) struct Wheel {
-    /// Empty where the listing states none.
+    /// Empty if the listing states none.
     pub(crate) name: String,
     pub(crate) axis: [u16; 2],
     pub(crate) carrier: [u16; 3],

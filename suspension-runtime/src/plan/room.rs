@@ -14,14 +14,14 @@ pub(crate) struct Exceeded {
 }
 
 impl Plan {
-    /// `None` where models of `N` unknowns have room for all that the listing has.
+    /// `None` if models of `N` unknowns have room for all parts of the listing.
     pub(crate) fn exceeded<const N: usize>(&self) -> Option<Exceeded>
     where
         Room<N>: Size,
     {
         let few = <Few<u16, N> as Table<u16>>::ROOM;
         let lengths = <Lengths<u16, N> as Table<u16>>::ROOM;
-        // Two places are put to other use.
+        // Two places have another use.
         let numbers = <<Room<N> as Size>::Numbers<u16> as Table<u16>>::ROOM - 2;
         let counts = [
             (self.unknowns.into(), N, "unknowns"),

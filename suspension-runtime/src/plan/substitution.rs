@@ -27,7 +27,7 @@ pub(crate) struct Row {
     pub(crate) terms: u16,
 }
 
-/// A multiple of one place that is taken from another.
+/// A multiple of one place that is subtracted from another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     pub(crate) to: u16,
@@ -48,7 +48,7 @@ pub(crate) struct Solution {
 #[derive(Clone, Debug)]
 pub(crate) struct Carrier {
     pub(crate) body: u16,
-    /// Where the factors keep the edges of its frame.
+    /// The place in the factors of the edges of its frame.
     pub(crate) edges: u16,
     /// The first unknowns of the frame's points; beyond all unknowns for a chassis point.
     pub(crate) frame: [u16; 3],
@@ -60,23 +60,23 @@ pub(crate) struct Carrier {
 pub(crate) struct CarriedPoint {
     /// The first of its unknowns.
     pub(crate) column: u16,
-    /// Its place among all carried points.
+    /// Its index among all carried points.
     pub(crate) constant: u16,
     /// The rows that depend on it.
     pub(crate) reductions: Vec<Reduction>,
 }
 
-/// A row that depends on a carried point, and on its frame instead.
+/// A row that depends on a carried point, and instead depends on its frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reduction {
-    /// The derivatives by the point.
+    /// The derivatives with respect to the point.
     pub(crate) gradient: [u16; 3],
-    /// Those by the frame's points.
+    /// The derivatives with respect to the frame's points.
     pub(crate) sums: [u16; 9],
 }
 
 impl Rows {
-    /// What the rows before it take of each row.
+    /// The terms that the rows before it subtract from each row.
     pub(super) fn forward(order: &Order) -> Self {
         let mut rows = Self::default();
         for step in &order.steps {
@@ -86,7 +86,7 @@ impl Rows {
         rows
     }
 
-    /// What the unknowns found before take of each row.
+    /// The terms that the unknowns found before subtract from each row.
     pub(super) fn backward(order: &Order) -> Self {
         let mut rows = Self::default();
         for step in stored_steps(order).rev() {
@@ -106,7 +106,7 @@ impl Rows {
 }
 
 impl Solution {
-    /// With the transpose.
+    /// The solution with the transpose.
     pub(super) fn transposed(order: &Order, entry: impl Fn(usize, usize) -> u16) -> Self {
         let mut solution = Self::default();
         for step in stored_steps(order) {
@@ -153,7 +153,7 @@ fn column_of(order: &Order, row: usize) -> usize {
         .map_or(usize::MAX, |step| step.column)
 }
 
-/// For each unknown, the row of the step that finds it; beyond those of the listing, its own.
+/// For each unknown, the row of the step that finds it; for unknowns beyond those of the listing, their own row.
 pub(super) fn row_of(order: &Order) -> Vec<u16> {
     let steps = order.steps.iter();
     let mut rows: Vec<[usize; 2]> = steps.map(|step| [step.column, step.row]).collect();
