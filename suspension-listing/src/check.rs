@@ -82,7 +82,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Whether a name is of a statement that is a mirror image.
+    /// Whether a name belongs to a statement that is a mirror image.
     pub(crate) fn is_image(&self, name: &Ident) -> bool {
         self.listing.images.contains(&name.to_string())
     }
@@ -99,7 +99,7 @@ impl<'a> Check<'a> {
         kinds.iter().any(|kind| self.is(name, *kind))
     }
 
-    /// Reports that there is no such point of the kinds that may stand there.
+    /// Reports that there is no such point of the kinds that are allowed here.
     fn report_unknown(&mut self, point: &Ident, kinds: &[Kind]) {
         let known = self.taken.iter().filter(|(_, kind)| kinds.contains(kind));
         let may_be_marker = kinds.contains(&Kind::MARKER);
@@ -107,7 +107,7 @@ impl<'a> Check<'a> {
         self.report_missing(error);
     }
 
-    /// Reports that a marker stands where a point with unknowns should.
+    /// Reports a marker where a point with unknowns is required.
     fn report_marker(&mut self, marker: &Ident) {
         let error = match self.listing.body_in_line_with(marker) {
             Some((body, [from, to, ..])) => errors::marker_in_line(marker, body, [from, to]),
@@ -116,7 +116,7 @@ impl<'a> Check<'a> {
         self.report(error);
     }
 
-    /// The chassis points among some.
+    /// The chassis points among some points.
     pub(crate) fn anchors<'p>(
         &self,
         points: impl IntoIterator<Item = &'p Ident>,
@@ -157,7 +157,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Checks that no statement before prescribes the same.
+    /// Checks that no earlier statement prescribes the same.
     pub(crate) fn prescribed_once(
         &mut self,
         later: &dyn Statement,

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::name::Name;
 use crate::system::{Body, Equation, Site, SiteMotion, distance_between};
 
-/// The clusters among the sites. Each four points are in one of them at most.
+/// The clusters among the sites. Any four points belong to at most one of them.
 pub fn clusters(sites: &[Site], equations: &[Equation]) -> Vec<Body> {
     let mut clusters = Vec::new();
     let mut seen = BTreeSet::new();
@@ -53,7 +53,7 @@ fn triangles(sites: &[Site], equations: &[Equation]) -> Vec<[Site; 3]> {
     triangles
 }
 
-/// Whether the distance of two sites never changes.
+/// Whether the distance between two sites never changes.
 fn is_rigid(a: &Site, b: &Site, equations: &[Equation]) -> bool {
     let is_anchor = |site: &Site| site.motion == SiteMotion::Anchor;
     is_anchor(a) && is_anchor(b) || distance_between(equations, &a.name, &b.name).is_some()

@@ -1,10 +1,10 @@
 //! Suggestions for a mistyped name.
 
-/// Letters that may be wrong, left out, too many or in another order; of short names fewer than half.
+/// The number of letters that may be wrong, missing, surplus or transposed; in short names fewer than half of them.
 const MISTYPED: usize = 2;
 
-/// `; did you mean ...?` with the nearest known name, or else the two that begin with the same word, as of both ends of a damper;
-/// nothing where there are none.
+/// `; did you mean ...?` with the nearest known name, or otherwise the two that begin with the same word, for example
+/// both ends of a damper; empty if there are none.
 pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     match (
@@ -17,7 +17,7 @@ pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) 
     }
 }
 
-/// The only two known names that begin with the first of several words of the wanted one.
+/// The two known names that begin with the first of several words of the wanted one, if there are exactly two.
 fn alike<'a>(wanted: &str, known: &[&'a str]) -> Option<[&'a str; 2]> {
     let first_word = |name: &'a str| name.split_once('_').map(|(word, _)| word);
     let (word, _) = wanted.split_once('_')?;
@@ -26,7 +26,7 @@ fn alike<'a>(wanted: &str, known: &[&'a str]) -> Option<[&'a str; 2]> {
     alike.collect::<Vec<_>>().try_into().ok()
 }
 
-/// The sentence about a name that is none of the known ones.
+/// The sentence about an unknown name.
 pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
     if known.is_empty() {
         return format!("unknown {what} `{wanted}`; the listing states none");
@@ -36,9 +36,10 @@ pub fn unknown(what: &str, wanted: &str, known: &[&str]) -> String {
     format!("unknown {what} `{wanted}`; known are {known}{hint}")
 }
 
-/// The known name that is nearest, or else the longest whose words the wanted one has, or the only one with a word in common.
+/// The nearest known name, or otherwise the longest whose words the wanted one contains, or the only one with a word
+/// in common.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    // A name that is known may stand where another kind is wanted.
+    // A known name may be used where another kind is required.
     let known = known.into_iter().filter(|name| *name != wanted);
     let known: Vec<&str> = known.collect();
     let off = |name: &str| {
@@ -55,7 +56,7 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
     })
 }
 
-/// Whether one text becomes the other where at most so many letters are changed.
+/// Whether one text becomes the other if at most `off` letters are changed.
 fn is_within(off: usize, a: &[u8], b: &[u8]) -> bool {
     let same = a.iter().zip(b).take_while(|(a, b)| a == b).count();
     match (&a[same..], &b[same..]) {
@@ -75,13 +76,13 @@ fn is_within(off: usize, a: &[u8], b: &[u8]) -> bool {
     }
 }
 
-/// Whether a name has all words of another one, which are no mere letters.
+/// Whether a name has all words of another one, which are more than single letters.
 fn has_words_of(a: &str, b: &str) -> bool {
     let mut words = b.split('_');
     words.all(|word| word.len() > MISTYPED && a.split('_').any(|other| other == word))
 }
 
-/// Whether two names have a word in common that is no mere letter or two.
+/// Whether two names have a word of more than one or two letters in common.
 fn share_a_word(a: &str, b: &str) -> bool {
     let mut words = a.split('_').filter(|word| word.len() > MISTYPED);
     words.any(|word| b.split('_').any(|other| other == word))

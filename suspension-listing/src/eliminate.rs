@@ -19,9 +19,8 @@ pub use acceptance::THRESHOLD;
 pub use order::{DIVISION, Entry, Order, Step};
 use partial::Partial;
 
-/// The best order found for an `n x n` matrix of full structural rank. Where none has large pivots
-/// in all positions, it is chosen by the design position; where that is singular, by structure
-/// alone.
+/// The best order found for an `n x n` matrix of full structural rank. If none has large pivots in all positions, it
+/// is chosen by the design position; if that is singular, by structure alone.
 pub fn order(n: usize, entries: &[Entry]) -> Order {
     let first = |positions: usize| {
         let entries = entries.iter().map(|entry| Entry {
@@ -38,16 +37,16 @@ pub fn order(n: usize, entries: &[Entry]) -> Order {
         .unwrap_or_default()
 }
 
-/// The order with large pivots in the most of some designs, which the entries' values are of.
+/// The order with large pivots in the largest number of designs. The entries have their values in these designs.
 pub fn order_for_most(n: usize, entries: &[Entry]) -> Order {
-    // Ties are rarer here: more attempts find nothing better.
+    // Ties are rarer here, so more attempts find nothing better.
     const ATTEMPTS: u64 = 8;
     let start = Partial::new(n, entries, Positions::OfDesigns);
     cheapest(start, ATTEMPTS).unwrap_or_default()
 }
 
-/// Of many attempts one that serves the most positions, the cheapest of those; `None` where no attempt
-/// finds a pivot for each step.
+/// The cheapest of the orders that serve the most positions, from many attempts; `None` if no attempt finds a pivot
+/// for each step.
 fn cheapest(start: Partial, attempts: u64) -> Option<Order> {
     let start = start.without_carried()?;
     let orders = (0..attempts).filter_map(|attempt| start.clone().eliminate(attempt));
@@ -57,16 +56,16 @@ fn cheapest(start: Partial, attempts: u64) -> Option<Order> {
     })
 }
 
-/// How many times the search is repeated. One takes about the square of the size, and a compiler
-/// should not be held up: 200 attempts at 15 unknowns, or 8 at 120, take hundredths of a second
-/// without optimisation, as macros are run.
+/// The number of times that the search is repeated. One attempt takes about the square of the size, and a compiler
+/// should not be held up: 200 attempts at 15 unknowns, or 8 at 120, take hundredths of a second without optimisation,
+/// which is how macros run.
 fn attempts(n: usize) -> u64 {
     (45_000 / (n * n).max(1)).clamp(8, 200) as u64
 }
 
 impl Order {
-    /// Whether the order of rows and columns changes the sign of the product of the pivots
-    /// against that of the determinant: by the cycles of the permutation from rows to columns.
+    /// Whether the order of rows and columns makes the sign of the product of the pivots opposite to that of the
+    /// determinant, found from the cycles of the permutation from rows to columns.
     pub fn is_odd(&self) -> bool {
         let steps = self.steps.iter();
         let mut column_of: BTreeMap<usize, usize> =
@@ -81,8 +80,8 @@ impl Order {
         odd
     }
 
-    /// Entries of the factors that are stored, each a multiplication of a solution; of carried points
-    /// the multipliers alone.
+    /// The number of stored entries of the factors, each a multiplication of a solution; for carried points only the
+    /// multipliers.
     pub fn non_zeros(&self) -> usize {
         let of_step = |step: &Step| {
             let right = if step.carried { 0 } else { step.right.len() };
@@ -91,9 +90,9 @@ impl Order {
         self.steps.iter().map(of_step).sum()
     }
 
-    /// What a step takes, one factorisation and three solutions: operations, and once more those
-    /// of the longest chain, which cannot overlap. Growth, which the positions around the design
-    /// add to, decides between orders that are close.
+    /// The cost of a step, which is one factorisation and three solutions: its operations, plus those of the longest
+    /// chain, which cannot overlap. Growth, to which the positions around the design contribute, decides between
+    /// orders of nearly the same cost.
     fn cost(&self) -> f64 {
         let operations = self.operations + 3 * self.non_zeros();
         let chain = self.chain + 3 * self.substitution_chain();
@@ -121,8 +120,8 @@ impl Order {
         self.growth = by.fold(self.growth, |growth, by| growth.max(by.abs()));
     }
 
-    /// Orders the terms of back substitution. Unknowns are found from the last step to the first:
-    /// the term that waits longest comes last.
+    /// Orders the terms of the back-substitution. Unknowns are found from the last step to the first: the term that
+    /// waits longest comes last.
     fn sort_substitution(&mut self) {
         let mut step_of = vec![0; self.steps.len()];
         for (index, step) in self.steps.iter().enumerate() {

@@ -11,7 +11,7 @@ use crate::did_you_mean::did_you_mean;
 use crate::kind::Kind;
 use crate::system::Body;
 
-/// Errors gathered so that all of them are reported at once.
+/// Collects errors so that all of them are reported at once.
 #[derive(Default)]
 pub struct Errors(Option<Error>);
 
@@ -51,12 +51,12 @@ pub(crate) fn is_of_the_parser(message: &str) -> bool {
     message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
-/// Whether a message of the parser is that a statement does not end: its place is behind what there is.
+/// Whether a message of the parser says that a statement does not end: its place is then behind the end.
 pub(crate) fn lacks_semicolon(message: &str) -> bool {
     message.starts_with("expected `;`") || message.starts_with("expected `,` or `;`")
 }
 
-/// That a statement does not end, at the last token of it that was read in place of the next one.
+/// The error that a statement does not end, at the last token that was read as part of it.
 pub(crate) fn at_its_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -> Error {
     let message = error.to_string();
     if !lacks_semicolon(&message) {
@@ -71,7 +71,7 @@ pub(crate) fn at_its_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -
     Error::new(last, message)
 }
 
-/// The message for a name that is a keyword of Rust, in place of that of `syn`.
+/// The message for a name that is a keyword of Rust, which replaces that of `syn`.
 pub(crate) fn keyword_as_name(message: &str) -> Option<String> {
     let behind = message.strip_prefix("expected identifier, found keyword `")?;
     let (word, _) = behind.split_once('`')?;
@@ -136,7 +136,7 @@ pub(crate) fn unknown_point<'a>(
     )
 }
 
-/// `; did you mean ...?`, or nothing where no name of the listing is near.
+/// `; did you mean ...?`, or nothing if no name of the listing is near.
 pub(crate) fn did_you_mean_name<'a>(
     wanted: &Ident,
     known: impl Iterator<Item = &'a Ident>,
@@ -154,7 +154,8 @@ pub(crate) fn marker_in_constraint(name: &Ident) -> Error {
     )
 }
 
-/// That a marker is joined as if it had unknowns, on a body in line, to which it cannot be added.
+/// The error that a marker is joined as if it had unknowns, although its body is collinear, so that the marker cannot
+/// be added to the body.
 pub(crate) fn marker_in_line(name: &Ident, body: &Ident, ends: [&Ident; 2]) -> Error {
     let ([from, to], sliding) = (ends, sliding(name, body, ends));
     at(
@@ -167,7 +168,7 @@ pub(crate) fn marker_in_line(name: &Ident, body: &Ident, ends: [&Ident; 2]) -> E
     )
 }
 
-/// How a point is written that stays in its place on the line of a link.
+/// How to write a point that stays in its place on the line of a link.
 pub(crate) fn sliding(point: &Ident, link: &Ident, [from, to]: [&Ident; 2]) -> String {
     format!(
         "`slide {point}_on_{link}: {point} on {from} -> {to};` and `link {point}_from_{from}: {from} -> {point};`"
@@ -181,7 +182,7 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
-/// Two points whose distance nothing keeps, where it has to stay.
+/// The error that nothing keeps the distance between two points, although it must stay the same.
 pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
     let message = format!(
         "nothing keeps `{from}` and `{to}` apart {as_what}; list both in one body, join them by a link, or put both on the chassis"
@@ -189,8 +190,9 @@ pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
     at(from, message)
 }
 
-/// All points of a statement are of one body, which leaves the statement nothing to keep or to move: `what` they are
-/// comes before the body, and the remedy after it, from its comma or semicolon on.
+/// The error that all points of a statement belong to one body, so that the statement has nothing to keep or to move.
+/// `what` names the points and comes before the body; the remedy comes after it, and begins with its comma or
+/// semicolon.
 pub(crate) fn of_one_body(token: &Ident, what: &str, body: &Body, remedy: &str) -> Error {
     let body = &body.name;
     let message = format!("{what} of body `{body}`{remedy} of another body");

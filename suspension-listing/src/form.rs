@@ -39,7 +39,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// What every form answers.
+    /// The functions that every form has.
     pub fn equations(&self) -> &dyn Equations {
         match self {
             Self::Distance(form) => form,
@@ -54,23 +54,23 @@ impl Form {
     }
 }
 
-/// One equation, or three of a vector.
+/// One equation, or three for a vector.
 pub trait Equations {
     /// The points that it joins.
     fn sites(&self) -> Vec<&Site>;
 
-    /// The unknowns that it has beside the coordinates of points, and how all rows depend on each.
+    /// Its unknowns that are not coordinates of points, and how all rows depend on each.
     fn scalars(&self) -> Vec<(&Name, Dependence)> {
         Vec::new()
     }
 
-    /// Their values where the sites are, and where equations before have put those that they define; `None` where
-    /// others tell them.
+    /// The values of these unknowns, from the positions of the sites and the values that earlier equations define;
+    /// `None` if other equations define them.
     fn scalars_at(&self, _at: &[Vector], _known: &[f64]) -> Option<Vec<f64>> {
         None
     }
 
-    /// 1, or 3: one an axis.
+    /// 1, or 3: one per axis.
     fn rows(&self) -> usize {
         1
     }
@@ -78,12 +78,11 @@ pub trait Equations {
     /// How a row depends on a coordinate of one of the sites.
     fn dependence(&self, row: usize, site: usize, axis: usize) -> Dependence;
 
-    /// The constants with which the equations hold where the sites are; `None` where there are
-    /// none.
+    /// The constants with which the equations hold at these positions of the sites; `None` if there are none.
     fn constants(&self, at: &[Vector]) -> Option<Vector>;
 
-    /// The residual, a row an entry, of sites `at` other positions than those of the constants, and of the
-    /// scalars. What is driven counts as zero.
+    /// The residual, one entry per row, for the scalars and for sites at other positions than those of the constants.
+    /// A driven value counts as zero.
     fn residual(&self, constants: &Vector, at: &[Vector], scalars: &[f64]) -> Vector;
 
     /// The two points whose distance it keeps.
@@ -91,7 +90,7 @@ pub trait Equations {
         None
     }
 
-    /// The point that it ties to a frame, in closed form.
+    /// The point that it ties to a frame in closed form.
     fn carries(&self) -> Option<&Carried> {
         None
     }
@@ -109,6 +108,6 @@ pub enum Dependence {
     Never,
     /// The derivative is 1 in every position.
     Unit,
-    /// In some way.
+    /// The dependence is of any other kind.
     Any,
 }

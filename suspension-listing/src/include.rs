@@ -9,22 +9,22 @@ use crate::include_source::Wanted;
 use crate::included::Included;
 use crate::vector::Vector;
 
-/// Another listing, and the name that its own get before them.
+/// Another listing, and the name that is put before its own names.
 pub(crate) struct Include {
     pub(crate) name: Ident,
     pub(crate) source: Source,
-    /// By how much its positions are moved.
+    /// The displacement of its positions.
     pub(crate) at: Option<Vector>,
 }
 
-/// What is included.
+/// The source of an included listing.
 pub(crate) enum Source {
     OfCatalogue(Ident),
     File(LitStr),
 }
 
 impl Source {
-    /// What it is called in messages.
+    /// Its name in messages.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::OfCatalogue(name) => name.to_string(),
@@ -39,8 +39,8 @@ impl Source {
         }
     }
 
-    /// The file's path, from the folder of the text that is read, where it is named in a text at `from`; empty of
-    /// the catalogue's.
+    /// The path of the file, relative to the folder of the text that is read, if it is named in a text at `from`;
+    /// empty for a listing of the catalogue.
     pub(crate) fn path(&self, from: &Path) -> PathBuf {
         match self {
             Self::OfCatalogue(_) => PathBuf::new(),
@@ -57,12 +57,12 @@ impl Source {
 }
 
 impl Include {
-    /// Why there is nothing to include.
+    /// The error that there is nothing to include.
     pub(crate) fn refused(&self, message: String) -> Error {
         Error::new(self.source.span(), message)
     }
 
-    /// The text that it includes, as `tokens`.
+    /// The included text, with its `tokens`.
     pub(crate) fn included(&self, text: String, tokens: Option<&TokenStream>) -> Included {
         Included::new(self.source.name(), self.source.span(), text, tokens)
     }

@@ -5,23 +5,23 @@ use std::path::Path;
 /// A listing that another includes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted<'a> {
-    /// One of the catalogue, by its name.
+    /// A listing of the catalogue, by its name.
     OfCatalogue(&'a str),
-    /// A file, by its path from the folder of the text that is read.
+    /// A file, by its path relative to the folder of the text that is read.
     File(&'a Path),
 }
 
-/// Where the texts of included listings come from.
+/// A source of the texts of included listings.
 pub trait IncludeSource {
     /// The text of a listing.
     ///
     /// # Errors
     ///
-    /// A sentence that says why there is none.
+    /// A sentence that says why there is no such text.
     fn text(&self, wanted: Wanted<'_>) -> Result<String, String>;
 }
 
-/// None: a listing that is read so includes no other.
+/// A source without listings: a listing that is read with it cannot include others.
 #[derive(Clone, Copy, Debug)]
 pub struct NoIncludes;
 

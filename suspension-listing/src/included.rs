@@ -5,19 +5,19 @@ use syn::Error;
 
 use crate::mistake::Mistake;
 
-/// A text that was included, for the places of what is wrong in it.
+/// An included text, for the places of its mistakes.
 #[derive(Clone)]
 pub(crate) struct Included {
     name: String,
-    /// Where it is named.
+    /// The place where it is named.
     place: Span,
-    /// What the lexer calls it.
+    /// The name that the lexer gives it.
     file: Option<String>,
     text: String,
 }
 
 impl Included {
-    /// One that is named at a place, as `tokens`.
+    /// An included text that is named at a place, with its `tokens`.
     pub(crate) fn new(
         name: String,
         place: Span,
@@ -29,7 +29,8 @@ impl Included {
         Self {
             name,
             place,
-            // Under a fuzzer the lexer calls all texts the same, and what names this one would lie in it.
+            // Under a fuzzer the lexer gives all texts the same name, so the place that names this one would seem to
+            // lie in it.
             file: file.filter(|file| *file != place.file()),
             text,
         }
@@ -44,7 +45,7 @@ impl Included {
         self.file == Some(place.file())
     }
 
-    /// What is wrong in it, where it is named.
+    /// The error with its mistakes, at the place where it is named.
     pub(crate) fn wrong(&self, mistakes: Vec<Mistake>) -> Error {
         let name = &self.name;
         let refused = |message| Error::new(self.place, message);
@@ -66,7 +67,7 @@ impl Included {
     }
 }
 
-/// All that is wrong, each at its place; what is wrong in an included text also where that is included.
+/// All mistakes, each at its place; those in an included text also at the place where that is included.
 pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<Mistake> {
     let mistake_of = |error: Error| {
         let inner = included.iter().find(|inner| inner.has(error.span()));

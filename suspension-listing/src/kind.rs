@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What a name stands for.
+/// The kind of part that a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kind(pub(crate) &'static str);
 

@@ -5,23 +5,23 @@ use syn::Error;
 
 use crate::mistake::Mistake;
 
-/// The longest text, in bytes.
+/// The largest length of a text, in bytes.
 pub const MOST_BYTES: usize = 65_536;
 
-/// The most brackets within each other; statements need one.
+/// The largest depth of nested brackets; statements need one.
 pub const DEEPEST: usize = 8;
 
-/// The longest number, in characters.
+/// The largest length of a number, in characters.
 pub const LONGEST_NUMBER: usize = 100;
 
-/// Whether the lexer tells places in a text, as the compiler's own does not.
+/// Whether the lexer tells places in a text, which the compiler's own lexer does not.
 fn has_places() -> bool {
     let tokens = "a b".parse::<TokenStream>();
     let second = tokens.ok().and_then(|tokens| tokens.into_iter().nth(1));
     second.is_some_and(|second| second.span().start().column == 2)
 }
 
-/// Does something by the lexer that tells places in a text.
+/// Does work with the lexer that tells places in a text.
 pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
     if has_places() {
         return work();
@@ -44,7 +44,8 @@ pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     }
 }
 
-/// Refuses a line that ends by a carriage return alone: a comment goes on behind it, though an editor shows the next line.
+/// Refuses a line that ends in a carriage return alone: a comment continues after it, although an editor shows a new
+/// line.
 fn lone_carriage_return(text: &str) -> Option<Mistake> {
     let mut lines = text.split('\n').enumerate();
     lines.find_map(|(number, line)| {
@@ -60,7 +61,7 @@ fn lone_carriage_return(text: &str) -> Option<Mistake> {
     })
 }
 
-/// Tokens that were read with their places; for a lexer that tells none, all at `place`.
+/// Tokens that were read with their places; if the lexer tells no places, all are put at `place`.
 pub(crate) fn handed_on(tokens: TokenStream, place: Span) -> TokenStream {
     if has_places() {
         return tokens;
@@ -81,7 +82,7 @@ pub(crate) fn placed(tokens: TokenStream, place: Span) -> TokenStream {
     tokens.into_iter().map(placed).collect()
 }
 
-/// Refuses brackets that the parser, which descends into them, might not come back from, and numbers that it takes
+/// Refuses brackets so deep that the parser, which recurses into them, might not return, and numbers that take it
 /// long to read.
 fn exceeded(tokens: &TokenStream) -> Option<Error> {
     let mut open = vec![(tokens.clone().into_iter(), 0)];

@@ -36,8 +36,8 @@ use system::{Positions, System};
 pub use kind::Kind;
 pub use listing::Listing;
 
-/// The system of a listing, and all that is wrong with it, `errors` of its statements included. Of a
-/// listing with mistakes the system has what can be told.
+/// The system of a listing, and everything that is wrong with it, including the `errors` of its statements. If the
+/// listing has mistakes, the system contains what can be determined.
 pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()>) {
     check::names(listing, &mut errors);
     let mut on_the_way = Errors::default();
@@ -57,8 +57,8 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
     (system, errors.into_result())
 }
 
-/// In which order a system without mistakes is eliminated: by the positions around its design, where the listing
-/// states it, or by designs as suspensions have them; where none of those is regular, by structure alone.
+/// The order in which a system without mistakes is eliminated: chosen by the positions around its design if the
+/// listing states it, otherwise by typical suspension designs; if none of those is regular, by structure alone.
 pub fn order(system: &System) -> Order {
     match system.design() {
         Some(design) => order_at(system, design),
@@ -69,7 +69,7 @@ pub fn order(system: &System) -> Order {
     }
 }
 
-/// The same by the positions around a given design.
+/// As [`order`], by the positions around a given design.
 pub fn order_at(system: &System, design: Positions) -> Order {
     let entries = system.entries(&sample::positions(system, design));
     eliminate::order(system.size(), &entries)

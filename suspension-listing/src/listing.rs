@@ -21,23 +21,23 @@ pub struct Listing {
     pub(crate) docs: Vec<String>,
     pub(crate) fixed: Vec<Point>,
     pub(crate) free: Vec<Point>,
-    /// All others, in the order stated.
+    /// All other statements, in the order stated.
     pub(crate) statements: Vec<Box<dyn Statement>>,
-    /// The words that the sides of the vehicle have in their names.
+    /// The words for the sides of the vehicle in names.
     pub(crate) mirror: Option<[Ident; 2]>,
-    /// The same, of each mirror that made images, those of included listings among them.
+    /// The sides of each mirror that made images, including those of included listings.
     pub(crate) sides: Vec<Sides>,
     /// The names of all images.
     pub(crate) images: BTreeSet<String>,
-    /// The statement that was read last, where it includes another listing.
+    /// The statement that was read last, if it includes another listing.
     pub(crate) include: Option<Include>,
-    /// The texts that it includes, those included in them among them.
+    /// The included texts, including those that they include.
     pub(crate) included: Vec<Included>,
     /// The token for messages about the listing as a whole.
     pub(crate) span: Span,
-    /// Where the free points are declared: the token for messages about counts.
+    /// The place where the free points are declared: the token for messages about counts.
     pub(crate) free_span: Span,
-    /// Whether a statement could not be read, so that names may be missing through no other fault.
+    /// Whether a statement could not be read, so that missing names may have no other cause.
     pub(crate) incomplete: bool,
 }
 
@@ -50,12 +50,12 @@ pub(crate) struct Named {
 /// A chassis point or a free point.
 pub(crate) struct Point {
     pub(crate) named: Named,
-    /// The design position, where it is stated.
+    /// The design position, if it is stated.
     pub(crate) at: Option<Vector>,
 }
 
 impl Named {
-    /// The same without the place in the source.
+    /// The same name without its place in the source.
     pub(crate) fn plain(&self) -> name::Named {
         name::Named {
             name: Name::from(&self.name),
@@ -83,42 +83,42 @@ impl Listing {
     }
 }
 
-/// What each statement but those that declare points answers for itself. What it leaves out is as most
-/// statements that join points have it.
+/// The functions of every statement except those that declare points. The defaults are right for most statements that
+/// join points.
 pub(crate) trait Statement {
-    /// Its name, and what that stands for.
+    /// Its name, and the kind of part that this stands for.
     fn named(&self) -> Option<(&Named, Kind)>;
 
     /// The points that it names.
     fn operands(&self) -> Vec<&Ident>;
 
-    /// Checks its operands, against the listing and the statements before.
+    /// Checks its operands against the listing and the earlier statements.
     fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
         check.joins(self);
     }
 
-    /// When it is lowered.
+    /// The rank by which it is lowered.
     fn rank(&self) -> Rank {
         Rank::Constraint
     }
 
-    /// Adds to the system what it stands for.
+    /// Adds its part to the system.
     fn lower(&self, lowering: &mut Lowering<'_>);
 
-    /// Checks what only the system shows.
+    /// Checks what can only be seen in the system.
     fn check_lowered(&self, _listing: &Listing, _system: &System, _errors: &mut Errors) {}
 
-    /// The points that it keeps as they are to each other.
+    /// The points whose distances from each other it keeps.
     fn rigid(&self) -> Option<Rigid<'_>> {
         None
     }
 
-    /// A body, or three points, that it lets carry its name.
+    /// The body, or the three points, that carry the point it names.
     fn carriers(&self) -> Option<&[Ident]> {
         None
     }
 
-    /// The design position that it states of what it lets be carried.
+    /// The stated design position of the point that is carried.
     fn at(&self) -> Option<Vector> {
         None
     }
@@ -128,18 +128,18 @@ pub(crate) trait Statement {
         None
     }
 
-    /// Whether it moves its point along a direction that is no axis.
+    /// Whether it moves its point along a direction that is not an axis.
     fn is_skew(&self) -> bool {
         false
     }
 
-    /// What no other statement may state too.
+    /// A text for what no other statement may state too.
     fn claim(&self) -> Option<String> {
         None
     }
 }
 
-/// Points that stay as they are to each other.
+/// Points whose distances from each other stay the same.
 pub(crate) enum Rigid<'a> {
     Length(&'a [Ident; 2]),
     Body(&'a [Ident]),
@@ -154,32 +154,32 @@ impl<'a> Rigid<'a> {
     }
 }
 
-/// Statements are lowered by rank, those of one rank as stated.
+/// Statements are lowered by rank, and those of one rank in the order stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
-    /// What joins points.
+    /// Statements that join points.
     Constraint,
-    /// What is prescribed of them.
+    /// Statements that prescribe something of points.
     Drive,
-    /// What is read off them.
+    /// Statements that read something from points.
     Reading,
-    /// What is said of a reading.
+    /// Statements about a reading.
     OfReading,
 }
 
-/// What statements check their operands with.
+/// The data with which statements check their operands.
 pub(crate) struct Check<'a> {
     pub(crate) listing: &'a Listing,
-    /// What each name stands for.
+    /// The kind of each name.
     pub(crate) taken: BTreeMap<Ident, Kind>,
     pub(crate) errors: &'a mut Errors,
 }
 
-/// What statements lower themselves with.
+/// The data with which statements lower themselves.
 pub(crate) struct Lowering<'a> {
     pub(crate) listing: &'a Listing,
     pub(crate) system: System,
-    /// Pairs of points whose distance an equation keeps already, or a body carries.
+    /// Pairs of points whose distance an equation already keeps, or which a body carries.
     pub(crate) rigid: BTreeSet<[Name; 2]>,
     pub(crate) errors: &'a mut Errors,
 }

@@ -14,7 +14,7 @@ use crate::listing::{self, Listing, Lowering, Rank, Rigid, Statement};
 use crate::name::{Name, Named};
 use crate::system::{Body, Equation, Origin, Point, Site, SiteMotion, System};
 
-/// Lowers a listing, of one with mistakes what can be told. What only shows on the way is reported.
+/// Lowers a listing; if it has mistakes, as far as possible. Reports mistakes that can only be seen on the way.
 pub(crate) fn system(listing: &Listing, errors: &mut Errors) -> System {
     let mut lowering = Lowering {
         listing,
@@ -40,7 +40,7 @@ pub(crate) fn system(listing: &Listing, errors: &mut Errors) -> System {
     for statement in statements {
         statement.lower(&mut lowering);
     }
-    // Of too many links there are too many clusters to look for.
+    // With too many links there are too many clusters to search for.
     if lowering.system.rows().len() == lowering.system.size() {
         lowering.system.clusters = lowering.clusters();
     }
@@ -56,7 +56,7 @@ fn points(stated: &[listing::Point]) -> Vec<Point> {
 }
 
 impl Lowering<'_> {
-    /// Bodies with two chassis points come first: what they share with others is settled by then.
+    /// Bodies with two chassis points come first, so that what they share with others is settled by then.
     fn rank(&self, statement: &dyn Statement) -> (Rank, bool) {
         let anchors = |points: &[Ident]| points.iter().filter(|p| !self.site(p).is_free()).count();
         let is_hinged =
@@ -114,7 +114,7 @@ impl Lowering<'_> {
     }
 }
 
-/// An equation of a statement, or of an operand of it.
+/// The origin of an equation: a statement, or an operand of it.
 pub(crate) fn origin(kind: Kind, statement: &Name, operand: Option<&Site>) -> Origin {
     Origin {
         kind,

@@ -1,7 +1,7 @@
 //! Bipartite matching: a different unknown for each equation.
 
-/// Finds a column for `row` among those of its `pattern`, moving earlier rows to other columns where need be (an augmenting path).
-/// `seen` has a place for each column, none of them seen yet.
+/// Finds a column for `row` among those of its `pattern`, moving earlier rows to other columns if necessary (an
+/// augmenting path). `seen` has a place for each column; none of them may be marked yet.
 pub fn augment(
     row: usize,
     pattern: &[Vec<usize>],

@@ -9,20 +9,20 @@ use crate::errors;
 pub struct Mistake {
     /// What is wrong, and what to write instead.
     pub message: String,
-    /// Counted from 1.
+    /// The line, counted from 1.
     pub line: usize,
-    /// In characters, counted from 1.
+    /// The column in characters, counted from 1.
     pub column: usize,
-    /// How many characters of the line it is about; zero where something is missing.
+    /// The number of characters of the line that it is about; zero if something is missing.
     pub length: usize,
 }
 
 impl Mistake {
-    /// What an error says, at its place in a text.
+    /// The message of an error, at its place in a text.
     pub(crate) fn of(text: &str, error: &Error) -> Self {
         let message = in_one_line(&error.to_string());
         let (start, end) = (error.span().start(), error.span().end());
-        // The parser has no place for what is missing at the end.
+        // The parser gives no place for something that is missing at the end.
         if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
             let lines = text.lines().count().max(1);
             let last = text.lines().last().map_or(0, |line| line.chars().count());
@@ -57,7 +57,7 @@ impl Mistake {
     }
 }
 
-/// A message as one line, whatever the name of a file in it has.
+/// A message as a single line, whatever the name of a file in it contains.
 fn in_one_line(message: &str) -> String {
     let escaped = |character: char| {
         if character.is_control() {

@@ -7,18 +7,18 @@ use quote::{IdentFragment, ToTokens};
 use syn::Ident;
 use syn::ext::IdentExt;
 
-/// A word that Rust keeps to itself from its edition of 2024 on; syn takes it for a name.
+/// A word that Rust reserves from its edition of 2024 on; syn accepts it as a name.
 pub const KEYWORD_OF_2024: &str = "gen";
 
 /// A name that a listing states, or one made of such names.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Name {
     text: String,
-    /// Whether Rust needs `r#` before it.
+    /// Whether Rust requires `r#` before it.
     raw: bool,
 }
 
-/// A name with its docs, one string a line.
+/// A name with its docs, one string per line.
 #[derive(Clone, Debug)]
 pub struct Named {
     pub name: Name,
@@ -26,7 +26,7 @@ pub struct Named {
 }
 
 impl Name {
-    /// One made of others; with an underscore in it, which no keyword has.
+    /// A name made from others; it has an underscore, which no keyword has.
     pub fn made(text: String) -> Self {
         Self { text, raw: false }
     }
@@ -48,7 +48,7 @@ impl Name {
 impl From<&Ident> for Name {
     fn from(ident: &Ident) -> Self {
         let text = ident.unraw().to_string();
-        // These four are not raw identifiers, which the compiler tells where they stand in its source.
+        // These four cannot be raw identifiers, which the compiler reports at their place in its source.
         let never_raw = ["self", "Self", "super", "crate"].contains(&text.as_str());
         let raw = *ident != text && !never_raw;
         Self { text, raw }

@@ -23,18 +23,18 @@ use crate::statement::mirror::{MIRROR, Mirror};
 use crate::statement::operands::lines;
 use statement::{skip_statement, statement, tokens};
 
-/// How deep listings may be included in listings.
+/// The largest depth of listings included in listings.
 const DEEPEST_INCLUDED: usize = 4;
 
-/// How often listings may be included in all.
+/// The largest number of included listings in all.
 const MOST_INCLUDED: usize = 100;
 
-/// Reads the statements of a listing, to the end of the input, and the errors of those that could not be
-/// read. Messages about the listing as a whole point to `span`.
+/// Reads the statements of a listing to the end of the input, and the errors of those that could not be read.
+/// Messages about the listing as a whole point to `span`.
 ///
 /// # Errors
 ///
-/// Where what cannot be read cannot be skipped.
+/// If something cannot be read and cannot be skipped.
 pub fn statements(
     input: ParseStream<'_>,
     span: Span,
@@ -59,16 +59,16 @@ pub fn statements(
 struct Reading<'a> {
     listing: Listing,
     errors: Errors,
-    /// The statements that were read, those of included listings among them.
+    /// The statements that were read, including those of included listings.
     texts: Vec<Vec<TokenTree>>,
     includes: &'a dyn IncludeSource,
-    /// The names that listings are included under.
+    /// The names under which listings are included.
     includes_named: BTreeSet<String>,
-    /// The path of an included one, from the folder of the one that is read.
+    /// The path of an included listing, relative to the folder of the one that is read.
     file: PathBuf,
-    /// In how many others it is included.
+    /// The number of listings in which it is nested.
     depth: usize,
-    /// How many were included, in all.
+    /// The number of listings included in all.
     included: &'a Cell<usize>,
 }
 
@@ -104,7 +104,7 @@ impl Reading<'_> {
         self.listing.incomplete = true;
     }
 
-    /// Adds the other side of the vehicle, so that nothing remains to be mirrored.
+    /// Adds the other side of the vehicle, so that nothing is left to be mirrored.
     fn mirror(&mut self, mirror: &Mirror) -> syn::Result<()> {
         self.texts.retain(|text| !is_mirror(text));
         let points = mirror.points(&self.listing)?;
@@ -124,7 +124,7 @@ impl Reading<'_> {
         read.parse2(text)
     }
 
-    /// Adds what another listing states.
+    /// Adds the statements of another listing.
     fn include(&mut self, include: &Include) {
         if let Err(error) = self.try_include(include) {
             self.report(error);
@@ -166,7 +166,7 @@ impl Reading<'_> {
         Ok(text)
     }
 
-    /// Refuses a name that something else is included under: each of its names would be stated twice.
+    /// Refuses a name under which something else is included: each of its names would be stated twice.
     fn check_stated_once(&mut self, name: &Ident) -> syn::Result<()> {
         if self.includes_named.insert(name.to_string()) {
             return Ok(());
@@ -175,7 +175,7 @@ impl Reading<'_> {
         Err(errors::at(name, message))
     }
 
-    /// What an included text says.
+    /// The statements of an included text.
     fn flat(&self, include: &Include, text: String, file: PathBuf) -> syn::Result<Flat> {
         let tokens = lexed::tokens(&text);
         let inner = include.included(text, tokens.as_ref().ok());
@@ -215,13 +215,13 @@ impl Reading<'_> {
     }
 }
 
-/// A listing that includes no other, and no mirror.
+/// A listing without includes and without a mirror.
 struct Flat {
     names: BTreeSet<String>,
     statements: Vec<TokenStream>,
-    /// The texts that it is of.
+    /// The texts that it comes from.
     included: Vec<Included>,
-    /// The sides that it was mirrored between, and the names of the images.
+    /// The sides between which it was mirrored, and the names of the images.
     sides: Vec<Sides>,
     images: BTreeSet<String>,
 }

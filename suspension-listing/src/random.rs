@@ -16,7 +16,7 @@ impl Lcg {
         (self.0 >> 40) as u32
     }
 
-    /// One of some values.
+    /// One of the given values.
     pub fn pick<T: Copy, const N: usize>(&mut self, values: [T; N]) -> T {
         values[self.next() as usize % N]
     }

@@ -9,5 +9,5 @@ pub use gradient::{Gradient, gradients};
 pub use likely::likely;
 pub use path::positions;
 
-/// More unknowns than a compiler should be held up with.
+/// The number of unknowns above which a compiler would be held up.
 const MOST_UNKNOWNS: usize = 60;

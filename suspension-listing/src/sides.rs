@@ -1,23 +1,23 @@
 //! The sides of the vehicle that a listing mirrors, as names have them.
 
-/// The words that are exchanged, first that of the side which is stated.
+/// The words that are exchanged, first the word of the stated side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Sides(pub(crate) [String; 2]);
 
 impl Sides {
-    /// Whether a name is of the side that is stated.
+    /// Whether a name belongs to the stated side.
     pub(crate) fn is_stated(&self, name: &str) -> bool {
         let [stated, _] = &self.0;
         name.split('_').any(|word| word == stated)
     }
 
-    /// Whether a name is of either side.
+    /// Whether a name belongs to either side.
     pub(crate) fn is_named(&self, name: &str) -> bool {
         name.split('_')
             .any(|word| self.0.iter().any(|side| word == side))
     }
 
-    /// How what has an image is named, and what has none, in words.
+    /// How something with an image is named, and something without, in words.
     pub(crate) fn how_named(&self) -> String {
         let [one, other] = &self.0;
         format!(

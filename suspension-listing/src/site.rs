@@ -6,7 +6,7 @@ use crate::name::Name;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Site {
     pub name: Name,
-    /// Which of the chassis points, or of the free points, it is.
+    /// Its index among the chassis points, or among the free points.
     pub index: usize,
     pub motion: SiteMotion,
 }
@@ -14,9 +14,9 @@ pub struct Site {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SiteMotion {
     Free,
-    /// On the chassis.
+    /// A point on the chassis.
     Anchor,
-    /// On the chassis, with a coordinate that a drive prescribes.
+    /// A point on the chassis with a coordinate that a drive prescribes.
     DrivenAnchor,
 }
 
@@ -25,7 +25,7 @@ impl Site {
         self.motion == SiteMotion::Free
     }
 
-    /// The column of its first coordinate, where it is free.
+    /// The column of its first coordinate, if it is free.
     pub fn first_column(&self) -> Option<usize> {
         self.is_free().then_some(3 * self.index)
     }

@@ -29,9 +29,9 @@ pub struct System {
     pub free: Vec<Point>,
     pub markers: Vec<Marker>,
     pub bodies: Vec<Body>,
-    /// Points that links alone make rigid bodies; they have no equations of their own.
+    /// Points that links alone join to rigid bodies; they have no equations of their own.
     pub clusters: Vec<Body>,
-    /// Unknowns beside the coordinates of the free points.
+    /// The unknowns that are not coordinates of free points.
     pub scalars: Vec<Name>,
     pub equations: Vec<Equation>,
     pub drives: Vec<Drive>,
@@ -43,7 +43,7 @@ pub struct System {
 #[derive(Clone, Debug)]
 pub struct Point {
     pub named: Named,
-    /// The design position, where it is stated.
+    /// The design position, if it is stated.
     pub at: Option<Vector>,
 }
 
@@ -55,18 +55,18 @@ pub struct Equation {
     pub form: Form,
 }
 
-/// What of the listing an equation is of.
+/// The part of the listing that an equation comes from.
 #[derive(Clone, Debug)]
 pub struct Origin {
-    /// What the statement's name stands for.
+    /// The kind of the statement.
     pub kind: Kind,
     /// The statement's name.
     pub statement: Name,
-    /// The operand that it is about, where it is not about the whole.
+    /// The operand that it is about, if it is not about the whole statement.
     pub operand: Option<Name>,
 }
 
-/// A body of three points or more, or a cluster of links that is as rigid.
+/// A body of three points or more, or a cluster of links that is as rigid as a body.
 #[derive(Clone, Debug)]
 pub struct Body {
     pub name: Name,
@@ -78,32 +78,32 @@ pub struct Body {
 pub struct Drive {
     pub named: Named,
     pub quantity: Quantity,
-    /// The chassis point that it moves; of free points it is an equation.
+    /// The chassis point that it moves; a drive of free points is an equation.
     pub moves: Option<Site>,
-    /// The equation with whose length an angle becomes a coordinate.
+    /// The equation whose length converts an angle to a coordinate.
     pub angle_of: Option<Name>,
 }
 
-/// A quantity that is read off the points.
+/// A quantity that is read from the points.
 #[derive(Clone, Debug)]
 pub struct Measure {
     pub named: Named,
     pub quantity: Quantity,
 }
 
-/// What is prescribed, or read off the points.
+/// A quantity that is prescribed, or read from the points.
 #[derive(Clone, Debug)]
 pub enum Quantity {
     /// A sum of coordinates.
     Sum(Vec<Term>),
     /// The angle of the line between two points from an axis, radians.
     Angle { axis: usize, line: [Name; 2] },
-    /// The angle between two lines, radians: about a third one from -pi to pi, otherwise from 0 to pi.
+    /// The angle between two lines, radians: from -pi to pi about a third one, otherwise from 0 to pi.
     Between {
         lines: [[Name; 2]; 2],
         about: Option<[Name; 2]>,
     },
-    /// The distance of two points.
+    /// The distance between two points.
     Length { line: [Name; 2] },
     /// The coordinate of a point along a unit vector.
     Along { point: Name, direction: Vector },
@@ -121,20 +121,20 @@ pub struct Term {
 pub struct Marker {
     pub named: Named,
     pub frame: [Site; 3],
-    /// The design position, where it is stated.
+    /// The design position, if it is stated.
     pub at: Option<Vector>,
 }
 
 #[derive(Clone, Debug)]
 pub struct Wheel {
-    /// `None` of an only wheel that is stated without one.
+    /// Its name; `None` for a single wheel that is stated without one.
     pub name: Option<Name>,
     pub axis: [Name; 2],
     pub carrier: [Name; 3],
     pub kingpin: Option<[Name; 2]>,
 }
 
-/// The equation that keeps the distance of two points.
+/// The equation that keeps the distance between two points.
 pub fn distance_between<'a>(equations: &'a [Equation], a: &Name, b: &Name) -> Option<&'a Name> {
     let mut equations = equations.iter();
     let equation = equations.find(|equation| {
@@ -176,12 +176,12 @@ impl System {
         3 * self.free.len() + self.scalars.len()
     }
 
-    /// Which of the scalars has a name.
+    /// The index of a scalar, by its name.
     pub fn scalar(&self, name: &Name) -> Option<usize> {
         self.scalars.iter().position(|scalar| scalar == name)
     }
 
-    /// The unknown that a scalar is.
+    /// The column of a scalar.
     pub fn scalar_column(&self, name: &Name) -> Option<usize> {
         let scalar = self.scalar(name)?;
         Some(3 * self.free.len() + scalar)

@@ -23,12 +23,12 @@ pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, MOST_BYTES};
 pub use crate::mistake::Mistake;
 pub use limits::{MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS, too_many};
 
-/// All that is wrong with a text, one line each.
+/// All mistakes in a text, printed one per line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistakes {
-    /// Where the text is from.
+    /// The source of the text.
     pub file: String,
-    /// In the order found; at least one.
+    /// The mistakes in the order found; at least one.
     pub mistakes: Vec<Mistake>,
 }
 
@@ -50,13 +50,13 @@ impl fmt::Display for Mistakes {
 
 impl std::error::Error for Mistakes {}
 
-/// The system of a text that is read at run time. `file` is where it is from, for messages; `includes`
-/// has what it includes.
+/// The system of a text that is read at run time. `file` is the source of the text, for messages; `includes` provides
+/// the texts that it includes.
 ///
 /// # Errors
 ///
-/// All mistakes, and what exceeds [`MOST_BYTES`], [`MOST_STATEMENTS`], [`MOST_POINTS`],
-/// [`MOST_UNKNOWNS`], [`DEEPEST`] or [`LONGEST_NUMBER`].
+/// All mistakes, and anything that exceeds [`MOST_BYTES`], [`MOST_STATEMENTS`], [`MOST_POINTS`], [`MOST_UNKNOWNS`],
+/// [`DEEPEST`] or [`LONGEST_NUMBER`].
 pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<System, Mistakes> {
     let read = limits::length(text).map_or_else(
         |mistake| Err(vec![mistake]),
@@ -74,9 +74,9 @@ pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<Sys
     })
 }
 
-/// What is told of a text.
+/// The result of reading a text.
 pub struct Read {
-    /// Of a text with mistakes what can be told.
+    /// The system; for a text with mistakes as far as it can be determined.
     pub system: Option<System>,
     /// The names that it declares.
     pub names: Vec<(Name, Kind)>,

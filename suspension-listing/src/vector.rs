@@ -22,11 +22,11 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
-/// The sine up to which points count as in line: `FLATTEST_FRAME` of the core, on which this crate does not depend. A test holds
-/// both against each other.
+/// The sine up to which points count as collinear: `FLATTEST_FRAME` of the core, on which this crate does not depend.
+/// A test compares the two.
 const IN_LINE: f64 = 1e-2;
 
-/// Whether places lie in line with the first two.
+/// Whether positions are collinear with the first two.
 pub(crate) fn are_in_line(places: &[Vector]) -> bool {
     let [first, second, others @ ..] = places else {
         return false;
@@ -38,7 +38,7 @@ pub(crate) fn are_in_line(places: &[Vector]) -> bool {
     })
 }
 
-/// The sum of multiples of vectors.
+/// The sum of vectors, each multiplied by a factor.
 pub fn combined(terms: impl IntoIterator<Item = (f64, Vector)>) -> Vector {
     let mut sum = [0.0; 3];
     for (factor, vector) in terms {

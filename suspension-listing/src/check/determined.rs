@@ -13,8 +13,8 @@ use crate::name::Name;
 use crate::sides::Sides;
 use crate::system::{AXES, Equation, System};
 
-/// Checks that there are as many equations as unknowns, and that each equation can be given an unknown
-/// of its own (structural rank).
+/// Checks that there are as many equations as unknowns, and that each equation can be assigned an unknown of its own
+/// (structural rank).
 pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
     if system.rows().len() == system.size() {
         structural_rank(listing, system, errors);
@@ -23,13 +23,13 @@ pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors
     }
 }
 
-/// Where an equation is stated.
+/// The place where an equation is stated.
 pub(super) fn place_of(listing: &Listing, equation: &Equation) -> Span {
     let origin = &equation.origin;
     listing.place_of(&origin.statement, origin.operand.as_ref())
 }
 
-/// Where the statement is named that an unknown beside coordinates is of.
+/// The place where the statement is named to which an unknown other than a coordinate belongs.
 pub(super) fn place_of_scalar(listing: &Listing, system: &System, scalar: &Name) -> Span {
     let has = |equation: &&Equation| {
         let scalars = equation.form.equations().scalars();
@@ -82,7 +82,7 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     }
 }
 
-/// What to do about equations too many.
+/// The remedy for too many equations.
 fn less(system: &System) -> &'static str {
     let has = |kind: Kind| {
         let mut equations = system.equations.iter();
@@ -95,7 +95,7 @@ fn less(system: &System) -> &'static str {
     }
 }
 
-/// How what has an image is named, and what has none, beside a mirror.
+/// How a statement with an image is named, and one without, if there is a mirror.
 fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.how_named();
@@ -104,7 +104,7 @@ fn of_one_side(sides: &Sides) -> String {
     )
 }
 
-/// How many equations are of the statements of each kind.
+/// The number of equations of the statements of each kind.
 fn by_kind(listing: &Listing, system: &System) -> String {
     let mut kinds: Vec<Kind> = Vec::new();
     for (_, kind) in listing.declared() {

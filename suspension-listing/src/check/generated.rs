@@ -9,7 +9,7 @@ use crate::listing::Listing;
 use crate::name::Name;
 use crate::system::{Body, System, carried_name, coordinate_name, frame_name, pair_name};
 
-/// A name in the generated code, and where what it is made of stands in the listing.
+/// A name in the generated code, and the place in the listing of what it is made from.
 type Generated = (Name, Span);
 
 /// Checks that no generated name stands for two things.
@@ -65,7 +65,7 @@ fn of_cluster(listing: &Listing, cluster: &Body) -> Vec<Generated> {
     [frame].into_iter().chain(carried).collect()
 }
 
-/// Those from a body's carried points to its frame.
+/// The lengths from a body's carried points to its frame.
 fn lengths_of(listing: &Listing, body: &Body) -> Vec<Generated> {
     let pairs = body.carried.iter().flat_map(|point| {
         let at = listing.place_of(&body.name, Some(&point.name));
@@ -80,7 +80,7 @@ fn unknowns(listing: &Listing, system: &System) -> impl Iterator<Item = Generate
     let coordinates = free.flat_map(|point| {
         let at = listing.place_of(point, None);
         let names = (0..3).map(|axis| coordinate_name(point, axis));
-        // Scalars are in one struct with the points.
+        // Scalars are in the same struct as the points.
         let names = names.chain([point.clone()]);
         names.map(move |name| (name, at))
     });

@@ -5,7 +5,7 @@ use crate::name::Name;
 use crate::system::{Body, Equation, Site, System};
 use crate::vector::{Vector, are_in_line};
 
-/// A hint for the first body that turns as it is held; empty where none is known to.
+/// A hint for the first body that can still turn as it is held; empty if none is known to.
 pub(super) fn turning(system: &System) -> String {
     let mut bodies = system.bodies.iter();
     let hint = bodies.find_map(|body| {
@@ -16,7 +16,8 @@ pub(super) fn turning(system: &System) -> String {
     hint.unwrap_or_default()
 }
 
-/// A hint for a body whose stated points all lie in line; `None` for other bodies, and where a point has no stated position.
+/// A hint for a body whose stated points are all collinear; `None` for other bodies, and if a point has no stated
+/// position.
 fn in_line(system: &System, body: &Body) -> Option<String> {
     let stated = |site: &Site| {
         let points = if site.is_free() {
@@ -37,7 +38,7 @@ fn in_line(system: &System, body: &Body) -> Option<String> {
     })
 }
 
-/// A hint for a body that one slide alone holds, whatever drives it; `None` for others.
+/// A hint for a body that only one slide holds, whatever drives it; `None` for others.
 fn on_one_slide(system: &System, body: &Body) -> Option<String> {
     let has = |site: &Site| body.points().any(|point| point.name == site.name);
     let holds = |equation: &&Equation| {
@@ -60,8 +61,8 @@ fn on_one_slide(system: &System, body: &Body) -> Option<String> {
     })
 }
 
-/// A hint for a body that other statements or the chassis hold at two points alone; `None` for others, and on the chassis, where it
-/// is meant to turn.
+/// A hint for a body that other statements or the chassis hold at only two points; `None` for others, and for a body
+/// on the chassis, where it is meant to turn.
 fn on_two(system: &System, body: &Body) -> Option<String> {
     let equations = system.equations.iter();
     let others = equations.filter(|equation| equation.origin.statement != body.name);

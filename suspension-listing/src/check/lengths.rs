@@ -9,8 +9,7 @@ use crate::kind::Kind;
 use crate::listing::{Check, Rigid, Statement};
 
 impl Check<'_> {
-    /// Checks that a statement keeps no distance that one before keeps, save the common edge of two
-    /// bodies.
+    /// Checks that a statement keeps no distance that an earlier one keeps, except the common edge of two bodies.
     pub(crate) fn lengths_stated_once(
         &mut self,
         later: &dyn Statement,
@@ -47,7 +46,8 @@ impl Check<'_> {
 }
 
 impl Check<'_> {
-    /// Reports a length that is kept already, where one of both is a mirror image at the other one.
+    /// Reports a length that is kept already. If only one of the two statements is a mirror image, the error
+    /// is at the other one.
     fn length_twice(&mut self, length: &Ident, other: &Ident) {
         let error = match (self.is_image(length), self.is_image(other)) {
             (true, false) => beside_image(other, length),

@@ -8,8 +8,8 @@ use crate::errors::Errors;
 use crate::listing::Listing;
 use crate::sides::Sides;
 
-/// The errors without those of images whose originals have the same one, and of those that follow from a name for neither side
-/// the first alone, behind that cause. The others say what the image is of.
+/// The errors without those of images whose originals have the same error. Of those that follow from a name for
+/// neither side only the first is kept, after that cause. The others say what the image is an image of.
 pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
     let sides = &listing.sides;
     let mut told: Vec<(Span, String)> = Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
             }
             continue;
         }
-        // Missing equations name their cause themselves, which another error may have told.
+        // Missing equations name their cause themselves, and another error may have named it already.
         if is_told_at(&causes, place) {
             continue;
         }
@@ -48,20 +48,20 @@ pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
     of_one_side
 }
 
-/// What has no image and should, of a message about an image.
+/// The statement in a message about an image that has no image and should have one.
 fn cause<'a>(listing: &'a Listing, message: &str) -> Option<WithoutImage<'a>> {
     let mut images = listing.images.iter();
     let is_of_image = images.any(|image| message.contains(&format!("`{image}`")));
     WithoutImage::all(listing).find(|cause| is_of_image && cause.is_in(message))
 }
 
-/// Whether two places are the same: images have those of their originals.
+/// Whether two places are the same: images have the places of their originals.
 fn is_same(one: Span, other: Span) -> bool {
     let ends = |place: Span| (place.file(), place.start(), place.end());
     ends(one) == ends(other)
 }
 
-/// What makes the name that a message has where another one is written.
+/// A note on the image of a name, if a message has that name at a place where another one is written.
 fn image_at(sides: &Sides, place: Span, message: &str) -> Option<String> {
     let original = place.source_text()?;
     let image = sides.exchanged(&original);

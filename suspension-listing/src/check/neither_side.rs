@@ -8,7 +8,8 @@ use crate::kind::Kind;
 use crate::listing::{Listing, Rank, Rigid, Statement};
 use crate::sides::Sides;
 
-/// A statement that is named for neither side, and whose points, or what carries it, are all of the side that is stated.
+/// A statement that is named for neither side, although its points, or what carries it, all belong to the stated
+/// side.
 pub(super) struct WithoutImage<'a> {
     name: &'a Ident,
     kind: Kind,
@@ -18,7 +19,7 @@ pub(super) struct WithoutImage<'a> {
 }
 
 impl<'a> WithoutImage<'a> {
-    /// Those of a listing.
+    /// All such statements of a listing.
     pub(super) fn all(listing: &'a Listing) -> impl Iterator<Item = Self> {
         let of_sides = |sides: &'a Sides| {
             let statements = listing.statements.iter();
@@ -46,12 +47,12 @@ impl<'a> WithoutImage<'a> {
         [Rank::Constraint, Rank::Drive].contains(&self.rank)
     }
 
-    /// Where it is named.
+    /// The place of its name.
     pub(super) fn place(&self) -> Span {
         self.name.span()
     }
 
-    /// Whether a message is about it, or about the image of what it names.
+    /// Whether a message is about it, or about the image of something that it names.
     pub(super) fn is_in(&self, message: &str) -> bool {
         let images = self.points.iter();
         let images = images.map(|point| self.sides.exchanged(&point.to_string()));
@@ -59,7 +60,7 @@ impl<'a> WithoutImage<'a> {
         names.any(|name| message.contains(&format!("`{name}`")))
     }
 
-    /// Puts the cause in front of an error that follows from it.
+    /// Puts the cause before an error that follows from it.
     pub(super) fn before(&self, error: &Error) -> Error {
         let ([stated, _], name, kind) = (&self.sides.0, self.name, self.kind);
         let beside = self.points.first();
@@ -74,7 +75,7 @@ impl<'a> WithoutImage<'a> {
     }
 }
 
-/// The mistake of an image that states the same again as its original, because their points are named for neither side.
+/// The mistake of an image that states the same as its original, because their points are named for neither side.
 pub(super) fn same_again(listing: &Listing, image: &dyn Statement) -> Option<Error> {
     let (named, kind) = image.named()?;
     let name = named.name.to_string();

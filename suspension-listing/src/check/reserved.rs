@@ -2,8 +2,8 @@
 
 use crate::name::KEYWORD_OF_2024;
 
-/// Fields of the generated model and its factors, variables of its methods, and names that a pattern
-/// does not bind.
+/// The fields of the generated model and its factors, the variables of its methods, and names that a pattern does not
+/// bind.
 const RESERVED: [&str; 14] = [
     "fixed",
     "size",
@@ -25,7 +25,7 @@ pub(super) fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
-/// A name as the generated constants carry it: two names must differ in it.
+/// A name in the form that the generated constants have: two names must differ in this form.
 pub(super) fn constant(name: &str) -> String {
     name.to_uppercase()
 }

@@ -7,7 +7,7 @@ use syn::{Error, Ident};
 use crate::errors::{self, Errors};
 use crate::listing::Listing;
 
-/// Checks that something depends on each chassis point.
+/// Checks that each chassis point is used.
 pub(crate) fn chassis_points(listing: &Listing, errors: &mut Errors) {
     let used = used_points(listing);
     for point in listing.fixed.iter().map(|point| &point.named.name) {
@@ -22,7 +22,7 @@ pub(crate) fn chassis_points(listing: &Listing, errors: &mut Errors) {
     }
 }
 
-/// Points of everything but statements that move them.
+/// The points of all statements except those that move points.
 fn used_points(listing: &Listing) -> BTreeSet<&Ident> {
     let statements = listing.statements.iter();
     let depend = statements.filter(|statement| statement.moves().is_none());

@@ -1,26 +1,25 @@
 //! The pivots that are large enough, and the positions in which they are.
 
-/// A pivot must be at least this part of the largest entry of its column in the design position,
-/// so that multipliers stay below 5 there.
+/// The smallest pivot in the design position, as a fraction of the largest entry of its column, so that multipliers
+/// stay below 5 there.
 pub const THRESHOLD: f64 = 0.2;
 
-/// The same in the other positions of the motion, and in designs that may be meant.
+/// The smallest such fraction in the other positions of the motion, and in likely designs.
 const THRESHOLD_ELSEWHERE: f64 = 0.05;
 
-/// Nor may it be smaller than this: entries are of order 1, and what is left of one that cancels
-/// is rounding.
+/// The smallest pivot in any case: entries are of order 1, and the remainder of one that cancels is a rounding error.
 const TINY: f64 = 1e-6;
 
-/// What the positions are that pivots are judged by.
+/// The positions by which pivots are judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Positions {
     /// A design and others on its motion: pivots must be large enough in all of them.
     OfMotion,
-    /// Designs that may be meant: pivots should be large enough in as many as can be.
+    /// Likely designs: pivots should be large enough in as many of them as possible.
     OfDesigns,
 }
 
-/// The positions in which all pivots up to here are large enough.
+/// The positions in which all pivots so far are large enough.
 #[derive(Clone)]
 pub(super) struct Acceptance {
     of: Positions,
@@ -33,7 +32,7 @@ impl Acceptance {
         Self { of, serves }
     }
 
-    /// How large a pivot must be, in each position, beside the other entries of its column.
+    /// The smallest permitted pivot, in each position, given the other entries of its column.
     pub(super) fn least<'a>(&self, column: impl Iterator<Item = &'a [f64]>) -> Vec<f64> {
         let mut least = vec![TINY; self.serves.len()];
         for values in column {
@@ -49,8 +48,8 @@ impl Acceptance {
         least
     }
 
-    /// In how many positions an order is no longer good with a pivot of these values; `None` where it must
-    /// not be the pivot. One whose values are not known is large enough because it is there.
+    /// The number of positions in which an order is no longer good with a pivot of these values; `None` if it must
+    /// not be the pivot. A pivot whose values are not known counts as large enough because it is there.
     pub(super) fn lost(&self, values: &[f64], least: &[f64]) -> Option<usize> {
         let lost = self.serves.iter().zip(values).zip(least);
         let lost = lost.filter(|((serves, value), least)| **serves && value.abs() < **least);
@@ -61,7 +60,7 @@ impl Acceptance {
         }
     }
 
-    /// Takes a pivot of these values; returns whether fewer positions are served.
+    /// Accepts a pivot of these values; returns whether fewer positions are served.
     pub(super) fn take(&mut self, values: &[f64], least: &[f64]) -> bool {
         let before = self.count();
         for ((serves, value), least) in self.serves.iter_mut().zip(values).zip(least) {
@@ -70,7 +69,7 @@ impl Acceptance {
         self.count() < before
     }
 
-    /// Of an entry's values those in positions that count.
+    /// The values of an entry in the positions that count.
     pub(super) fn known<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         let known = values.iter().zip(&self.serves);
         known.filter_map(|(value, serves)| serves.then_some(*value))
@@ -81,7 +80,7 @@ impl Acceptance {
     }
 }
 
-/// Whether a pivot with these values is zero somewhere on the way from the design.
+/// Whether a pivot with these values passes zero on the way from the design.
 fn changes_sign(values: &[f64]) -> bool {
     let first = values.first().copied().unwrap_or_default();
     values.iter().any(|value| value * first < 0.0)

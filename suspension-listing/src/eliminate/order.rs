@@ -7,14 +7,13 @@ use std::collections::BTreeSet;
 pub struct Entry {
     pub row: usize,
     pub column: usize,
-    /// Its values in the design position and in others of the motion; none where the design is not
-    /// known.
+    /// Its values in the design position and in others of the motion; empty if the design is not known.
     pub values: Vec<f64>,
-    /// Whether it is 1 in every position: a pivot that cannot go bad.
+    /// Whether it is 1 in every position: as a pivot it cannot become small.
     pub unit: bool,
-    /// Whether it is a coordinate of a point in the equation that ties the point to a frame: such
-    /// pivots come first, because their effect is known in closed form and need not be multiplied
-    /// out (in the macro see `emit::carried`).
+    /// Whether it is a coordinate of a point in the equation that ties the point to a frame. Such pivots come first,
+    /// because their effect is known in closed form and need not be multiplied out (in the macro see
+    /// `emit::carried`).
     pub carried: bool,
 }
 
@@ -22,21 +21,20 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Order {
     pub steps: Vec<Step>,
-    /// Entries that the matrix does not have but its factors do.
+    /// Entries that the factors have but the matrix does not.
     pub fill: BTreeSet<(usize, usize)>,
-    /// Multiplications and divisions of one factorisation, beside those of carried points, which are
+    /// The number of multiplications and divisions of one factorisation, without those for carried points, which are
     /// the same in every order.
     pub operations: usize,
-    /// The longest chain of operations of which each needs the one before.
+    /// The length of the longest chain of operations that each need the one before.
     pub chain: usize,
-    /// The largest multiplier or inverse of a pivot in any of the positions; zero where nothing is
-    /// known.
+    /// The largest multiplier or inverse of a pivot in any of the positions; zero if none is known.
     pub growth: f64,
-    /// In how many of the positions all pivots are large enough.
+    /// The number of positions in which all pivots are large enough.
     pub served: usize,
 }
 
-/// Row and column of a pivot, and what the step does.
+/// The row and column of a pivot, and the operations of the step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     pub row: usize,
@@ -51,5 +49,5 @@ pub struct Step {
     pub below: Vec<usize>,
 }
 
-/// A division takes as long as this many multiplications.
+/// The number of multiplications that take as long as a division.
 pub const DIVISION: usize = 4;

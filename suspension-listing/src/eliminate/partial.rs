@@ -6,22 +6,23 @@ use super::acceptance::{Acceptance, Positions};
 use super::order::{DIVISION, Entry, Order, Step};
 use super::preference::Preference;
 
-/// What is known of an entry during elimination.
+/// The known data of an entry during elimination.
 #[derive(Clone, Debug)]
 struct Cell {
-    /// In each position; none where they are not known, nor where those that they are made of are not. Attempts share what they have
-    /// in common.
+    /// Its value in each position; empty if the values are not known, or if those that it is made from are not.
+    /// Attempts share the values that they have in common.
     values: Rc<[f64]>,
     unit: bool,
     carried: bool,
-    /// When it is ready, in operations from the start.
+    /// The time when it is ready, in operations from the start.
     ready: usize,
-    /// What it loses as the pivot, as [`Acceptance::lost`]: kept, because an attempt looks at each entry in each step, and few change.
+    /// The positions that it loses as the pivot, see [`Acceptance::lost`]. It is stored because an attempt considers
+    /// each entry in each step, and few of them change.
     lost: Option<usize>,
 }
 
 impl Cell {
-    /// An entry that is not known yet to be large enough for a pivot.
+    /// An entry of which it is not yet known whether it is large enough for a pivot.
     fn new(values: Rc<[f64]>, ready: usize) -> Self {
         Self {
             values,
@@ -38,11 +39,11 @@ impl Cell {
 pub(super) struct Partial {
     /// By row and column; `None` marks a zero.
     cells: Vec<Vec<Option<Cell>>>,
-    /// Columns in which each row has an entry, of those not eliminated yet.
+    /// The columns in which each row has an entry, of those not eliminated yet.
     columns_of: Vec<Vec<usize>>,
-    /// Rows that have an entry in each column, of those not eliminated yet.
+    /// The rows that have an entry in each column, of those not eliminated yet.
     rows_of: Vec<Vec<usize>>,
-    /// How large a pivot of each column must be, in each position.
+    /// The smallest permitted pivot of each column, in each position.
     least: Vec<Vec<f64>>,
     acceptance: Acceptance,
     order: Order,
@@ -83,7 +84,7 @@ impl Partial {
         was_zero
     }
 
-    /// With the pivots eliminated that come first in every attempt.
+    /// The matrix after elimination of the pivots that come first in every attempt.
     pub(super) fn without_carried(mut self) -> Option<Self> {
         for (row, column) in self.carried() {
             self.take(row, column)?;
@@ -91,7 +92,7 @@ impl Partial {
         Some(self)
     }
 
-    /// Eliminates to the end; `None` where no entry is large enough for a pivot.
+    /// Eliminates to the end; `None` if no entry is large enough for a pivot.
     pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
         let mut preference = Preference::of(attempt);
         while self.order.steps.len() < self.cells.len() {
@@ -127,8 +128,7 @@ impl Partial {
         places.filter(is_carried).collect()
     }
 
-    /// Of the entries that are large enough beside their column in most positions, the one that ranks
-    /// lowest.
+    /// The entry with the lowest rank among those that are large enough for their column in the most positions.
     fn pivot(&self, preference: &mut Preference) -> Option<(usize, usize)> {
         let mut best = None;
         for (column, rows) in self.rows_of.iter().enumerate() {
@@ -151,7 +151,7 @@ impl Partial {
         best.map(|(_, pivot)| pivot)
     }
 
-    /// Finds anew how large a pivot of the column must be, and which of its entries are.
+    /// Recomputes the smallest permitted pivot of the column, and which of its entries are large enough.
     fn update_least(&mut self, column: usize) {
         let rows = self.rows_of[column].iter();
         let values = rows.map(|&row| self.values(row, column));

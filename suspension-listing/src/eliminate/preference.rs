@@ -2,15 +2,15 @@
 
 use crate::random::Lcg;
 
-/// What an attempt goes by in its choice of pivots.
+/// The criteria by which an attempt chooses its pivots.
 pub(super) struct Preference {
     random: Lcg,
-    /// Whether entries that are ready early are preferred, for a short chain, or cheap ones alone.
+    /// Whether entries that are ready early are preferred, for a short chain, or only cheap ones.
     early: bool,
 }
 
 impl Preference {
-    /// Attempts take turns: on a large matrix short chains may cost too many operations.
+    /// Attempts alternate: on a large matrix short chains may cost too many operations.
     pub(super) fn of(attempt: u64) -> Self {
         Self {
             random: Lcg::new(attempt),
@@ -18,9 +18,9 @@ impl Preference {
         }
     }
 
-    /// The entry with the lowest rank is the next pivot.
+    /// The rank of an entry; the one with the lowest rank is the next pivot.
     pub(super) fn rank(&mut self, markowitz: usize, ready: usize) -> (usize, u32) {
-        // Near ties are worth trying too; 10 was found best on the catalogue.
+        // Near ties are worth trying too; 10 was the best value for the catalogue.
         const NEAR: u32 = 10;
         let wait = if self.early {
             ready + (self.random.next() % NEAR) as usize

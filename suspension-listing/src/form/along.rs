@@ -9,16 +9,16 @@ use crate::vector::{Vector, combined, cross, dot, minus};
 
 #[derive(Clone, Debug)]
 pub struct Along {
-    /// Where the lines start.
+    /// The start of the lines.
     pub from: Site,
     /// The other end of one line, or of two.
     pub ends: Vec<Site>,
     pub point: Site,
-    /// The unknowns' names, one a line.
+    /// The names of the unknowns, one per line.
     pub distances: Vec<Name>,
 }
 
-/// The lines, and the point from their start.
+/// The vectors of the lines, and the vector to the point from their start.
 fn edges(at: &[Vector]) -> (Vec<Vector>, Vector) {
     let mut edges: Vec<Vector> = at[1..].iter().map(|end| minus(*end, at[0])).collect();
     let point = edges.pop().unwrap_or_default();

@@ -9,11 +9,11 @@ use crate::vector::{Vector, dot, minus};
 #[derive(Clone, Debug)]
 pub struct Bilinear {
     pub defines: Option<Name>,
-    /// What stands beside it, in lengths `L`.
+    /// The constant term beside the products, in lengths `L`.
     pub constant: f64,
     pub products: Vec<Multiplied>,
-    /// The lines whose length, or geometric mean of lengths, `L` is: of one line it is kept whatever the lengths are,
-    /// of two it is that of the design.
+    /// The lines whose length, or geometric mean of lengths, is `L`. With one line, `L` is the length that the
+    /// line keeps, whatever the lengths are; with two it is the mean in the design.
     pub length: Vec<[Site; 2]>,
 }
 
@@ -34,7 +34,7 @@ pub enum Factor {
     },
 }
 
-/// What a derivative is by.
+/// The variable of a derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Variable<'a> {
     Unknown(&'a Name),
@@ -42,7 +42,7 @@ pub enum Variable<'a> {
 }
 
 impl Factor {
-    /// The variables that it is made of, each with its sign.
+    /// The variables that it consists of, each with its sign.
     fn variables(&self) -> Vec<(f64, Variable<'_>)> {
         match self {
             Self::Unknown(name) => vec![(1.0, Variable::Unknown(name))],
@@ -57,7 +57,7 @@ impl Factor {
 }
 
 impl Bilinear {
-    /// By each variable, in the order in which they stand, the factors that it is multiplied with.
+    /// For each variable, in order of appearance, the factors that it is multiplied by.
     pub fn derivatives(&self) -> Vec<(Variable<'_>, Vec<(f64, &Factor)>)> {
         let mut derivatives: Vec<(Variable<'_>, Vec<(f64, &Factor)>)> = Vec::new();
         for Multiplied { by, factors } in &self.products {
@@ -142,7 +142,7 @@ impl Equations for Bilinear {
         scalars
     }
 
-    /// What is defined, from the others.
+    /// The unknown that it defines, from the others.
     fn scalars_at(&self, at: &[Vector], known: &[f64]) -> Option<Vec<f64>> {
         self.defines.as_ref()?;
         let mut scalars = known.to_vec();

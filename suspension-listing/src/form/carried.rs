@@ -12,7 +12,7 @@ pub struct Carried {
     pub point: Site,
 }
 
-/// The edges of the frame, and the point from its origin.
+/// The edges of the frame, and the vector to the point from its origin.
 fn edges(at: &[Vector]) -> [Vector; 3] {
     [
         minus(at[1], at[0]),

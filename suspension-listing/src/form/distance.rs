@@ -4,7 +4,7 @@ use super::{Dependence, Equations};
 use crate::site::Site;
 use crate::vector::{Vector, dot, minus};
 
-/// Where one end is on the chassis, it is `from`.
+/// A constant distance. If one end is on the chassis, it is `from`.
 #[derive(Clone, Debug)]
 pub struct Distance {
     pub from: Site,

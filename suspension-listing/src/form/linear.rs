@@ -12,11 +12,11 @@ pub struct Linear {
     pub prescribed: Prescribed,
 }
 
-/// What prescribes a sum.
+/// What prescribes the value of a sum.
 #[derive(Clone, Debug)]
 pub enum Prescribed {
     Drive(Name),
-    /// It stays as it is in the design.
+    /// The sum keeps its design value.
     Design,
 }
 

@@ -6,7 +6,7 @@ use crate::vector::{Vector, dot, minus};
 
 #[derive(Clone, Debug)]
 pub struct Product {
-    /// From where to where each line goes.
+    /// The start and end of each line.
     pub lines: [[Site; 2]; 2],
 }
 

@@ -9,7 +9,7 @@ use crate::vector::{Vector, dot, minus};
 pub struct Stretch {
     pub from: Site,
     pub to: Site,
-    /// The unknown's name.
+    /// The name of the unknown.
     pub length: Name,
 }
 

@@ -8,9 +8,9 @@ use crate::vector::{Vector, cross, dot, minus, norm};
 
 #[derive(Clone, Debug)]
 pub struct Turn {
-    /// From which line to which the angle is, and the line that it is about.
+    /// The line from which the angle is measured, the line to which it is measured, and the line about which it is.
     pub lines: [[Site; 2]; 3],
-    /// The unknowns' names.
+    /// The names of the unknowns.
     pub sine: Name,
     pub cosine: Name,
 }
@@ -19,8 +19,8 @@ fn lines(at: &[Vector]) -> [Vector; 3] {
     [0, 2, 4].map(|from| minus(at[from + 1], at[from]))
 }
 
-/// Cosine and sine of half an angle from those of the angle, which is within half a turn. By square roots, so that C
-/// programs that read listings need no library of mathematics.
+/// The cosine and sine of half an angle from those of the angle, which is within half a turn. It uses square roots
+/// only, so that C programs that read listings need no mathematics library.
 fn half_angle([cosine, sine]: [f64; 2]) -> [f64; 2] {
     if cosine >= 0.0 {
         let half = ((1.0 + cosine) / 2.0).sqrt();

@@ -10,7 +10,7 @@ use crate::system::{System, distance_between};
 use crate::vector::{Vector, are_in_line};
 
 impl Listing {
-    /// The names that it declares, and of what.
+    /// The declared names and their kinds.
     pub fn names(&self) -> Vec<(Name, Kind)> {
         let declared = self.declared();
         declared
@@ -18,7 +18,7 @@ impl Listing {
             .collect()
     }
 
-    /// The names that it declares, and of what: points first, then in the order stated.
+    /// The declared names and their kinds: points first, then in the order stated.
     pub(crate) fn declared(&self) -> impl Iterator<Item = (&Ident, Kind)> {
         let fixed = self.fixed.iter().map(|point| (point, Kind::CHASSIS_POINT));
         let free = self.free.iter().map(|point| (point, Kind::FREE_POINT));
@@ -30,14 +30,14 @@ impl Listing {
             .chain(statements.map(|(named, kind)| (&named.name, kind)))
     }
 
-    /// The names of the points but markers.
+    /// The names of the points, without markers.
     pub(crate) fn points(&self) -> impl Iterator<Item = &Ident> {
         let points = self.fixed.iter().chain(&self.free);
         points.map(|point| &point.named.name)
     }
 
-    /// Where a statement is named, or an operand of it; where a point is declared, if the statement
-    /// is not of the listing.
+    /// The place where a statement or one of its operands is named; if the statement is not in the listing, the place
+    /// where a point is declared.
     pub fn place_of(&self, statement: &Name, operand: Option<&Name>) -> Span {
         let is = |token: &Ident, name: &Name| Name::from(token) == *name;
         let mut statements = self.statements.iter();
@@ -60,13 +60,13 @@ impl Listing {
             && !statements.any(|statement| statement.moves() == Some(point))
     }
 
-    /// Whether all names are declared; what is not is reported as an operand.
+    /// Whether all names are declared; one that is not is reported as an operand.
     pub(crate) fn declares<'a>(&self, names: impl IntoIterator<Item = &'a Ident>) -> bool {
         let is_declared = |name: &Ident| self.declared().any(|(declared, _)| declared == name);
         names.into_iter().all(is_declared)
     }
 
-    /// Whether two points stay as far apart as they are: by an equation, in a body or on the chassis.
+    /// Whether two points keep their distance: by an equation, in a body or on the chassis.
     pub(crate) fn keeps_apart(&self, system: &System, ends: [&Ident; 2]) -> bool {
         let [a, b] = ends.map(Name::from);
         distance_between(&system.equations, &a, &b).is_some()
@@ -98,7 +98,7 @@ impl Listing {
         Some(points)
     }
 
-    /// The markers that a body carries by its name.
+    /// The markers that a body named `body` carries.
     pub(crate) fn markers_on(&self, body: &Ident) -> impl Iterator<Item = &Ident> {
         let statements = self.statements.iter();
         statements.filter_map(move |statement| {
@@ -108,7 +108,7 @@ impl Listing {
         })
     }
 
-    /// The body that carries a marker and lies in line with it, by the positions that are stated.
+    /// The body that carries a marker and is collinear with it, according to the stated positions.
     pub(crate) fn body_in_line_with(&self, marker: &Ident) -> Option<(&Ident, &[Ident])> {
         let mut statements = self.statements.iter();
         let stated = statements.find(|statement| {
@@ -133,7 +133,7 @@ impl Listing {
         short.any(|(body, _)| self.markers_on(body).any(|marker| marker == point))
     }
 
-    /// The points that carry a point rigidly: of its marker statement, or of a body that lists it.
+    /// The points that carry a point rigidly: those of its marker statement, or those of a body that lists it.
     fn carriers(&self, point: &Ident) -> impl Iterator<Item = &[Ident]> {
         let statements = self.statements.iter();
         let carried_by = statements.filter_map(|statement| {
@@ -158,7 +158,8 @@ impl Listing {
         (points.len() >= 3).then_some(points)
     }
 
-    /// The one of two points that a body of three points or more has, as its own or as its marker: the body, that one, and the other.
+    /// If a body of three points or more has exactly one of two points, as its own or as its marker: the body, that
+    /// point, and the other.
     pub(crate) fn one_carried<'a>(&'a self, a: &'a Ident, b: &'a Ident) -> Option<[&'a Ident; 3]> {
         let body_of = |point: &Ident| {
             let mut bodies = self.bodies().filter(|(_, points)| points.len() >= 3);

@@ -12,9 +12,8 @@ use crate::name::{Name, Named};
 use crate::system::{Body, Site, carried_name, pair_name};
 
 impl Lowering<'_> {
-    /// A body of two points is a distance. A larger one has the three distances of its frame,
-    /// less those that the chassis or another body keeps, and three equations for each point
-    /// carried.
+    /// A body of two points is a distance. A larger body has the three distances of its frame, without those that the
+    /// chassis or another body keeps, and three equations for each carried point.
     pub(crate) fn body(&mut self, kind: Kind, stated: &listing::Named, points: &[Ident]) {
         let named = stated.plain();
         let sites = self.in_frame_order(points);
@@ -45,8 +44,8 @@ impl Lowering<'_> {
         self.system.bodies.push(body);
     }
 
-    /// The points of a body, those of its frame first: chassis points, then points shared with
-    /// another body, then in the order listed.
+    /// The points of a body with those of its frame first: chassis points, then points shared with another body, then
+    /// in the order listed.
     fn in_frame_order(&self, points: &[Ident]) -> Vec<Site> {
         let sites: Vec<Site> = points.iter().map(|point| self.site(point)).collect();
         let is_shared = |site: &Site| {

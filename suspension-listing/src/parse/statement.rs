@@ -39,7 +39,7 @@ pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::R
         .map_err(|error| with_example(error, statement))
 }
 
-/// Where something stands that begins no statement, a second `;` say.
+/// The error for something that begins no statement, for example a second `;`.
 fn no_statement(error: &syn::Error) -> syn::Error {
     let message = format!(
         "no statement begins like this; remove it, or write one of {}",
@@ -63,7 +63,7 @@ fn unknown_statement(word: &Ident) -> syn::Error {
     )
 }
 
-/// What the parser expected, and how the statement is written.
+/// The parser's expectation, and an example of the statement.
 fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Error {
     let message = error.to_string();
     if let Some(message) = errors::keyword_as_name(&message) {
@@ -83,7 +83,7 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     )
 }
 
-/// Skips to behind the next semicolon.
+/// Skips past the next semicolon.
 pub(super) fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
         if let TokenTree::Punct(punct) = input.parse()?

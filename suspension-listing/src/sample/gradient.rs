@@ -4,19 +4,19 @@ use crate::form::Form;
 use crate::system::{Positions, System};
 use crate::vector::{Vector, minus};
 
-/// The derivatives of an equation's rows by each of its arguments: the coordinates of its sites, then its
-/// scalars.
+/// The derivatives of an equation's rows with respect to each of its arguments: the coordinates of its sites, then
+/// its scalars.
 pub type Gradient = Vec<Vector>;
 
-/// The gradients of all equations, each with the constants that the positions give it; `None` where the
-/// geometry is degenerate.
+/// The gradients of all equations, each with the constants that the positions give it; `None` if the geometry is
+/// degenerate.
 pub fn gradients(system: &System, positions: &Positions) -> Option<Vec<Gradient>> {
     let equations = system.equations.iter();
     let gradients = equations.map(|equation| gradient(system, &equation.form, positions));
     gradients.collect()
 }
 
-/// By central differences of the residual, which are exact for a quadratic but for rounding.
+/// The gradient by central differences of the residual, which are exact to rounding for a quadratic.
 fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradient> {
     let form = form.equations();
     let mut sites = positions.of_sites(form);
@@ -47,14 +47,14 @@ fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradi
     numbers.all(|x| x.is_finite()).then_some(gradient)
 }
 
-/// What a function changes by for each step of its argument.
+/// The change of a function per step of its argument.
 fn difference(here: f64, step: f64, mut of: impl FnMut(f64) -> Vector) -> Vector {
     let (ahead, behind) = (here + step, here - step);
     let change = minus(of(ahead), of(behind));
     change.map(|change| change / (ahead - behind))
 }
 
-/// How far the sites are apart, along an axis: a step of their own size.
+/// The extent of the sites along an axis, which is used as the step.
 fn extent(at: &[Vector]) -> f64 {
     let first = at.first().copied().unwrap_or_default();
     let from_first = at.iter().flat_map(|site| minus(*site, first));

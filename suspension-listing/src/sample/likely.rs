@@ -13,21 +13,21 @@ use crate::random::Lcg;
 use crate::system::{Point, Positions, Site, System};
 use crate::vector::Vector;
 
-/// How many designs, and how many are tried to find them.
+/// The number of designs, and the number tried to find them.
 const DESIGNS: usize = 256;
 const TRIALS: usize = 1024;
 
-/// Of twelve seeds the one that serves symmetric double wishbones, with rocker and without, best.
+/// The best of twelve seeds for symmetric double wishbones, with and without rocker.
 const SEED: u64 = 2;
 
-/// A design with a smaller pivot than this, partial pivoting granted, is not one that an engineer would draw:
-/// it is near a singularity.
+/// A design with a smaller pivot than this, even with partial pivoting, is not one that an engineer would draw: it is
+/// near a singularity.
 const SMALLEST_PIVOT: f64 = 0.05;
 
 /// Coordinates are multiples of this.
 const GRID: f64 = 0.05;
 
-/// Designs that may be meant; none of a system that is too large.
+/// Designs that may be meant; none for a system that is too large.
 pub fn likely(system: &System) -> Vec<Positions> {
     if system.size() > MOST_UNKNOWNS {
         return Vec::new();
@@ -39,7 +39,7 @@ pub fn likely(system: &System) -> Vec<Positions> {
     trials.filter(regular).take(DESIGNS).collect()
 }
 
-/// One that may be singular.
+/// A design, which may be singular.
 fn design(
     system: &System,
     outwards: &[(&Name, f64)],
@@ -55,7 +55,7 @@ fn design(
         .iter()
         .filter_map(|wheel| wheel.kingpin.as_ref());
     for [low, high] in kingpins {
-        // A marker has its place from its body.
+        // A marker gets its position from its body.
         let Some(&low) = at.get(low) else {
             continue;
         };
@@ -70,8 +70,8 @@ fn design(
     system.positions(places(&system.fixed), places(&system.free))
 }
 
-/// The other end of a hinge that starts at a place, and where the point is that turns about it, beside the middle
-/// or an end as a rule.
+/// The other end of a hinge that starts at a position, and the position of the point that turns about it, usually
+/// beside the middle or an end.
 fn hinged(start: Vector, mut point: Vector, random: &mut Lcg) -> [Vector; 2] {
     let axis = random.pick([0, 0, 0, 1, 2]);
     let mut end = start;
@@ -79,14 +79,14 @@ fn hinged(start: Vector, mut point: Vector, random: &mut Lcg) -> [Vector; 2] {
     if let Some(beside) = random.pick([Some(0.1), Some(0.0), Some(0.2), None, None, None]) {
         point[axis] = start[axis] + beside;
     }
-    // An arm across the vehicle stands out already.
+    // An arm across the vehicle already points outwards.
     if axis == 1 {
         point[0] = start[0] + random.pick([-0.2, 0.2]);
     }
     [end, point]
 }
 
-/// A place for a point, from the chassis at 0 to the wheel at 1.
+/// A position for a point, from the chassis at 0 to the wheel at 1.
 fn point(outwards: f64, random: &mut Lcg) -> Vector {
     let across = (0.3 + 0.4 * outwards) / GRID;
     let across = across.round() + random.pick([-1.0, 0.0, 1.0]);
@@ -95,7 +95,7 @@ fn point(outwards: f64, random: &mut Lcg) -> Vector {
     [along, across, up].map(|steps| steps * GRID)
 }
 
-/// How far out each point is, from the chassis at 0 to the wheel at 1, by the joints in between.
+/// How far out each point is, from the chassis at 0 to the wheel at 1, according to the joints in between.
 fn outwards(system: &System) -> Vec<(&Name, f64)> {
     let chassis = system.fixed.iter().map(|point| &point.named.name);
     let chassis = reached(system, chassis.map(|name| (name, 0)).collect());
@@ -111,7 +111,7 @@ fn outwards(system: &System) -> Vec<(&Name, f64)> {
     names.map(|name| (name, share(name))).collect()
 }
 
-/// By how many joints each point is reached from some.
+/// The number of joints by which each point is reached from the given ones.
 fn reached<'a>(
     system: &'a System,
     mut joints: BTreeMap<&'a Name, usize>,
@@ -133,7 +133,8 @@ fn reached<'a>(
     joints
 }
 
-/// The free points that are held at two chassis points, with these: they turn about their line.
+/// The free points that are held at two chassis points, with these two points: the free points turn about the line
+/// through them.
 fn hinges(system: &System) -> Vec<(&Name, [&Name; 2])> {
     let kept = || {
         let equations = system.equations.iter();

@@ -7,17 +7,17 @@ use super::gradient::gradients;
 use crate::system::{Place, Positions, System};
 use crate::vector::{dot, minus};
 
-/// A step of a drive, and the farthest that it goes, as parts of the longest distance.
+/// The step of a drive, and its largest travel, as fractions of the longest distance.
 const STEP: f64 = 0.1;
 const STEPS: usize = 8;
 
-/// Each step is made in so many, so that lengths drift by a few parts in a hundred at most.
+/// The number of substeps of each step, so that lengths drift by at most a few hundredths.
 const SUBSTEPS: usize = 8;
 
-/// Where a point moves farther than this for each step of the drive, the motion is about to turn.
+/// If a point moves farther than this per step of the drive, the motion is about to turn.
 const LARGEST_RATE: f64 = 6.0;
 
-/// A design position, and others that the drives lead to from there.
+/// A design position, and other positions to which the drives lead from there.
 pub fn positions(system: &System, design: Positions) -> Vec<Positions> {
     let mut positions = vec![design.clone()];
     if system.size() > MOST_UNKNOWNS {
@@ -62,7 +62,7 @@ fn longest(system: &System, design: &Positions) -> f64 {
     lengths.fold(0.0, f64::max)
 }
 
-/// The position after a step of one drive, by the midpoint rule; `None` where the motion ends.
+/// The position after a step of one drive, by the midpoint rule; `None` if the motion ends.
 fn moved(
     system: &System,
     places: &[Place<'_>],
@@ -86,19 +86,19 @@ fn displaced(position: &Positions, rate: &[f64], step: f64) -> Positions {
     displaced
 }
 
-/// How the unknowns change with the drive of a row.
+/// The derivative of the unknowns with respect to the drive of a row.
 fn tangent(
     system: &System,
     places: &[Place<'_>],
     position: &Positions,
     row: usize,
 ) -> Option<Vec<f64>> {
-    // Where it is smaller the equations say nothing of the direction.
+    // If it is smaller, the equations do not determine the direction.
     const SMALLEST_PIVOT: f64 = 1e-9;
     rates(system, places, position, row, SMALLEST_PIVOT)
 }
 
-/// The same; `None` where a pivot is smaller than it may be.
+/// The same derivative; `None` if a pivot is too small.
 pub(super) fn rates(
     system: &System,
     places: &[Place<'_>],
@@ -116,8 +116,8 @@ pub(super) fn rates(
     solved(matrix, smallest_pivot)
 }
 
-/// The solution of linear equations with the right-hand side as last column; `None` where they
-/// are singular, or nearly so.
+/// The solution of linear equations with the right-hand side as the last column; `None` if they are singular, or
+/// nearly so.
 fn solved(mut rows: Vec<Vec<f64>>, smallest_pivot: f64) -> Option<Vec<f64>> {
     let n = rows.len();
     for k in 0..n {

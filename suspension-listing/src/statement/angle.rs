@@ -47,7 +47,7 @@ impl Statement for Angle {
         lowering.equation_of(KIND, &self.named, form);
     }
 
-    /// Checks that the lines keep their lengths, and that they are not of one body.
+    /// Checks that the lines keep their lengths, and that they do not belong to one body.
     fn check_lowered(&self, listing: &Listing, system: &System, errors: &mut Errors) {
         if !listing.declares(self.operands()) {
             return;

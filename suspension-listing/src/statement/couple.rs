@@ -30,7 +30,7 @@ pub(crate) const COUPLE: Word = Word {
 
 struct Couple {
     named: Named,
-    /// What stays as it is.
+    /// The sum that keeps its value.
     sum: Sum,
 }
 

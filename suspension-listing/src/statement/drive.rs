@@ -136,7 +136,7 @@ impl Statement for Drive {
 }
 
 impl Drive {
-    /// Makes the length between two points an unknown of the drive's name.
+    /// Makes the length between two points an unknown with the drive's name.
     fn stretch(&self, lowering: &mut Lowering<'_>, line: &[Ident; 2]) -> Name {
         let name = Name::from(&self.named.name);
         let [a, b] = line.each_ref().map(|end| lowering.site(end));
@@ -156,9 +156,9 @@ impl Drive {
         name
     }
 
-    /// Checks that a point that one drive moves along a direction is moved by no other.
+    /// Checks that a point that one drive moves along a direction is not moved by another.
     fn moves_alone(&self, check: &mut Check<'_>, point: &Ident, earlier: &[Box<dyn Statement>]) {
-        // What prescribes the same is reported as such.
+        // Drives that prescribe the same are reported as such.
         let others = earlier
             .iter()
             .filter(|other| other.moves() == Some(point) && other.claim() != self.claim());

@@ -29,7 +29,7 @@ pub(crate) const HINGE: Word = Word {
 
 struct Hinge {
     named: Named,
-    /// Those on the chassis first.
+    /// The points, chassis points first.
     points: Vec<Ident>,
 }
 

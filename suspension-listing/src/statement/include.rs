@@ -1,8 +1,8 @@
 //! `include front: steered_axle at [2.6, 0.0, 0.0];` or `include left: "corner.linkage";`: all statements of another listing,
 //! with the name of the include as a prefix of its names, and its positions moved.
 //!
-//! The included listing is renamed as text, and then read as if it were written here. A name that it uses without declaring it refers to the
-//! including listing.
+//! The included listing is renamed as text, and then read as if it were written here. A name that it uses without
+//! declaring it refers to the including listing.
 
 use std::collections::BTreeSet;
 
@@ -36,7 +36,7 @@ pub(crate) const INCLUDE: Word = Word {
     },
 };
 
-/// Words that stand where names do.
+/// Words of the language that occur at places where names do.
 pub(super) const WORDS: [&str; 6] = ["at", "on", "along", "about", "length", "angle"];
 
 /// A name of the catalogue, or a file's path in quotes.
@@ -55,11 +55,11 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<Source> {
 }
 
 impl Include {
-    /// A statement of another listing that declares `names`, as it is to be read here.
+    /// Rewrites a statement of another listing that declares `names` so that it can be read here.
     ///
     /// # Errors
     ///
-    /// Where one of the names would be taken for a word of the language.
+    /// If one of the names would be read as a word of the language.
     pub(crate) fn statement(
         &self,
         tokens: &TokenStream,
@@ -72,14 +72,14 @@ impl Include {
         Ok(self.renamed(tokens, names))
     }
 
-    /// Behind its docs a statement has its word, and behind that of a role the name of the wheel.
+    /// A statement has its word after its docs, and a role has the name of the wheel after its word.
     fn renamed(&self, tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
         let mut tokens = tokens.into_iter();
         let mut renamed = Vec::new();
         for mut token in tokens.by_ref() {
             let is_word = matches!(token, TokenTree::Ident(_));
             if is_word {
-                // What is wrong with the listing as a whole is nothing of the other's.
+                // Mistakes of the listing as a whole do not belong to the other listing.
                 token.set_span(self.name.span());
             }
             renamed.push(token);
@@ -98,7 +98,7 @@ impl Include {
         self.operands(renamed, tokens, names)
     }
 
-    /// What follows some tokens, renamed and moved, behind them.
+    /// Appends to some tokens the renamed and moved operands that follow.
     fn operands(
         &self,
         before: Vec<TokenTree>,
@@ -140,7 +140,7 @@ impl Include {
         Ident::new(&self.under(&name.unraw().to_string()), name.span())
     }
 
-    /// What a name of the other listing is here.
+    /// The name here of a name of the other listing.
     pub(crate) fn under(&self, name: &str) -> String {
         format!("{}_{name}", self.name.unraw())
     }
@@ -160,7 +160,7 @@ fn is_punct(token: &TokenTree, character: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
-/// A position `x, y, z`, moved; what cannot be read stays, to be reported.
+/// A position `x, y, z`, moved; tokens that cannot be read stay, to be reported.
 fn moved(position: TokenStream, by: Vector) -> TokenStream {
     let mut bracketed = TokenStream::new();
     bracketed.extend([TokenTree::from(Group::new(

@@ -44,7 +44,7 @@ impl Statement for Marker {
 
     fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
         match self.carriers.as_slice() {
-            // What a body lacks is reported at the body.
+            // What is missing in a body is reported at the body.
             [body] if check.listing.body(body).is_some() => {}
             [_, _, _] => check.sites(&self.carriers),
             _ => check.report_missing(self.bad_carriers(check.listing)),
@@ -104,7 +104,7 @@ fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
     )
 }
 
-/// What a point on a link is written as.
+/// How to write a point on a link.
 fn on_a_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
     format!(
         "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write {}; the position of `{marker}` must lie on \

@@ -1,8 +1,8 @@
-//! `mirror: left -> right;`: every point and statement with the word `left` in its name, as a whole or between underscores, again on the other side of the
-//! vehicle, named `right`.
+//! `mirror: left -> right;`: every point and statement with the word `left` in its name, as a whole or between
+//! underscores, is repeated on the other side of the vehicle, with the word `right`.
 //!
-//! A statement is mirrored as text: the two words are exchanged in names, and the sign of y is changed in positions and directions. The copies
-//! have the places of their originals.
+//! A statement is mirrored as text: the two words are exchanged in names, and the sign of y is changed in positions
+//! and directions. The copies have the places of their originals.
 
 mod image;
 
@@ -44,15 +44,15 @@ pub(crate) const MIRROR: Word = Word {
     },
 };
 
-/// What makes the images.
+/// Makes the images.
 pub(crate) struct Mirror {
     sides: Sides,
-    /// The word of the side that is stated.
+    /// The word of the stated side.
     side: Ident,
 }
 
 impl Mirror {
-    /// Between two sides, first the one that is stated.
+    /// A mirror between two sides, the stated one first.
     pub(crate) fn new(sides: [Ident; 2]) -> Self {
         let words = sides.each_ref().map(ToString::to_string);
         let [side, _] = sides;
@@ -66,7 +66,7 @@ impl Mirror {
         self.sides.clone()
     }
 
-    /// The names of the images of what a listing declares.
+    /// The names of the images of all declared names of a listing.
     pub(crate) fn names(&self, listing: &Listing) -> Vec<String> {
         let named = listing.declared().filter(|(name, _)| self.is_named(name));
         named
@@ -78,14 +78,14 @@ impl Mirror {
     ///
     /// # Errors
     ///
-    /// Where there are none, or the listing has one already.
+    /// If there are none, or the listing already has one.
     pub(crate) fn points(&self, listing: &Listing) -> syn::Result<Vec<TokenStream>> {
         let fixed = listing.fixed.iter().map(|point| (FIXED.word, point));
         let free = listing.free.iter().map(|point| (FREE.word, point));
         let named = fixed.chain(free);
         let named = named.filter(|(_, point)| self.is_named(&point.named.name));
         let named: Vec<(&str, &Point)> = named.collect();
-        // The points may be those of a statement that could not be read, an `include` say.
+        // The points may be those of a statement that could not be read, for example an `include`.
         if named.is_empty() && !listing.incomplete {
             return Err(nothing_named(&self.side));
         }
@@ -117,11 +117,11 @@ impl Mirror {
         placed(declared, named.name.span())
     }
 
-    /// The image of a statement; `None` where it has no name, or one of neither side.
+    /// The image of a statement; `None` if it has no name, or a name of neither side.
     ///
     /// # Errors
     ///
-    /// At a sum of y with other coordinates, of which the exchange of names makes no image.
+    /// At a sum of y with other coordinates, because exchanging names does not make its image.
     pub(crate) fn statement(&self, tokens: &[TokenTree]) -> Option<syn::Result<TokenStream>> {
         let [_, name] = word_and_name(tokens)?;
         if !self.is_named(name) {
@@ -133,11 +133,11 @@ impl Mirror {
         })
     }
 
-    /// Checks that the image of no statement is stated too, nor a point of its name.
+    /// Checks that no image is stated too, neither of a statement nor of a point.
     ///
     /// # Errors
     ///
-    /// At the name of each that is.
+    /// At the name of each image that is stated.
     pub(crate) fn check_stated_once(
         &self,
         statements: &[Vec<TokenTree>],
@@ -188,7 +188,7 @@ impl Mirror {
     }
 }
 
-/// The word of a statement and its name, behind its docs; `None` of one without a name.
+/// The word of a statement and its name, which follow its docs; `None` for a statement without a name.
 fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
     let mut parts =
         tokens.split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ':'));
@@ -198,12 +198,12 @@ fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
     }
 }
 
-/// Whether the names of such statements are of these alone, and not of wheels.
+/// Whether the names of such statements are their own, and not those of wheels.
 fn has_own_name(word: &Ident) -> bool {
     ![WHEEL.word, KINGPIN.word].iter().any(|of| word == of)
 }
 
-/// The y of a sum that has other coordinates too.
+/// The y in a sum that also has other coordinates.
 fn y_beside_others(tokens: &[TokenTree]) -> Option<&Ident> {
     let is_dot =
         |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '.');

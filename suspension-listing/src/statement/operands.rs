@@ -8,8 +8,8 @@ use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, token};
 
 use crate::errors;
 
-/// Reads what stands in brackets, to its end. What is left of what cannot be read is taken too: the parser
-/// would report it in place of all other mistakes.
+/// Reads the content of brackets to its end. The rest of a content that cannot be read is consumed too, otherwise the
+/// parser would report it instead of all other mistakes.
 pub(crate) fn in_brackets<T>(
     content: ParseStream<'_>,
     read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
@@ -52,7 +52,7 @@ pub(crate) fn lines(attributes: &[Attribute]) -> syn::Result<Vec<String>> {
     attributes.iter().map(line).collect()
 }
 
-/// A name of the listing. `r#name` is the same name where it needs no `r#`.
+/// A name of the listing. `r#name` is the same name if it does not need the `r#`.
 pub(crate) fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
     let name: Ident = input.parse()?;
     let plain = syn::parse_str::<Ident>(&name.unraw().to_string());
@@ -67,7 +67,7 @@ pub(crate) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
     Ok(names.into_iter().collect())
 }
 
-/// `point on`, of a statement that is written as `example` says.
+/// `point on` in a statement that is written like `example`.
 pub(crate) fn point_on(input: ParseStream<'_>, example: &str) -> syn::Result<Ident> {
     let (point, word) = (name(input)?, input.parse::<Ident>()?);
     if word == "on" {

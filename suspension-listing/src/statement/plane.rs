@@ -32,7 +32,7 @@ pub(crate) const PLANE: Word = Word {
 
 struct Plane {
     named: Named,
-    /// What stays in the plane, and the three points that this goes through.
+    /// The point in the plane, and the three points that the plane goes through.
     points: [Ident; 4],
 }
 

@@ -101,7 +101,7 @@ impl Parse for Number {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let is_negative = input.parse::<Option<Token![-]>>()?.is_some();
         let number = number(input)?;
-        // No negative zero comes of the image of a zero.
+        // The image of a zero must not be a negative zero.
         Ok(Self(if is_negative { 0.0 - number } else { number }))
     }
 }
@@ -127,7 +127,7 @@ fn not_three_coordinates(span: Span, what: &str, count: usize) -> Error {
     )
 }
 
-/// Rust takes `700mm` for the number 700 with a suffix.
+/// The error for `700mm`, which Rust reads as the number 700 with a suffix.
 fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
     Error::new(
         place,

@@ -71,7 +71,7 @@ impl Quantity {
         }
     }
 
-    /// As text, equal for two that are one up to sign and a constant.
+    /// A text that is equal for two quantities that differ only in sign and a constant.
     pub(super) fn text(&self) -> String {
         match self {
             Self::Sum(sum) => format!("sum {}", sum.text()),
@@ -85,14 +85,14 @@ impl Quantity {
             Self::Along { point, direction } => {
                 let first = direction.iter().find(|factor| **factor != 0.0);
                 let sign = first.map_or(1.0, |factor| factor.signum());
-                // The zero is for -0.
+                // Adding zero turns -0 into 0.
                 let direction = direction.map(|factor| sign * factor + 0.0);
                 format!("along {direction:?} {point}")
             }
         }
     }
 
-    /// The coordinates that add up to what the equation of a drive prescribes.
+    /// The coordinates whose sum the equation of a drive prescribes.
     pub(super) fn terms(&self, site: impl Fn(&Ident) -> Site) -> Vec<form::Term> {
         match self {
             Self::Sum(sum) => sum.terms(site),
@@ -124,7 +124,7 @@ impl Quantity {
         }
     }
 
-    /// The same without places in the source.
+    /// The same quantity without places in the source.
     pub(super) fn plain(&self) -> system::Quantity {
         match self {
             Self::Sum(sum) => {

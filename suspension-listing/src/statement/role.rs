@@ -24,7 +24,7 @@ pub(crate) const KINGPIN: Word = Word {
     read: |head, input, listing| read(Role::Kingpin, head, input, listing),
 };
 
-/// As many wheels as a listing may state.
+/// The largest number of wheels that a listing may state.
 const MOST_WHEELS: usize = 8;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -36,7 +36,7 @@ enum Role {
 struct Axis {
     role: Role,
     word: Ident,
-    /// The wheel's name, where it has one.
+    /// The wheel's name, if it has one.
     wheel: Option<Ident>,
     ends: [Ident; 2],
 }
@@ -120,12 +120,12 @@ impl Statement for Axis {
     }
 }
 
-/// What the listing's statements must not state twice.
+/// The claims of the listing's statements, which must not be stated twice.
 fn claims(statements: &[Box<dyn Statement>]) -> impl Iterator<Item = String> {
     statements.iter().filter_map(|statement| statement.claim())
 }
 
-/// The claim of a wheel or a kingpin, with a colon, which those of quantities have not.
+/// The claim of a wheel or a kingpin, with a colon, which the claims of quantities do not have.
 fn claim(word: &str, wheel: Option<&Ident>) -> String {
     let wheel = wheel.map(ToString::to_string).unwrap_or_default();
     format!("{word}:{wheel}")
@@ -136,7 +136,8 @@ impl Axis {
         claim(&self.word.to_string(), self.wheel.as_ref())
     }
 
-    /// Checks a wheel beside those before: all have names, and they are not too many.
+    /// Checks a wheel against the earlier ones: if there are several all must have names, and there must not be too
+    /// many.
     fn check_beside(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
         let unnamed = claim(WHEEL.word, None);
         let wheels = claims(earlier).filter(|claim| claim.starts_with(&unnamed));
@@ -216,7 +217,7 @@ fn too_many_wheels(word: &Ident) -> Error {
     )
 }
 
-/// `carried`, where a body has one of them alone: the body, that one, and the other.
+/// If a body has only one of the two points, `carried` is the body, that point, and the other.
 fn wheel_without_carrier(from: &Ident, to: &Ident, carried: Option<[&Ident; 3]>) -> Error {
     let remedy = carried.map_or_else(
         || {

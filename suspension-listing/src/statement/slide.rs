@@ -27,7 +27,7 @@ pub(crate) const SLIDE: Word = Word {
 
 struct Slide {
     named: Named,
-    /// What slides, and the ends of the line.
+    /// The sliding point, and the ends of the line.
     points: [Ident; 3],
 }
 

@@ -74,7 +74,7 @@ impl Sum {
         points
     }
 
-    /// The point of which it is no more than a coordinate.
+    /// The point, if the sum is only one of its coordinates.
     pub(super) fn single(&self) -> Option<&Ident> {
         match self.terms.as_slice() {
             [term] if term.factor == 1.0 => Some(&term.point),
@@ -93,7 +93,7 @@ impl Sum {
         }
     }
 
-    /// As text, equal for two that are multiples of each other.
+    /// A text that is equal for two sums that are multiples of each other.
     pub(super) fn text(&self) -> String {
         let named = |term: &Term| (format!("{}.{}", term.point, term.axis), term.factor);
         let mut terms: Vec<(String, f64)> = self.terms.iter().map(named).collect();
@@ -128,7 +128,7 @@ pub(super) fn axis_index(axis: &Ident) -> usize {
 }
 
 impl Check<'_> {
-    /// Checks that an axis is one.
+    /// Checks that a name is an axis.
     pub(super) fn axis(&mut self, axis: &Ident) {
         if !AXES.iter().any(|name| axis == name) {
             self.report(unknown_axis(axis));

@@ -6,7 +6,7 @@ use syn::parse::ParseStream;
 use super::operands;
 use crate::listing::{Listing, Named};
 
-/// How a statement begins, and what is made of the rest.
+/// The word that begins a statement, and the function that reads the rest.
 pub(crate) struct Word {
     pub(crate) word: &'static str,
     /// An example.
@@ -15,14 +15,14 @@ pub(crate) struct Word {
     pub(crate) read: fn(Head, ParseStream<'_>, &mut Listing) -> syn::Result<()>,
 }
 
-/// What a statement begins with.
+/// The beginning of a statement.
 pub(crate) struct Head {
     pub(crate) docs: Vec<String>,
     pub(crate) word: Ident,
 }
 
 impl Head {
-    /// `name:` behind the first word.
+    /// `name:` after the first word.
     pub(super) fn named(self, input: ParseStream<'_>) -> syn::Result<Named> {
         let name = operands::name(input)?;
         input.parse::<syn::Token![:]>()?;

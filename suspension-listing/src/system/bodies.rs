@@ -15,7 +15,8 @@ impl System {
         self.bodies.iter().find(has)
     }
 
-    /// The pairs of points of a frame that no equation, no body and not the chassis keeps apart. Several links together still may.
+    /// The pairs of points of a frame whose distance neither an equation, nor a body, nor the chassis keeps. Several
+    /// links together still may keep it.
     pub fn loose_pairs<'f>(&self, [a, b, c]: &'f [Site; 3]) -> Vec<[&'f Name; 2]> {
         let is_loose = |[a, b]: &[&'f Site; 2]| {
             distance_between(&self.equations, &a.name, &b.name).is_none()

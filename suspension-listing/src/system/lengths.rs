@@ -7,7 +7,7 @@ use crate::name::{Name, Named};
 #[derive(Clone, Debug)]
 pub struct Length {
     pub named: Named,
-    /// The points between which it is.
+    /// The points that it is between.
     pub between: [Name; 2],
 }
 

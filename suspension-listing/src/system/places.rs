@@ -24,7 +24,7 @@ pub struct Place<'a> {
 }
 
 impl Place<'_> {
-    /// Its value, of the gradients of all equations.
+    /// Its value in the gradients of all equations.
     pub fn value(&self, gradients: &[Gradient]) -> f64 {
         gradients[self.equation][self.argument][self.row_of_equation]
     }
@@ -36,7 +36,7 @@ pub struct Substituted<'a> {
     pub point: &'a Name,
     /// The column of its first coordinate.
     pub column: usize,
-    /// Those of the frame's points, where they are free.
+    /// The columns of the frame's points, if they are free.
     pub frame: [Option<usize>; 3],
 }
 
@@ -49,7 +49,7 @@ impl Substituted<'_> {
             .collect()
     }
 
-    /// Its three steps, one an axis.
+    /// Its three steps, one per axis.
     pub fn steps<'a>(&self, order: &'a Order) -> impl Iterator<Item = &'a Step> {
         let columns = self.column..self.column + 3;
         let steps = order.steps.iter();
@@ -67,8 +67,8 @@ impl System {
         pattern
     }
 
-    /// The entries of the Jacobian that are not always zero, with their values in some positions, up to
-    /// the first where a geometry is degenerate.
+    /// The entries of the Jacobian that are not always zero, with their values in some positions, up to the first
+    /// position whose geometry is degenerate.
     pub fn entries(&self, positions: &[Positions]) -> Vec<Entry> {
         let positions = positions.iter();
         let gradients: Vec<Vec<Gradient>> = positions
@@ -108,7 +108,7 @@ impl System {
         substituted.collect()
     }
 
-    /// Where the Jacobian is not always zero.
+    /// The places where the Jacobian is not always zero.
     pub fn places(&self) -> Vec<Place<'_>> {
         let mut places = Vec::new();
         let mut first_row = 0;
@@ -128,7 +128,7 @@ impl System {
         places
     }
 
-    /// Those of one row of an equation, in the Jacobian's given row.
+    /// The places of one row of an equation, in the given row of the Jacobian.
     fn places_of_row(
         &self,
         equation: usize,

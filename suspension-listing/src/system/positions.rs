@@ -4,7 +4,7 @@ use super::{Point, Site, System};
 use crate::form::Equations;
 use crate::vector::Vector;
 
-/// Values of the points' coordinates and of the other unknowns.
+/// The values of the points' coordinates and of the other unknowns.
 #[derive(Clone, Debug)]
 pub struct Positions {
     pub fixed: Vec<Vector>,
@@ -13,7 +13,7 @@ pub struct Positions {
 }
 
 impl Positions {
-    /// Of the sites of an equation.
+    /// The positions of the sites of an equation.
     pub fn of_sites(&self, form: &dyn Equations) -> Vec<Vector> {
         form.sites().into_iter().map(|site| self.of(site)).collect()
     }
@@ -28,14 +28,14 @@ impl Positions {
 }
 
 impl System {
-    /// The design position, where the listing states all of it.
+    /// The design position, if the listing states all of it.
     pub fn design(&self) -> Option<Positions> {
         let stated =
             |points: &[Point]| -> Option<Vec<Vector>> { points.iter().map(|p| p.at).collect() };
         Some(self.positions(stated(&self.fixed)?, stated(&self.free)?))
     }
 
-    /// Where the points are, and the scalars with them.
+    /// The positions of the points, and the scalars that belong to them.
     pub fn positions(&self, fixed: Vec<Vector>, free: Vec<Vector>) -> Positions {
         let mut positions = Positions {
             fixed,

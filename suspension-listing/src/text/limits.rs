@@ -7,13 +7,13 @@ use crate::lexed::MOST_BYTES;
 use crate::listing::{Listing, Rank, Rigid, Statement};
 use crate::mistake::Mistake;
 
-/// The most statements beside those that declare points.
+/// The largest number of statements, without those that declare points.
 pub const MOST_STATEMENTS: usize = 256;
 
-/// The most chassis points and free points, and the most names in one statement.
+/// The largest number of chassis points and free points together, and of names in one statement.
 pub const MOST_POINTS: usize = 128;
 
-/// The most unknowns.
+/// The largest number of unknowns.
 pub const MOST_UNKNOWNS: usize = 60;
 
 /// Refuses a text that is too long.
@@ -66,7 +66,7 @@ pub(super) fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
     Ok(())
 }
 
-/// That a listing has too many of something, and what to do, first what is to be `tried` if anything.
+/// The message that a listing has too many of something, with the remedy: first what should be `tried`, if anything.
 pub fn too_many(count: usize, most: usize, what: &str, tried: &str) -> String {
     format!(
         "{count} {what}; at most {most} are allowed in a listing read at run time: {tried}state parts that do not meet, as two \
@@ -78,7 +78,7 @@ fn refused(listing: &Listing, message: &str) -> Error {
     Error::new(listing.free_span, message)
 }
 
-/// Which free points need no unknowns as markers, in words; nothing where none is known.
+/// A sentence that tells which free points could be markers without unknowns; empty if none is known.
 fn savings(listing: &Listing) -> String {
     let bodies = listing.statements.iter();
     let mut bodies = bodies.filter_map(|body| Some((body.named()?.0, spared(listing, &**body))));
@@ -98,7 +98,8 @@ fn savings(listing: &Listing) -> String {
     )
 }
 
-/// The free points of a body that no other statement holds or moves, or needs for a marker, beside three that hold the body.
+/// The free points of a body that no other statement holds, moves, or needs for a marker, beside three points that
+/// hold the body.
 fn spared<'a>(listing: &'a Listing, body: &'a dyn Statement) -> Vec<&'a Ident> {
     const HELD: usize = 3;
     let Some(Rigid::Body(points)) = body.rigid() else {

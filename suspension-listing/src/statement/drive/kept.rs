@@ -8,7 +8,7 @@ use crate::listing::Listing;
 use crate::name::Name;
 use crate::system::{Body, System, distance_between};
 
-/// What is wrong with an angle: an equation must keep the distance of its two points.
+/// The mistake in an angle: an equation must keep the distance between its two points.
 pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Option<Error> {
     let [from, to] = line;
     // Anything else is reported as an operand.
@@ -29,7 +29,7 @@ pub(super) fn angle(line: &[Ident; 2], listing: &Listing, system: &System) -> Op
     })
 }
 
-/// What is wrong with a driven length: nothing may keep it.
+/// The mistake in a driven length: nothing may keep it.
 pub(super) fn length(line: &[Ident; 2], system: &System) -> Option<Error> {
     let [from, to] = line;
     let [a, b] = [from, to].map(Name::from);
@@ -58,7 +58,7 @@ fn no_such_link(from: &Ident, to: &Ident) -> Error {
     )
 }
 
-/// The distance of two points of a body is none of its frame's.
+/// The error that the distance between two points of a body is not an edge of its frame.
 fn angle_beside_frame(ends: [&Ident; 2], body: &Body) -> Error {
     let [from, to] = ends;
     let Body { name, frame, .. } = body;

@@ -18,7 +18,7 @@ use crate::name::{Name, Named};
 use crate::site::Site;
 use crate::system::{AXES, System, turn_name};
 
-/// Adds the equations of a driven angle but the drive's own.
+/// Adds the equations of a driven angle, except the drive's own.
 pub(super) fn lower(
     lowering: &mut Lowering<'_>,
     drive: &Name,
@@ -47,15 +47,15 @@ pub(super) fn lower(
     }
 }
 
-/// What of a driven angle the drive's own equation is about.
+/// The part of a driven angle that occurs in the drive's own equation.
 pub(super) struct Turned {
     /// The unknown that it prescribes.
     pub(super) sine: Name,
-    /// The equation with whose length this is the sine of a quarter of the angle.
+    /// The equation whose length makes this the sine of a quarter of the angle.
     pub(super) equation: Name,
 }
 
-/// The places of the lines in [`Equations`].
+/// The indices of the lines in [`Equations`].
 const D: usize = 0;
 const E: usize = 1;
 const N: usize = 2;
@@ -91,13 +91,13 @@ impl Equations<'_> {
         Factor::Edge { line, axis }
     }
 
-    /// Products over `L`, which define an unknown of the equation's name.
+    /// Products over `L` that define an unknown with the equation's name.
     fn defined(&self, part: &str, constant: f64, products: Vec<Multiplied>) -> Stated {
         let [d, e, _] = self.lines.clone();
         self.stated(part, constant, products, vec![d, e])
     }
 
-    /// Products over `|n|`, which define an unknown of the equation's name.
+    /// Products over `|n|` that define an unknown with the equation's name.
     fn about(&self, part: &str, products: Vec<Multiplied>) -> Stated {
         let [.., n] = self.lines.clone();
         self.stated(part, 0.0, products, vec![n])
@@ -120,7 +120,7 @@ impl Equations<'_> {
         (name, Form::Bilinear(form))
     }
 
-    /// How the lines stand to each other.
+    /// The equations for the position of the lines relative to each other.
     fn of_lines(&self) -> Vec<Stated> {
         let normal = |axis: usize| {
             let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -153,7 +153,7 @@ impl Equations<'_> {
         stated
     }
 
-    /// The angle, and that the lines are at it.
+    /// The equations for the angle, and for the lines at this angle.
     fn of_angle(&self) -> Vec<Stated> {
         let product = |by, factors: [&str; 2]| Multiplied {
             by,
@@ -192,7 +192,7 @@ impl Equations<'_> {
     }
 }
 
-/// What is wrong with a driven angle: something must keep its axis' length, and nothing the angle.
+/// The mistake in a driven angle: something must keep the length of its axis, and nothing may keep the angle.
 pub(super) fn check(
     drive: &Ident,
     lines: &[[Ident; 2]; 2],

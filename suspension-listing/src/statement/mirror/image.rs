@@ -1,4 +1,5 @@
-//! The image of a statement as text, with the words of the sides exchanged in names and the sign of y changed in positions and directions.
+//! The image of a statement as text, with the words of the sides exchanged in names and the sign of y changed in
+//! positions and directions.
 
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 
@@ -30,7 +31,7 @@ impl Mirror {
     }
 }
 
-/// `x, -y, z` of `x, y, z`.
+/// `x, -y, z` from `x, y, z`.
 fn opposite(vector: TokenStream) -> TokenStream {
     let is_comma =
         |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');

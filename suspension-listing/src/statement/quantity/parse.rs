@@ -24,7 +24,7 @@ pub(super) fn quantity(input: ParseStream<'_>) -> syn::Result<Quantity> {
     }
 }
 
-/// `from -> to, axis`, or two lines, with or without the one about which their angle is seen.
+/// `from -> to, axis`, or two lines, with or without the line about which their angle is seen.
 fn angle(content: ParseStream<'_>) -> syn::Result<Quantity> {
     let line = arrow(content)?;
     content.parse::<Token![,]>()?;
@@ -82,7 +82,7 @@ fn function(input: ParseStream<'_>) -> syn::Result<Option<Ident>> {
     is_call.then(|| input.parse()).transpose()
 }
 
-/// What stands in parentheses, to its end.
+/// The content of parentheses, to its end.
 fn operands<T>(
     input: ParseStream<'_>,
     read: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
@@ -103,7 +103,7 @@ fn unknown_quantity(function: &Ident) -> Error {
     )
 }
 
-/// For a line of which it is not said what of it is meant.
+/// The error for a line without a word that says what is measured.
 fn bare_line([from, to]: &[Ident; 2]) -> Error {
     errors::at(
         from,
