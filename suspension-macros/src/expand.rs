@@ -16,10 +16,10 @@ use crate::listing_files::ListingFiles;
 use crate::module::{Module, Source};
 use crate::{emit, module};
 
-/// One at a time: which lexer `proc-macro2` uses is known to the whole process.
+/// Expands one module at a time, because the choice of lexer in `proc-macro2` is shared by the whole process.
 static ALONE: Mutex<()> = Mutex::new(());
 
-/// Expands `[path of the core] listing`. Where it has mistakes, all of them are reported, and the types are still
+/// Expands `[path of the core] listing`. If it has mistakes, all of them are reported, and the types are still
 /// emitted so that code which uses them raises no further errors.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);

@@ -10,14 +10,14 @@ mod named;
 #[cfg(test)]
 mod tests;
 
-/// Behind `suspension_core::linkage!`, which writes the path of its own crate, by whatever name that is
+/// The macro behind `suspension_core::linkage!`, which writes the path of its own crate, under whatever name that is
 /// imported, in brackets before the listing.
 #[proc_macro]
 pub fn linkage(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()
 }
 
-/// Behind the structs of names that `linkage!` writes.
+/// Derives the traits of the structs of names that `linkage!` writes.
 #[doc(hidden)]
 #[proc_macro_derive(Named)]
 pub fn named(input: proc_macro::TokenStream) -> proc_macro::TokenStream {

@@ -10,17 +10,17 @@ use quote::quote;
 
 use suspension_listing::include_source::{IncludeSource, Wanted};
 
-/// The files beside a source file, and which of them were read.
+/// The files in the folder of a source file, with a record of which were read.
 pub(crate) struct ListingFiles {
-    /// The source file, where the compiler says it.
+    /// The source file, if the compiler tells it.
     source: Option<PathBuf>,
-    /// The file of the listing, from the source file's folder; empty of a listing in braces.
+    /// The path of the listing's file, relative to the source file's folder; empty for a listing in braces.
     listing: PathBuf,
     read: RefCell<Vec<PathBuf>>,
 }
 
 impl ListingFiles {
-    /// Beside the source file of a token, for a listing in the file `listing` there, or in braces.
+    /// The files in the folder of a token's source file, for a listing in the file `listing` there, or in braces.
     pub(crate) fn of(token: Span, listing: &str) -> Self {
         Self {
             source: token.local_file(),
@@ -45,7 +45,7 @@ impl ListingFiles {
             let path = path.display();
             format!("cannot read `{path}`, from the folder of this source file: {cause}")
         };
-        // What is read from elsewhere may never end, and the compiler with it.
+        // Reading from anything but a file may never end, and the compiler with it.
         if place.metadata().is_ok_and(|found| !found.is_file()) {
             return Err(refused(&"it is no regular file"));
         }
@@ -54,7 +54,7 @@ impl ListingFiles {
         Ok(text)
     }
 
-    /// What has the compiler look again at the files when they have changed.
+    /// Code that makes the compiler look at the files again when they have changed.
     pub(crate) fn watched(&self) -> TokenStream {
         let mut paths = self.read.borrow().clone();
         paths.sort();

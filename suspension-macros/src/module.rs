@@ -18,20 +18,20 @@ pub(crate) struct Module {
     pub(crate) vis: Visibility,
     pub(crate) name: Ident,
     pub(crate) source: Source,
-    /// The path of `suspension_core` where the module stands.
+    /// The path of `suspension_core` in the scope of the module.
     pub(crate) core: TokenStream,
 }
 
-/// Where the statements are.
+/// The place of the statements.
 pub(crate) enum Source {
     /// In the module's braces, and in files that they include.
     Braces(Box<Listing>, ListingFiles),
-    /// In a file: `in "path";`, or `;` where it has the module's name.
+    /// In a file: `in "path";`, or `;` if the file has the module's name.
     File(LitStr),
 }
 
 impl Module {
-    /// Where a name is declared, as far as the compiler can tell.
+    /// The place where a name is declared, as far as the compiler can tell.
     pub(crate) fn place_of(&self, name: &Name) -> Span {
         match &self.source {
             Source::Braces(listing, _) => listing.place_of(name, None),
@@ -88,7 +88,7 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     Ok((Source::File(path), Errors::default()))
 }
 
-/// What the parser expected, and how a listing stands in `linkage!`.
+/// The parser's expectation, and an example of a listing in `linkage!`.
 fn with_example(error: syn::Error) -> syn::Error {
     let message = format!(
         "{error}; a listing is written `mod corner {{ ... }}`, or `mod corner;` with its statements in the file corner.linkage"

@@ -5,8 +5,8 @@ use quote::quote;
 use syn::ext::IdentExt;
 use syn::{Data, DeriveInput, Error, Field, Ident, Type};
 
-/// `Values`, `Named` and `Default` of a struct that `linkage!` has written, `Points<T>` for example. One that has no
-/// names has a field that is an array of no values.
+/// Implements `Values`, `Named` and `Default` for a struct that `linkage!` has written, for example `Points<T>`. A
+/// struct without names has a field that is an array of no values.
 pub(crate) fn named(input: TokenStream) -> syn::Result<TokenStream> {
     let DeriveInput { ident, data, .. } = syn::parse2(input)?;
     let Data::Struct(data) = data else {

@@ -35,7 +35,7 @@ pub(super) fn build_impl(system: &System) -> TokenStream {
     }
 }
 
-/// `impl Designed`, where the listing states every point.
+/// `impl Designed`, if the listing states every point.
 fn designed(system: &System) -> Option<TokenStream> {
     let fields: Option<Vec<TokenStream>> = positions(system)
         .map(|(name, at)| {
@@ -47,7 +47,7 @@ fn designed(system: &System) -> Option<TokenStream> {
     Some(designed_as(system, &quote!(Points { #(#fields),* })))
 }
 
-/// Every point with its position, where that is stated.
+/// Every point with its position, if that is stated.
 pub(super) fn positions(system: &System) -> impl Iterator<Item = (&Name, Option<[f64; 3]>)> {
     let points = system.fixed.iter().chain(&system.free);
     let markers = system.markers.iter();
@@ -56,7 +56,7 @@ pub(super) fn positions(system: &System) -> impl Iterator<Item = (&Name, Option<
         .chain(markers.map(|marker| (&marker.named.name, marker.at)))
 }
 
-/// The implementation, with the expression of the points.
+/// The implementation, with the given expression of the points.
 pub(super) fn designed_as(system: &System, points: &TokenStream) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     quote! {

@@ -19,7 +19,7 @@ fn names(point: &Substituted<'_>) -> [Name; 2] {
     ]
 }
 
-/// One frame a body.
+/// The frames, one per body.
 pub(super) fn frames(substituted: &[Substituted<'_>]) -> Vec<Name> {
     let bodies = substituted.iter().map(|point| frame_name(point.body));
     let mut frames: Vec<Name> = bodies.collect();
@@ -32,7 +32,7 @@ fn constants(substituted: &[Substituted<'_>]) -> Vec<Name> {
     names.map(|[constants, _]| constants).collect()
 }
 
-/// Fields of the factors.
+/// The fields of the factors.
 pub(super) fn fields(system: &System) -> TokenStream {
     let substituted = system.substituted();
     let constants = constants(&substituted);
@@ -40,7 +40,7 @@ pub(super) fn fields(system: &System) -> TokenStream {
     quote!(#(#frames: Frame<T>,)* #(#constants: Carried<T>,)*)
 }
 
-/// Their values.
+/// The values of these fields.
 pub(super) fn values(system: &System) -> TokenStream {
     let substituted = system.substituted();
     let constants = constants(&substituted);
@@ -48,7 +48,7 @@ pub(super) fn values(system: &System) -> TokenStream {
     quote!(#(#frames,)* #(#constants: self.#constants,)*)
 }
 
-/// Rows that depend on carried points depend on their frames instead.
+/// Makes rows that depend on carried points depend on their frames instead.
 pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) -> TokenStream {
     let mut statements = TokenStream::new();
     for point in unrolled.system.substituted() {
@@ -79,7 +79,7 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
     statements
 }
 
-/// Variables that are components of a vector, or that they are added to.
+/// Assigns the components of a vector to variables, or adds them to these.
 fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStream {
     if new == [true; 3] {
         return quote!(let [#(#variables),*] = xyz(#vector););
@@ -95,7 +95,7 @@ fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStr
 /// The points of a frame in gradients.
 pub(super) const BLOCKS: [&str; 3] = ["origin", "second", "third"];
 
-/// The pattern for what `by_frame` gives.
+/// The pattern for the result of `by_frame`.
 fn by_frame(point: &Substituted<'_>) -> TokenStream {
     let names = BLOCKS.map(ident).into_iter().zip(point.frame);
     let names = names.map(|(name, column)| match column {
@@ -105,7 +105,7 @@ fn by_frame(point: &Substituted<'_>) -> TokenStream {
     quote!([#(#names),*])
 }
 
-/// Each of its vectors that is by a free point, with the columns of this.
+/// Each of its vectors that belongs to a free point, with the columns of this point.
 fn columns_by_frame(
     point: &Substituted<'_>,
 ) -> impl Iterator<Item = (&'static str, [usize; 3])> + use<> {
@@ -116,7 +116,7 @@ fn columns_by_frame(
     })
 }
 
-/// The carried points' unknowns, once those of their frames are found.
+/// The unknowns of carried points, once those of their frames are found.
 pub(super) fn substituted(unrolled: &Unrolled<'_>) -> TokenStream {
     let mut statements = TokenStream::new();
     let mut last_frame = None;
@@ -140,7 +140,7 @@ pub(super) fn substituted(unrolled: &Unrolled<'_>) -> TokenStream {
     statements
 }
 
-/// A point's change by the column of its first coordinate; zero where it is on the chassis.
+/// The change of a point, by the column of its first coordinate; zero if it is on the chassis.
 fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
     let Some(first) = column else {
         return quote!(Vector3::new(T::zero(), T::zero(), T::zero()));
@@ -149,7 +149,7 @@ fn change(unrolled: &Unrolled<'_>, column: Option<usize>) -> TokenStream {
     quote!(Vector3::new(#(#axes),*))
 }
 
-/// What the carried points' unknowns add to those of their frames in a transposed solution.
+/// Adds the contributions of the carried points' unknowns to those of their frames in a transposed solution.
 pub(super) fn transposed(unrolled: &Unrolled<'_>) -> TokenStream {
     let of_point = |point: Substituted<'_>| {
         let [constants, frame] = names(&point);

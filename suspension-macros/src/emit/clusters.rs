@@ -26,7 +26,7 @@ fn clustered(system: &System) -> impl Iterator<Item = Clustered<'_>> {
     })
 }
 
-/// `frame` and constants from the design: what comes before the model, and its fields.
+/// `frame` and constants from the design: the code before the model, and the fields of the model.
 pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let name = frame_name(&cluster.name);
@@ -49,7 +49,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     [quote!(#(#frames)*), quote!(#(#names,)* #(#linked,)*)]
 }
 
-/// The same from lengths.
+/// The same code from lengths.
 pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let (name, [a, b, c]) = (frame_name(&cluster.name), &cluster.frame);
@@ -83,7 +83,7 @@ fn frame_names(system: &System) -> impl Iterator<Item = Name> {
         .map(|cluster| frame_name(&cluster.name))
 }
 
-/// The length between two points as it is given, or where both are on the chassis, as it stands.
+/// The given length between two points or, if both are on the chassis, their present distance.
 pub(super) fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
     match distance_between(&system.equations, &a.name, &b.name) {
         Some(name) => quote!(lengths.#name),
@@ -94,14 +94,14 @@ pub(super) fn length(system: &System, [a, b]: [&Site; 2]) -> TokenStream {
     }
 }
 
-/// Names and types of the model's constants.
+/// The names and types of the model's constants.
 pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStream)> {
     let frames = frame_names(system).map(|name| (name, quote!(Frame)));
     let points = clustered(system).map(|clustered| (clustered.constant, quote!(Linked)));
     frames.chain(points)
 }
 
-/// `linked` and `mirrored` of `impl Linkage`, where there are any.
+/// `linked` and `mirrored` of `impl Linkage`, if there are clusters.
 pub(super) fn watched(system: &System) -> Option<TokenStream> {
     clustered(system).next()?;
     let n = Literal::usize_unsuffixed(system.size());

@@ -9,7 +9,7 @@ use suspension_listing::eliminate::{self, Order};
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
-/// Operations of residual, Jacobian and curvature.
+/// The operations of residual, Jacobian and curvature.
 fn evaluations(system: &System) -> [Operations; 3] {
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     let frames = bodies.count();
@@ -22,19 +22,19 @@ fn evaluations(system: &System) -> [Operations; 3] {
     totals
 }
 
-/// Operations of the factorisation, of which those of the Jacobian are part, and of a solution.
+/// The operations of the factorisation, including those of the Jacobian, and of a solution.
 fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operations; 2] {
     let (mut factor, mut solve) = (jacobian, Operations::default());
     for point in system.substituted() {
-        // Its gradient is not formed; each row below takes `Carried::by_frame` instead, and three
-        // terms in each solution, which ends with `Carried::velocity`.
+        // Its gradient is not formed. Each row below takes `Carried::by_frame` instead, and three terms in each
+        // solution, which ends with `Carried::velocity`.
         factor.multiplications -= 6;
         factor.additions -= 5;
         let rows = point.rows(order).len();
         factor.add(24 * rows, (18 + 9) * rows);
         solve.add(21 + 3 * rows, 21 + 3 * rows);
     }
-    // Each frame's change.
+    // The change of each frame.
     solve.add(0, 6 * carried::frames(&system.substituted()).len());
     for step in order.steps.iter().filter(|step| !step.carried) {
         let (right, below) = (step.right.len(), step.below.len());
@@ -44,7 +44,7 @@ fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operat
         factor.add(below * right + divided, below * right);
         solve.add(below + right + scaled, below + right);
     }
-    // An entry that fills in starts from nothing.
+    // An entry of the fill-in starts at zero.
     factor.additions -= order.fill.len();
     // The product of the pivots, whose sign is the determinant's, and the sum of their squares, in
     // four chains each.

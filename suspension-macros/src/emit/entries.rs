@@ -16,7 +16,7 @@ pub(super) fn entries(unrolled: &Unrolled<'_>) -> TokenStream {
     quote!(#(#equations)*)
 }
 
-/// What a row, or three, are by a point or a scalar.
+/// The derivatives of one row, or of three, with respect to a point or a scalar.
 fn by_unknowns(unrolled: &Unrolled<'_>, row: usize, by: &By<'_>) -> TokenStream {
     let column = |site: &Site| site.first_column().unwrap_or_default();
     let scalar = |name| unrolled.system.scalar_column(name).unwrap_or_default();

@@ -54,7 +54,7 @@ pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
     }
 }
 
-/// Angles to the coordinates that they prescribe.
+/// Converts angles to the coordinates that they prescribe.
 fn coordinates(system: &System) -> TokenStream {
     let angles: Vec<TokenStream> = system
         .drives
@@ -78,7 +78,7 @@ fn coordinates(system: &System) -> TokenStream {
     }
 }
 
-/// Driven coordinates into the chassis points.
+/// Inserts driven coordinates into the chassis points.
 fn put_drives(system: &System) -> TokenStream {
     let moves: TokenStream = system.drives.iter().filter_map(quantity::moves).collect();
     let fixed = parameter("fixed", &quote!(&mut Fixed<T>), &moves);
@@ -91,8 +91,8 @@ fn put_drives(system: &System) -> TokenStream {
     }
 }
 
-/// The equations, those first that take the frames which have just been made: what they are made of is still at
-/// hand.
+/// The equations, with those first that use the frames which have just been made: the operands of the frames are then
+/// still at hand.
 fn frames_first(system: &System) -> impl Iterator<Item = &Equation> {
     let of = |framed| {
         let equations = system.equations.iter();

@@ -11,7 +11,7 @@ use suspension_listing::system::System;
 pub(super) struct Field {
     pub(super) docs: Vec<String>,
     pub(super) name: Name,
-    /// Documents the field where the user did not.
+    /// The documentation of the field if the user gives none.
     pub(super) fallback: String,
 }
 
@@ -88,7 +88,7 @@ pub(super) fn length_fields(system: &System) -> Vec<Field> {
         .collect()
 }
 
-/// The index of a point among all.
+/// The index of a point among all points.
 pub(super) fn point_index(system: &System, name: &Name) -> Literal {
     index(system.points().into_iter(), name)
 }

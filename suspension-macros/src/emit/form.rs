@@ -21,7 +21,7 @@ use super::operations::Operations;
 
 pub(super) use linear::{constant, sum};
 
-/// What is written of the equations of a form, by the name of the first.
+/// The code for the equations of a form, by the name of the first.
 pub(super) trait Emit {
     /// The type of the constant that the model has for them.
     fn constant(&self) -> Option<TokenStream> {
@@ -33,13 +33,12 @@ pub(super) trait Emit {
         false
     }
 
-    /// Whether the constant has a length, which is of the size of the linkage.
+    /// Whether the constant has a length, which is of the order of the linkage's size.
     fn has_length(&self) -> bool {
         false
     }
 
-    /// Sets the unknowns in `free` that it has beside coordinates, with each site where `place` says;
-    /// `None` where it has none.
+    /// Sets its unknowns in `free` that are not coordinates, with each site at `place`; `None` if it has none.
     fn scalars(&self, _name: &Name, _place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
         None
     }
@@ -56,18 +55,18 @@ pub(super) trait Emit {
     /// The rows of the Jacobian.
     fn gradient(&self, name: &Name) -> Gradient<'_>;
 
-    /// The rows of `C(v, w)`; `None` where they are zero.
+    /// The rows of `C(v, w)`; `None` if they are zero.
     fn curvature(&self, name: &Name) -> Option<TokenStream>;
 
-    /// The rows of `-dF/du udot`, of the chassis points with the given motion and, with those that are
-    /// driven, of the drive; `None` where they are zero.
+    /// The rows of `-dF/du udot` for the chassis points with the given motion and, if these are driven, for the
+    /// drive; `None` if they are zero.
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream>;
 
-    /// Operations of residual, Jacobian and curvature, as `suspension_core::model::constraint` writes them.
+    /// The operations of residual, Jacobian and curvature, as `suspension_core::model::constraint` writes them.
     fn cost(&self) -> [Operations; 3];
 }
 
-/// How the form of an equation is written.
+/// The code for the form of an equation.
 pub(super) fn of(equation: &Equation) -> &dyn Emit {
     match &equation.form {
         Form::Distance(form) => form,
@@ -81,7 +80,7 @@ pub(super) fn of(equation: &Equation) -> &dyn Emit {
     }
 }
 
-/// Each equation with its gradient by the unknowns, and the index of its first row.
+/// Each equation with its gradient with respect to the unknowns, and the index of its first row.
 pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equation, Gradient<'_>)> {
     system.equations.iter().scan(0, |next, equation| {
         let first = *next;
@@ -92,7 +91,7 @@ pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equati
     })
 }
 
-/// Sets the scalar unknowns in `free`, with each site where `place` says.
+/// Sets the scalar unknowns in `free`, with each site at `place`.
 pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> Vec<TokenStream> {
     let equations = system.equations.iter();
     equations
@@ -100,7 +99,7 @@ pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> 
         .collect()
 }
 
-/// A constant of the model that equations have.
+/// A constant of the model that belongs to equations.
 pub(super) struct Constant<'a> {
     pub(super) name: &'a Name,
     pub(super) kind: TokenStream,

@@ -39,7 +39,7 @@ pub(super) fn of_points(system: &System) -> TokenStream {
     quote!(#(#methods)*)
 }
 
-/// The methods of `Free`, which take the chassis points where they need any.
+/// The methods of `Free`, which take the chassis points if they need any.
 pub(super) fn of_free(system: &System) -> TokenStream {
     let methods = all(system).into_iter().map(|(name, frame)| {
         let (free, fixed) = (super::terms::ident("self"), super::terms::ident("fixed"));

@@ -22,7 +22,7 @@ pub(super) fn listing(system: &System) -> TokenStream {
     listing_of(system, &model)
 }
 
-/// The implementation, with the expression that gathers a model.
+/// The implementation, with the given expression that gathers a model.
 pub(super) fn listing_of(system: &System, model: &TokenStream) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let names = names(system);
@@ -97,7 +97,7 @@ fn names(system: &System) -> TokenStream {
     }
 }
 
-/// A wheel's name and the places of its points among all.
+/// The name of a wheel and the indices of its points among all points.
 fn wheel_places(system: &System, wheel: &Wheel) -> TokenStream {
     let name = wheel.name.as_ref().map_or("", Name::as_str);
     let points = system.points();

@@ -5,30 +5,31 @@ use proc_macro2::TokenStream;
 use suspension_listing::name::Name;
 use suspension_listing::system::Site;
 
-/// What an equation's rows are by its points and scalars, behind the statements that compute it.
+/// The derivatives of an equation's rows with respect to its points and scalars, after the statements that compute
+/// them.
 pub(super) struct Gradient<'a> {
     pub(super) statements: TokenStream,
     pub(super) by: Vec<By<'a>>,
 }
 
-/// An expression and what the rows are by.
+/// An expression of a derivative, and the variable.
 pub(super) enum By<'a> {
-    /// One row by a point: a vector.
+    /// One row with respect to a point: a vector.
     Point(&'a Site, TokenStream),
-    /// One row by a coordinate of a point.
+    /// One row with respect to a coordinate of a point.
     Coordinate(&'a Site, usize, TokenStream),
-    /// One row by a scalar.
+    /// One row with respect to a scalar.
     Scalar(&'a Name, TokenStream),
-    /// Three rows by a point: a matrix.
+    /// Three rows with respect to a point: a matrix.
     PointOfThree(&'a Site, TokenStream),
-    /// Three rows by a point: a multiple of the identity.
+    /// Three rows with respect to a point: a multiple of the identity.
     Diagonal(&'a Site, TokenStream),
-    /// Three rows by a scalar: a vector.
+    /// Three rows with respect to a scalar: a vector.
     ScalarOfThree(&'a Name, TokenStream),
 }
 
 impl By<'_> {
-    /// Whether it is by unknowns.
+    /// Whether the derivative is with respect to unknowns.
     pub(super) fn is_free(&self) -> bool {
         match self {
             Self::Point(site, _)

@@ -25,12 +25,12 @@ pub(super) fn modules(system: &System) -> TokenStream {
     }
 }
 
-/// Names of the three coordinates of a point.
+/// The names of the three coordinates of a point.
 pub(super) fn unknown_names(point: &Name) -> [Name; 3] {
     [0, 1, 2].map(|axis| coordinate_name(point, axis))
 }
 
-/// Names of the unknowns.
+/// The names of the unknowns.
 pub(super) fn unknowns(system: &System) -> Vec<Name> {
     let free = system.free.iter();
     free.flat_map(|point| unknown_names(&point.named.name))

@@ -33,7 +33,7 @@ pub(super) fn jacobian(system: &System) -> TokenStream {
     })
 }
 
-/// A call that puts something into the rows.
+/// A call that writes a derivative into the rows.
 fn put(by: &By<'_>) -> TokenStream {
     let coordinate = |name, axis| indices::unknown(&coordinate_name(name, axis));
     let (method, column, value) = match by {
@@ -57,7 +57,7 @@ pub(super) fn parameters(system: &System, body: &TokenStream) -> [TokenStream; 2
     ]
 }
 
-/// `body` behind the free points and frames that it reads.
+/// `body` after the free points and frames that it reads.
 pub(super) fn with_points(system: &System, body: TokenStream) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let bindings = [Binding::free(free, "q")]

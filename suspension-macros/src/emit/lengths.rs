@@ -16,7 +16,7 @@ pub(super) fn distances(system: &System) -> impl Iterator<Item = &Name> {
     kept.map(|equation| &equation.named.name)
 }
 
-/// The length of a frame's edge: given, or where both ends are on the chassis, as it stands.
+/// The length of a frame's edge: the given length or, if both ends are on the chassis, their present distance.
 fn edge(body: &Body, index: usize, given: &TokenStream) -> TokenStream {
     let [a, b] = body.frame_pairs()[index];
     if a.is_free() || b.is_free() {
@@ -28,8 +28,8 @@ fn edge(body: &Body, index: usize, given: &TokenStream) -> TokenStream {
     }
 }
 
-/// The length between two sites that nothing moves against each other: given, as it stands on the chassis, or in
-/// the body that carries both.
+/// The length between two sites that nothing moves relative to each other: the given length, their present distance
+/// on the chassis, or their distance in the body that carries both.
 pub(super) fn kept_length(system: &System, ends: [&Site; 2]) -> TokenStream {
     let [a, b] = ends;
     let lists = |body: &&Body| {
@@ -46,7 +46,7 @@ pub(super) fn kept_length(system: &System, ends: [&Site; 2]) -> TokenStream {
     }
 }
 
-/// A point of a body at rest, where its frame has the given lengths.
+/// A point of a body at rest whose frame has the given lengths.
 fn at_rest(system: &System, body: &Body, site: &Site) -> TokenStream {
     let frame = frame_name(&body.name);
     let mut points = body.frame.iter();

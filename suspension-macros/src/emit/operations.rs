@@ -1,6 +1,6 @@
 //! Counts of operations.
 
-/// Operations of straight-line code. A change of sign is none.
+/// The operations of straight-line code. A change of sign does not count.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Operations {
     pub(super) multiplications: usize,

@@ -8,7 +8,7 @@ use super::terms::ident;
 use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Drive, Quantity, Term};
 
-/// Documents a field that the user did not.
+/// The documentation of a field if the user gives none.
 pub(super) fn in_words(quantity: &Quantity) -> String {
     match quantity {
         Quantity::Sum(terms) => format!(" `{}`.", sum_in_words(terms)),
@@ -85,7 +85,7 @@ pub(super) fn drive_kind(quantity: &Quantity) -> TokenStream {
     }
 }
 
-/// Value and rates, from the signal `points`.
+/// The value and rates of a quantity, from the signal `points`.
 pub(super) fn measured(quantity: &Quantity) -> TokenStream {
     let line = |[from, to]: &[Name; 2]| quote!(points.map(|points| points.#to - points.#from));
     match quantity {
@@ -115,7 +115,7 @@ pub(super) fn measured(quantity: &Quantity) -> TokenStream {
     }
 }
 
-/// A drive's value in the positions `points`.
+/// The value of a drive at the positions `points`.
 pub(super) fn driven(drive: &Drive) -> TokenStream {
     match &drive.quantity {
         Quantity::Sum(terms) => sum_of(terms),
@@ -138,7 +138,7 @@ pub(super) fn driven(drive: &Drive) -> TokenStream {
     }
 }
 
-/// Turns a drive into the coordinate that its equation takes; `None` where it is that.
+/// Converts a drive to the coordinate that its equation takes; `None` if it is that coordinate.
 pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
     let (name, of) = (&drive.named.name, drive.angle_of.as_ref()?);
     let to_coordinate = match drive.quantity {
@@ -152,7 +152,7 @@ pub(super) fn coordinate(drive: &Drive) -> Option<TokenStream> {
     })
 }
 
-/// Puts a drive's value into the chassis point that it moves.
+/// Writes the value of a drive into the chassis point that it moves.
 pub(super) fn moves(drive: &Drive) -> Option<TokenStream> {
     let (name, point) = (&drive.named.name, &drive.moves.as_ref()?.name);
     match &drive.quantity {

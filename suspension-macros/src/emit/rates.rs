@@ -8,7 +8,7 @@ use super::written_out::written_out;
 use super::{form, frames};
 use suspension_listing::system::{SiteMotion, System};
 
-/// Of the drives, and of the chassis points that they move.
+/// The rates of the drives, and of the chassis points that they move.
 pub(super) fn drive_rate(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let body = terms(system, SiteMotion::DrivenAnchor);
@@ -21,7 +21,7 @@ pub(super) fn drive_rate(system: &System) -> TokenStream {
     })
 }
 
-/// Of the chassis points that no drive moves.
+/// The rates of the chassis points that no drive moves.
 pub(super) fn chassis_rate(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let body = terms(system, SiteMotion::Anchor);

@@ -8,7 +8,7 @@ use super::{form, frames};
 use suspension_listing::name::Name;
 use suspension_listing::system::{System, Wheel};
 
-/// All points from their parts, and frames of them.
+/// All points from their parts, and the frames made from them.
 pub(super) fn points_impl(system: &System) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| &point.named.name);
     let free = system.free.iter().map(|point| &point.named.name);
@@ -90,8 +90,8 @@ pub(super) fn points(system: &System) -> TokenStream {
     }
 }
 
-/// The markers by a method of their constants, from the frame that carries each: in structs of points, and last in
-/// `free` and `fixed`.
+/// The markers by a method of their constants, from the frame that carries each. The frame is taken from structs of
+/// points, and last from `free` and `fixed`.
 fn markers(system: &System, method: &str, fixed: &str, before: &[&str]) -> TokenStream {
     let (method, free, fixed) = (ident(method), ident("free"), ident(fixed));
     let markers = system.markers.iter().map(|marker| {
@@ -106,7 +106,7 @@ fn markers(system: &System, method: &str, fixed: &str, before: &[&str]) -> Token
     quote!([#(#markers),*])
 }
 
-/// The free points' coordinates and the scalars, from the struct `points`.
+/// The coordinates of the free points and the scalars, from the struct `points`.
 fn unknowns(system: &System) -> TokenStream {
     let free: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
     let names = &system.scalars;
@@ -124,7 +124,7 @@ fn unknowns(system: &System) -> TokenStream {
     }
 }
 
-/// `impl HasWheel` and `impl HasKingpin` of the first wheel, where the listing states them.
+/// `impl HasWheel` and `impl HasKingpin` for the first wheel, if the listing states them.
 pub(super) fn roles_of_points(system: &System) -> TokenStream {
     let first = system.wheels.first();
     let wheel = first.map(|Wheel { axis, carrier, .. }| {

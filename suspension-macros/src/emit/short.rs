@@ -38,11 +38,11 @@ const TAKEN: [&str; 23] = [
 
 /// The short names of a system's equations and unknowns.
 pub(super) struct ShortNames {
-    /// Of each row: its equation's, with the axis behind where that has three.
+    /// For each row, the short name of its equation, followed by the axis if the equation has three rows.
     pub(super) rows: Vec<Ident>,
-    /// Of each unknown: its point's, with the axis behind, or a scalar's.
+    /// For each unknown, the short name of its point, followed by the axis, or the short name of a scalar.
     pub(super) columns: Vec<Ident>,
-    /// What equations and unknowns they stand for.
+    /// The equations and unknowns that they stand for.
     pub(super) meanings: [Vec<(String, Name)>; 2],
 }
 
@@ -71,7 +71,7 @@ impl ShortNames {
     }
 }
 
-/// The name of each component, by how many there are under each name: one, or three with the axis behind.
+/// The name of each component, given the number of components under each name: one, or three with the axis appended.
 fn components(names: &[String], sizes: impl Iterator<Item = usize>) -> Vec<Ident> {
     let each = names.iter().zip(sizes).flat_map(|(name, size)| match size {
         1 => vec![ident(name)],
@@ -80,8 +80,8 @@ fn components(names: &[String], sizes: impl Iterator<Item = usize>) -> Vec<Ident
     each.collect()
 }
 
-/// The initials of each name's words, or the name where it is one word; more letters where others would be called the
-/// same. None has an underscore in it, so that names made of two are told apart.
+/// The initials of each name's words, or the name if it is one word; more letters where names would otherwise be
+/// equal. None has an underscore in it, so that names made from two can be told apart.
 fn short_names(names: &[&Name], also_taken: &[&Name]) -> Vec<String> {
     let mut lengths = vec![1; names.len()];
     loop {
@@ -106,7 +106,7 @@ fn short_names(names: &[&Name], also_taken: &[&Name]) -> Vec<String> {
     }
 }
 
-/// The first letters of each word; of all letters, the name's index behind them.
+/// The first letters of each word; if all letters are used, the name's index is appended.
 fn shortened(name: &str, length: usize, index: usize) -> String {
     let words: Vec<&str> = name.split('_').filter(|word| !word.is_empty()).collect();
     let sizes = words.iter().map(|word| word.chars().count());

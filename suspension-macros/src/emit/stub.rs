@@ -85,7 +85,8 @@ fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream 
     }
 }
 
-/// Fields without those whose name is taken already, or a keyword of edition 2024, which is refused and would be once more.
+/// Fields without those whose name is taken already, or is a keyword of edition 2024, which is refused and would be
+/// refused again.
 fn distinct(names: impl Iterator<Item = Name>) -> Vec<Field> {
     let mut seen = BTreeSet::new();
     names

@@ -38,7 +38,7 @@ pub(super) fn solve(unrolled: &Unrolled<'_>, n: &Literal) -> TokenStream {
     })
 }
 
-/// A row divided by its pivot, less the unknowns found so far.
+/// A row divided by its pivot, minus the unknowns found so far.
 fn back_substituted(unrolled: &Unrolled<'_>, step: &Step) -> TokenStream {
     let row = unrolled.row(step.row);
     let start = match unrolled.inverse(step) {

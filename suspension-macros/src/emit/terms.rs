@@ -12,7 +12,7 @@ pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::call_site())
 }
 
-/// A point's value in one of two structs, by where it belongs.
+/// A point's value, from the one of two structs to which it belongs.
 pub(super) fn value_of(site: &Site, free: &Ident, fixed: &Ident) -> TokenStream {
     let name = &site.name;
     if site.is_free() {
@@ -22,7 +22,7 @@ pub(super) fn value_of(site: &Site, free: &Ident, fixed: &Ident) -> TokenStream 
     }
 }
 
-/// `name = value`, to become a `let` where something reads it.
+/// `name = value`, which becomes a `let` if something reads it.
 pub(super) struct Binding {
     name: Ident,
     value: TokenStream,
@@ -42,7 +42,7 @@ impl Binding {
     }
 }
 
-/// `result` behind those bindings that it, or a later binding, reads.
+/// `result` after the bindings that it, or a later binding, reads.
 pub(super) fn bind(bindings: Vec<Binding>, result: TokenStream) -> TokenStream {
     let bind = |rest: TokenStream, Binding { name, value }| {
         if mentions(&rest, &name) {
@@ -54,7 +54,7 @@ pub(super) fn bind(bindings: Vec<Binding>, result: TokenStream) -> TokenStream {
     bindings.into_iter().rev().fold(result, bind)
 }
 
-/// `name: kind`, or `_name: kind` where the body does not read it.
+/// `name: kind`, or `_name: kind` if the body does not read it.
 pub(super) fn parameter(name: &str, kind: &TokenStream, body: &TokenStream) -> TokenStream {
     let read = ident(name);
     if mentions(body, &read) {
@@ -65,7 +65,7 @@ pub(super) fn parameter(name: &str, kind: &TokenStream, body: &TokenStream) -> T
     }
 }
 
-/// Whether the tokens read the variable `name`: not as a field behind a dot or before a colon.
+/// Whether the tokens read the variable `name`, which does not include a field after a dot or before a colon.
 fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
     let is_dot = |token: &TokenTree| matches!(token, TokenTree::Punct(p) if p.as_char() == '.');
@@ -97,15 +97,16 @@ pub(super) fn assign_vector(name: &Name, vector: &impl ToTokens) -> TokenStream 
     quote!(let term = #vector; #(#entries)*)
 }
 
-/// From one point to another, in two structs of points.
+/// The vector from one point to another, from two structs of points.
 pub(super) fn line(ends: [&Site; 2], free: &str, fixed: &str) -> TokenStream {
     let (free, fixed) = (ident(free), ident(fixed));
     let [from, to] = ends.map(|site| value_of(site, &free, &fixed));
     quote!(difference(#to, #from))
 }
 
-/// A vector whose rows are zero but for those that are set, behind the variables that this reads. The zeros are negative: a compiler that keeps to the rules of arithmetic leaves out their
-/// addition, but not that of positive ones.
+/// A vector whose rows are zero except those that are set, after the variables that it reads. The zeros are negative:
+/// a compiler that keeps to the rules of arithmetic leaves out the addition of a negative zero, but not of a positive
+/// one.
 pub(super) fn vector(
     system: &System,
     bindings: impl IntoIterator<Item = Binding>,

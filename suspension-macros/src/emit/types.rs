@@ -89,7 +89,7 @@ pub(super) fn named(
     }
 }
 
-/// The free points under their names, from and to the vector of unknowns.
+/// The free points under their names, with conversions from and to the vector of unknowns.
 fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
     let names: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
@@ -137,8 +137,7 @@ fn model(system: &System) -> TokenStream {
     }
 }
 
-/// Names and types of the model's constants: one for each length and each carried or
-/// clustered point.
+/// The names and types of the model's constants: one for each length and for each carried or clustered point.
 pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStream)> {
     let [stated, framed] = [false, true].map(|framed| {
         let constants = form::constants(system, framed);

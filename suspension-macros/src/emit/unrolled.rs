@@ -8,7 +8,7 @@ use super::short::ShortNames;
 use suspension_listing::eliminate::{Order, Step};
 use suspension_listing::system::System;
 
-/// Rows, columns and order of an elimination under their names.
+/// The rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {
     pub(super) system: &'a System,
     pub(super) order: &'a Order,
@@ -26,7 +26,7 @@ impl<'a> Unrolled<'a> {
         }
     }
 
-    /// An entry of the Jacobian, later of its factors.
+    /// An entry of the Jacobian, which later is an entry of its factors.
     pub(super) fn entry(&self, row: usize, column: usize) -> Ident {
         format_ident!("{}_{}", self.row(row), self.column(column))
     }
@@ -40,7 +40,7 @@ impl<'a> Unrolled<'a> {
         &self.names.columns[column]
     }
 
-    /// The inverse of a step's pivot; `None` where that is 1.
+    /// The inverse of a step's pivot; `None` if that is 1.
     pub(super) fn inverse(&self, step: &Step) -> Option<Ident> {
         (!step.unit).then(|| self.entry(step.row, step.column))
     }
@@ -57,7 +57,7 @@ impl<'a> Unrolled<'a> {
         self.stored.contains(&(row, column))
     }
 
-    /// Whether an entry starts from nothing here.
+    /// Whether an entry of the fill-in starts here.
     pub(super) fn fills(
         &self,
         row: usize,
@@ -71,7 +71,7 @@ impl<'a> Unrolled<'a> {
         is_new
     }
 
-    /// One step: the pivot's inverse, the multipliers, and what they take from each row below.
+    /// One step: the pivot's inverse, the multipliers, and the products that are subtracted from each row below.
     pub(super) fn eliminate(&self, step: &Step, filled: &mut Vec<(usize, usize)>) -> TokenStream {
         let inverse = self.inverse(step);
         let invert = inverse
@@ -104,7 +104,7 @@ impl<'a> Unrolled<'a> {
     }
 }
 
-/// Entries in the order of elimination, each once: of each step the pivot's inverse, its row, the multipliers.
+/// Entries in the order of elimination, each once: for each step the pivot's inverse, its row, the multipliers.
 fn stored(order: &Order) -> Vec<(usize, usize)> {
     let mut stored = Vec::new();
     for step in &order.steps {

@@ -35,7 +35,7 @@ impl Emit for Along {
         }
     }
 
-    /// Of a plane the lengths are no more than units of the distances.
+    /// For a plane the lengths are only units of the distances.
     fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
         let [to] = self.ends.as_slice() else {
             return quote!(self.#name);

@@ -88,7 +88,7 @@ impl Emit for Bilinear {
             Variable::Coordinate { site, axis } if site.motion == motion => {
                 let (gradient, point) = (gradient(name, &others), &site.name);
                 let axis = ident(AXES[axis]);
-                // The rates are on the other side of the equation.
+                // The rates are on the other side of the equation, hence the sign.
                 Some(quote!(- #gradient * fixed_rate.#point.#axis))
             }
             _ => None,
@@ -154,7 +154,7 @@ fn products(form: &Bilinear, value: &dyn Fn(&Factor) -> TokenStream) -> Vec<Toke
     products.collect()
 }
 
-/// The derivative by what others are multiplied with.
+/// The derivative with respect to the variable that `others` are multiplied by.
 fn gradient(name: &Name, others: &[(f64, &Factor)]) -> TokenStream {
     let others = others.iter();
     let others = others.map(|(by, factor)| multiple(*by, &value_in(factor, "free", "fixed")));
@@ -180,7 +180,7 @@ fn value_in(factor: &Factor, free: &str, fixed: &str) -> TokenStream {
     }
 }
 
-/// A factor, with each site where `place` says.
+/// A factor, with each site at `place`.
 fn value(factor: &Factor, place: &dyn Fn(&Site) -> TokenStream) -> TokenStream {
     match factor {
         Factor::Unknown(unknown) => quote!(free.#unknown),

@@ -25,7 +25,7 @@ impl Emit for Linear {
         quote!(Held::new(#sum))
     }
 
-    /// Lengths do not tell where points are.
+    /// Lengths do not determine where points are.
     fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }
@@ -63,7 +63,7 @@ impl Emit for Linear {
         None
     }
 
-    /// `drive_rate`, where a drive prescribes the sum, less the terms' rates.
+    /// `drive_rate`, if a drive prescribes the sum, minus the rates of the terms.
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let of_drive = match &self.prescribed {
             Prescribed::Drive(drive) if motion == SiteMotion::DrivenAnchor => {
@@ -88,7 +88,7 @@ impl Emit for Linear {
     }
 }
 
-/// The terms, each with its factor, of points where `place` says.
+/// The terms, each with its factor, of points at `place`.
 fn coordinates(
     form: &Linear,
     place: impl Fn(&Site) -> TokenStream,

@@ -75,7 +75,7 @@ impl Emit for Product {
         let mut sum = TokenStream::new();
         for (line, site, is_end) in moved {
             let (point, is_first) = (&site.name, sum.is_empty());
-            // The rates are on the other side of the equation.
+            // The rates are on the other side of the equation, hence the sign.
             let sign = match (is_end, is_first) {
                 (true, _) => quote!(-),
                 (false, true) => quote!(),
@@ -95,13 +95,13 @@ impl Emit for Product {
     }
 }
 
-/// Both lines, in two structs of points.
+/// Both lines, from two structs of points.
 fn lines(form: &Product, free: &str, fixed: &str) -> [TokenStream; 2] {
     let lines = form.lines.each_ref();
     lines.map(|ends| line(ends.each_ref(), free, fixed))
 }
 
-/// Each end: of which line, and whether it is the last.
+/// Each end, with the index of its line and whether it is the last.
 fn signed(form: &Product) -> impl Iterator<Item = (Literal, &Site, bool)> {
     let lines = form.lines.iter().enumerate();
     lines.flat_map(|(line, [from, to])| {

@@ -27,7 +27,7 @@ impl Emit for Stretch {
         quote!(parts::stretch(#index, (at.#to - at.#from).norm())?)
     }
 
-    /// A driven length is none of those that are given.
+    /// A driven length is not among the given lengths.
     fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }

@@ -27,7 +27,7 @@ impl Emit for Turn {
         quote!(parts::turn(#index, [#(#lines),*])?)
     }
 
-    /// Lengths do not tell the angle.
+    /// Lengths do not determine the angle.
     fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }
