@@ -33,7 +33,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Those that were measured for this version, on the published five-point suspension.
+    /// The figures that were measured for this version, on the published five-point suspension.
     ///
     /// # Errors
     ///
@@ -42,12 +42,12 @@ impl Figures {
         Self::parse("measured.csv", include_str!("detail/measured.csv"))
     }
 
-    /// Reads a table as the laboratory's `chart --csv` writes it: of its rows those in `f64` and one
-    /// lane. `name` is for messages.
+    /// Reads a table as written by the laboratory's `chart --csv`, and keeps its rows in `f64` and one lane. `name`
+    /// is for messages.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where a column is missing or holds no number.
+    /// [`Failure::Input`] if a column is missing or holds no number.
     pub fn parse(name: &str, text: &str) -> Result<Self, Failure> {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
@@ -57,10 +57,9 @@ impl Figures {
         Ok(Self { rows })
     }
 
-    /// The cheapest of the methods that were measured to meet a need; `None` where there is none.
+    /// The cheapest of the methods that were measured to meet a need; `None` if there is none.
     ///
-    /// Errors grow with the step: a method counts where it was measured with the same step or a
-    /// longer one.
+    /// Errors grow with the step: a method counts if it was measured with the same step or a longer one.
     pub fn choose(&self, need: &Need) -> Option<Detail> {
         let meets = |(step, detail): &&(f64, Detail)| {
             *step >= need.step

@@ -6,8 +6,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_traits::{One, Zero};
 use suspension_core::signal::Number;
 
-/// A number with its first derivatives in `D` directions: a formula gives its value and, by the chain rule, these. Of
-/// numbers that have derivatives themselves it has the mixed second ones.
+/// A number with its first derivatives in `D` directions: a formula gives its value and, by the chain rule, these
+/// derivatives. If `T` has derivatives itself, the mixed second derivatives result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T, const D: usize> {
     /// The number.

@@ -39,7 +39,7 @@ pub trait Kinematics: Deref<Target = Description> {
     ///
     /// # Errors
     ///
-    /// What `on_state` fails with.
+    /// The error of `on_state`.
     fn move_through(&self, instants: &Instants, on_state: &mut OnState<'_>)
     -> Result<End, Failure>;
 
@@ -62,11 +62,11 @@ pub trait Kinematics: Deref<Target = Description> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Solver`] where the curve has no start.
+    /// [`Failure::Solver`] if the curve has no start.
     fn range(&self, drive: usize, interrupted: &AtomicBool) -> Result<DriveRange, Failure>;
 
-    /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,
-    /// the others held; `None` where it gets there.
+    /// The lock on the way of one drive from the first instant to a value, in local coordinates, with the others
+    /// held; `None` if the mechanism gets there.
     fn lock_before(&self, drive: usize, value: f64) -> Option<Lock>;
 
     /// The equations at the first instant.
@@ -75,11 +75,11 @@ pub trait Kinematics: Deref<Target = Description> {
     /// The search for assemblies.
     fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Box<dyn Assembled + 'a>;
 
-    /// The motion along one drive over a range, in local coordinates, the others held as at the first instant.
+    /// The motion along one drive over a range, in local coordinates, with the others held as at the first instant.
     ///
     /// # Errors
     ///
-    /// [`OutOfReach`] where the mechanism cannot be driven through the range.
+    /// [`OutOfReach`] if the mechanism cannot be driven through the range.
     fn path(
         &self,
         drive: usize,
@@ -87,12 +87,12 @@ pub trait Kinematics: Deref<Target = Description> {
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
 
-    /// The motion along a measure over a range in place of a drive, by their numbers, in local coordinates, the other
-    /// drives held as at the first instant.
+    /// The motion along a measure over a range instead of a drive, by their numbers, in local coordinates, with the
+    /// other drives held as at the first instant.
     ///
     /// # Errors
     ///
-    /// [`OutOfReach`] where the measure does not lead the mechanism through the range.
+    /// [`OutOfReach`] if the measure does not lead the mechanism through the range.
     fn led_path(
         &self,
         measure_and_drive: [usize; 2],
@@ -100,7 +100,7 @@ pub trait Kinematics: Deref<Target = Description> {
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
 
-    /// The motion over two drives as polynomials, the others held as at the first instant; in local coordinates.
+    /// The motion over two drives as polynomials, with the others held as at the first instant; in local coordinates.
     ///
     /// # Errors
     ///
@@ -111,15 +111,16 @@ pub trait Kinematics: Deref<Target = Description> {
         interrupted: &AtomicBool,
     ) -> Result<BakedSurface, UnmetSurface>;
 
-    /// The mechanism with other hardpoints, at its own design position, then with other lengths; `None` where there is
-    /// none.
+    /// The mechanism with other hardpoints, at its own design position, and then with other lengths; `None` if it
+    /// does not exist.
     fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
 
-    /// The mechanism where it starts, and how it changes with its design; `None` where it locks there, and of a model that
+    /// The mechanism at its start, and how it changes with its design; `None` if it locks there, and for a model that
     /// `linkage!` has written.
     fn changing(&self) -> Option<Box<dyn Changing + '_>>;
 
-    /// What the motion takes in steps of `dt`, without the first, and how many they are; `None` where it has none, or stops.
+    /// The time that the motion takes in steps of `dt`, without the first step, and the number of steps; `None` if it
+    /// has none, or stops.
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)>;
 }
 
@@ -127,7 +128,7 @@ pub trait Kinematics: Deref<Target = Description> {
 pub type Read<'a, R> = dyn FnMut(&dyn Place) -> R + 'a;
 
 impl dyn Kinematics + '_ {
-    /// Solves the mechanism at each place of a grid; derivatives of quantities have the wanted order.
+    /// Solves the mechanism at each place of a grid; derivatives of quantities have the requested order.
     pub fn visit<R>(
         &self,
         grid: &Grid,
@@ -143,7 +144,7 @@ impl dyn Kinematics + '_ {
         Visited { places, end }
     }
 
-    /// Reads the place where the mechanism starts; `None` where it locks there, and where the user interrupts.
+    /// Reads the place where the mechanism starts; `None` if it locks there, or if the user interrupts.
     pub fn at_start<R>(&self, interrupted: &AtomicBool, read: &mut Read<'_, R>) -> Option<R> {
         let here = Grid::new(self, Vec::new(), CountedFrom::Start).ok()?;
         let visited = self.visit(&here, Order::First, interrupted, read);

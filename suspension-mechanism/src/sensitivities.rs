@@ -23,28 +23,29 @@ pub(crate) use read::read;
 
 pub use change::Change;
 
-/// What a change does.
+/// The effect of a change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
     /// The change.
     pub change: Change,
-    /// A row for each column: the derivatives of its value, then of its derivatives with respect to each drive, per unit of length;
-    /// NaN where a neighbour has no such value.
+    /// A row for each column: the derivatives of its value, then of its derivatives with respect to each drive, per
+    /// unit of length; NaN if a neighbour has no such value.
     pub of: DMatrix<f64>,
 }
 
-/// The columns that are read, of the file's lengths and of radians: value, then the derivative with respect to each drive.
+/// The columns that are read, in the file's lengths and in radians: the value, then the derivative with respect to
+/// each drive.
 pub struct Sensitivities {
     /// The quantities.
     pub columns: Vec<Column>,
-    /// What they are at the design position.
+    /// Their values at the design position.
     pub values: Vec<Vec<f64>>,
-    /// What each change does; those that no suspension can be built with are left out.
+    /// The effect of each change; changes with which no suspension can be built are left out.
     pub each: Vec<Sensitivity>,
 }
 
-/// The coordinates of a point, with which other points move that follow it: pairs of these and of what they follow. A point that
-/// slides on a line of the chassis takes that with it.
+/// Changes of the coordinates of a point, with which the points that follow it move: `followers` are pairs of a point
+/// and the one that it follows. A point that slides on a line of the chassis takes the line with it.
 pub fn coordinates(
     mechanism: &Description,
     point: usize,
@@ -71,7 +72,7 @@ pub fn coordinates(
     })
 }
 
-/// A length.
+/// The change of a length.
 pub fn length(mechanism: &Description, length: usize) -> Change {
     Change {
         name: format!("length {}", mechanism.names.lengths[length]),
@@ -82,7 +83,7 @@ pub fn length(mechanism: &Description, length: usize) -> Change {
     }
 }
 
-/// The sensitivities of a mechanism at its design position; `None` where the user interrupts.
+/// The sensitivities of a mechanism at its design position; `None` if the user interrupts.
 pub fn sensitivities(
     mechanism: &dyn Kinematics,
     changes: &[Change],

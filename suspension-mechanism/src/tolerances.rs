@@ -10,20 +10,20 @@ use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
 use crate::sensitivities::{Change, Sensitivities, read};
 
-/// Something that scatters, independent of all else.
+/// A change with a random size, independent of all others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tolerance {
-    /// What.
+    /// The change.
     pub change: Change,
     /// Its standard deviation, in the unit of lengths.
     pub deviation: f64,
 }
 
-/// Standard deviations, of each column those of its value and of its derivatives with respect to each drive.
+/// Standard deviations: for each column those of its value and of its derivatives with respect to each drive.
 pub type Deviations = Vec<Vec<f64>>;
 
-/// Those that follow from sensitivities, to first order: `sqrt(sum (s d)^2)`. What no suspension could be built with counts as
-/// not known.
+/// The standard deviations that follow from sensitivities, to first order: `sqrt(sum (s d)^2)`. They count as unknown
+/// if a change makes a suspension that cannot be built.
 pub fn first_order(found: &Sensitivities, tolerances: &[Tolerance]) -> Deviations {
     let of = |column: usize, number: usize| {
         let parts = tolerances.iter().map(|tolerance| {
@@ -45,17 +45,17 @@ pub fn first_order(found: &Sensitivities, tolerances: &[Tolerance]) -> Deviation
         .collect()
 }
 
-/// Those of suspensions built with random changes.
+/// The standard deviations of suspensions built with random changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sampled {
-    /// The standard deviations; NaN where a sample has no such number.
+    /// The standard deviations; NaN if a sample has no such number.
     pub deviations: Deviations,
-    /// How many suspensions could be built.
+    /// The number of suspensions that could be built.
     pub built: usize,
 }
 
-/// Builds so many suspensions with normally distributed changes, the same for the same seed; `None` where the user interrupts, or
-/// fewer than two can be built.
+/// Builds `count` suspensions with normally distributed changes, the same for the same seed; `None` if the user
+/// interrupts, or if fewer than two can be built.
 pub fn sampled(
     mechanism: &dyn Kinematics,
     tolerances: &[Tolerance],
@@ -93,7 +93,7 @@ pub fn sampled(
     })
 }
 
-/// Counts a sample in with those before it.
+/// Adds a sample to the earlier ones.
 fn add(spreads: &mut Vec<Vec<Spread>>, sample: &[Vec<f64>]) {
     spreads.resize_with(sample.len(), Vec::new);
     for (spreads, numbers) in spreads.iter_mut().zip(sample) {
@@ -104,7 +104,8 @@ fn add(spreads: &mut Vec<Vec<Spread>>, sample: &[Vec<f64>]) {
     }
 }
 
-/// How numbers spread about their own mean, without the numbers, of which there may be millions (Welford's recurrence).
+/// The spread of numbers about their own mean, without storing the numbers, of which there may be millions (Welford's
+/// recurrence).
 #[derive(Default)]
 struct Spread {
     count: f64,

@@ -10,12 +10,12 @@ pub enum Method {
     Exact,
     /// One factorisation and a fixed number of corrections: `bounded_1`, `bounded_2`, ...
     Bounded {
-        /// Corrections.
+        /// The number of corrections.
         corrections: u8,
     },
     /// Taylor series of this order: `series_2`, ...
     Series {
-        /// Order.
+        /// The order.
         order: u8,
     },
     /// A baked curve of this tolerance in metres: `baked_1e-6`, ...
@@ -25,7 +25,7 @@ pub enum Method {
     },
 }
 
-/// A name that is not a [`Method`]'s: tables also hold methods that are there for comparison.
+/// A name that does not belong to a [`Method`]: tables also hold methods for comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotAMethod;
 

@@ -5,29 +5,29 @@ use suspension_core::step::bounded::Outputs;
 use crate::bake::Wish;
 use crate::detail::method::Method;
 
-/// What a part of a scene needs.
+/// The need of a part of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Need {
-    /// How far a point may be off, m.
+    /// The largest permitted error of a point's position, m.
     pub tolerance: f64,
-    /// What is read.
+    /// The outputs that are read.
     pub outputs: Outputs,
-    /// Of which points.
+    /// The points at which they are read.
     pub points: Wish,
-    /// From one instant to the next, s.
+    /// The time from one instant to the next, s.
     pub step: f64,
 }
 
-/// A method and what it was measured to cost.
+/// A method and its measured cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Detail {
     /// The method.
     pub method: Method,
-    /// What it computes.
+    /// The outputs that it computes.
     pub outputs: Outputs,
-    /// Of which points.
+    /// The points for which it computes them.
     pub points: Wish,
-    /// Time a step and suspension, ns.
+    /// The time per step and suspension, ns.
     pub nanoseconds: f64,
     /// The largest error of a position, m.
     pub error: f64,

@@ -7,7 +7,7 @@ use suspension_core::step::bounded::Outputs;
 use crate::bake::Wish;
 use crate::detail::need::Detail;
 
-/// One measurement, as tables have it; columns that are not needed here are left out.
+/// One measurement of a table, without the columns that are not needed here.
 #[derive(Clone, Debug, serde::Deserialize)]
 pub(super) struct Row {
     method: String,
@@ -21,7 +21,7 @@ pub(super) struct Row {
     points: Points,
 }
 
-/// Whose position it is.
+/// The points whose position it is.
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Points {
@@ -30,7 +30,7 @@ enum Points {
 }
 
 impl Row {
-    /// `None` where it is not of one suspension in `f64`, or there for comparison only.
+    /// `None` if it is not for one suspension in `f64`, or is there for comparison only.
     pub(super) fn detail(&self) -> Option<Detail> {
         let method = self.method.parse().ok()?;
         let points = match self.points {

@@ -12,17 +12,17 @@ use crate::mechanism::{Mechanism, State, Suspension};
 /// A real assembly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assembly {
-    /// From the configuration of the file's first instant: the norm over all coordinates, in the
-    /// file's unit.
+    /// The distance from the configuration of the file's first instant: the norm over all coordinates, in the file's
+    /// unit.
     pub distance: f64,
-    /// How far the point moved that moved farthest.
+    /// The largest distance that a point has moved.
     pub farthest: f64,
     /// Its number in the list, from 1.
     pub number: usize,
-    /// Of the Jacobian; zero where it is singular.
+    /// The smallest singular value of the Jacobian; zero if it is singular.
     pub smallest_singular_value: f64,
-    /// The points that stand on the wrong side of those that links join them to: a mirror image that
-    /// has all lengths and cannot be built.
+    /// The points that are on the wrong side of the points that links join them to: a mirror image that has all
+    /// lengths and cannot be built.
     pub mirrored: Vec<String>,
     /// The mechanism at rest.
     pub state: State,
@@ -30,8 +30,8 @@ pub struct Assembly {
 
 /// The search for all assemblies of a mechanism.
 pub trait Assembled {
-    /// The assemblies at values of the drives, in local coordinates: the real ones, nearest to the configuration of
-    /// the first instant first, and what became of all; `None` where it is given up.
+    /// The real assemblies at values of the drives, in local coordinates, in order of their distance from the
+    /// configuration of the first instant, and the outcome for all solutions; `None` if the search is given up.
     fn at(&mut self, drives: &[f64]) -> Option<(Vec<Assembly>, Tally)>;
 }
 
@@ -49,7 +49,8 @@ impl<'a, L: Suspension<N>, const N: usize> Enumerated<'a, L, N> {
         Self { mechanism, search }
     }
 
-    /// Whether all points stand at the same places: at an angle about an axis of zero or half a turn its quarter has two values.
+    /// Whether all points are at the same positions: if an angle about an axis is zero or half a turn, its quarter
+    /// has two values.
     fn is_same(&self, a: &SVector<f64, N>, b: &SVector<f64, N>) -> bool {
         const APART: f64 = 1e-6;
         let model = &self.mechanism.model;
@@ -95,13 +96,13 @@ fn still<L: Suspension<N>, const N: usize>(drives: &[f64]) -> Inputs<Still, L::D
     Inputs::still(Signal::still(value))
 }
 
-/// Whether the angles about axes that are driven are what they are driven to.
+/// Whether the driven angles about axes have the values to which they are driven.
 fn is_at_angles<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     inputs: &Inputs<Still, L::Drives>,
     q: &SVector<f64, N>,
 ) -> bool {
-    /// What angles may be off, in radians: near a singularity positions have half their digits.
+    /// The largest error of angles, in radians: near a singularity positions have half their digits.
     const NEAR: f64 = 1e-4;
     let (model, names) = (&mechanism.model, &mechanism.names);
     let points = Motion::at_rest(*q).points(model, inputs).value;

@@ -5,17 +5,17 @@ use suspension_core::{Inputs, Motion, Newton, Signal, Still, Values, assemble};
 
 use crate::mechanism::{Description, DriveLaws, Mechanism, Spring, Suspension};
 
-/// What another mechanism has different, in the file's axes and unit.
+/// The differences of another mechanism, in the file's axes and unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
-    /// Points by number, each with how far it is moved.
+    /// Points by number, each with its displacement.
     pub points: Vec<(usize, Vector3<f64>)>,
-    /// Lengths by number, each with how much longer it is.
+    /// Lengths by number, each with its increase.
     pub lengths: Vec<(usize, f64)>,
 }
 
 impl Changes {
-    /// So many times as much.
+    /// The changes multiplied by a factor.
     pub fn times(&self, by: f64) -> Self {
         let points = self.points.iter().map(|(point, unit)| (*point, unit * by));
         let lengths = self
@@ -28,7 +28,7 @@ impl Changes {
         }
     }
 
-    /// All of them together.
+    /// The sum of all changes.
     pub fn together(all: impl Iterator<Item = Self>) -> Self {
         all.fold(Self::default(), |mut together, each| {
             together.points.extend(each.points);
@@ -38,16 +38,16 @@ impl Changes {
     }
 }
 
-/// A model with changes, the points where the mechanism starts with those of points, and the drives.
+/// A model with changes, the changed points at the start of the mechanism, and the drives.
 pub(super) struct Built<L: Suspension<N>, const N: usize> {
-    /// Large: it is not copied from place to place.
+    /// Boxed because it is large and would otherwise be copied.
     pub(super) model: Box<L>,
     points: L::Points,
     pub(super) drives: L::Drives,
 }
 
-/// A model of the points where the mechanism starts, with the drives as those have them; then lengths change, and the drives
-/// are held.
+/// Builds a model from the changed points at the start of the mechanism, with the drives that these give; then
+/// lengths change, with the drives held.
 pub(super) fn build<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     mut points: L::Points,
@@ -74,7 +74,7 @@ pub(super) fn build<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// The mechanism with changes, at rest in the configuration nearest to where it starts.
+/// The mechanism with changes, at rest in the configuration nearest to its start.
 pub(super) fn changed<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     changes: &Changes,
@@ -87,7 +87,7 @@ pub(super) fn changed<L: Suspension<N>, const N: usize>(
     at_rest(mechanism, *model, &points, drives)
 }
 
-/// All points where the mechanism starts.
+/// All points at the start of the mechanism.
 pub(super) fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
     let drives = L::Drives::from_values(mechanism.first_drives());
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
@@ -103,7 +103,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 ) -> Option<Mechanism<L, N>> {
     let mut position = model.unknowns(points);
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
-    // The points are the solution where only they were changed.
+    // If only the points were changed, they are the solution.
     let nearby = Newton::default().solve(&model, &inputs, &mut position);
     if nearby.is_err() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;

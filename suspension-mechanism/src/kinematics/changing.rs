@@ -9,8 +9,8 @@ use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, S
 
 use crate::mechanism::{Changing, Expansion, Mechanism};
 
-/// A change of lengths by such a part of the suspension's size must be possible too: close to one that is not, as of a body that
-/// hardly closes, derivatives say little.
+/// The fraction of the suspension's size by which a change of lengths must also be possible: close to an impossible
+/// change, as for a body that hardly closes, derivatives mean little.
 const FARTHEST: f64 = 6.4e-3;
 
 /// The mechanism at its start, with the derivatives of its unknowns there.
@@ -23,12 +23,12 @@ where
     factored: Factored<Factors<'l, f64, N>, f64, N>,
     /// The derivatives of the unknowns with respect to each drive.
     drives: Vec<Unknowns<f64, N>>,
-    /// The second derivatives of the unknowns with respect to two drives, a row for each drive, up to itself.
+    /// The second derivatives of the unknowns with respect to two drives: a row for each drive, up to itself.
     seconds: Vec<Unknowns<f64, N>>,
     expansion: Expansion,
 }
 
-/// `None` where the mechanism locks where it starts.
+/// `None` if the mechanism locks at its start.
 pub(crate) fn changing<'a, const N: usize>(
     mechanism: &'a Mechanism<Model<'_, f64, N>, N>,
 ) -> Option<Box<dyn Changing + 'a>>
@@ -61,7 +61,7 @@ where
     Some(Box::new(at_start))
 }
 
-/// The change of a drive by one.
+/// A change of a drive by one.
 fn of_one<D: Values<f64>>(drive: usize) -> D {
     D::from_values([]).with(drive, 1.0)
 }
@@ -107,7 +107,7 @@ where
     })
 }
 
-/// What a model measures of points that change so.
+/// A model's measures for points with these changes.
 fn measures<const N: usize>(
     model: &Model<'_, f64, N>,
     points: &[Vector3<f64>],
@@ -129,7 +129,7 @@ impl<const N: usize> AtStart<'_, '_, N>
 where
     Room<N>: Size,
 {
-    /// Adds the derivatives with respect to a drive, the next one.
+    /// Adds the derivatives with respect to the next drive.
     fn add(&mut self, drive: usize) {
         let Start {
             model,
@@ -167,8 +167,8 @@ where
         self.factored.factors().solve(right)
     }
 
-    /// How the measures change, and their derivatives with respect to each drive, with points that change so: mixed derivatives
-    /// are half of what second ones along both differ by from those along each.
+    /// The change of the measures, and of their derivatives with respect to each drive, for points with these
+    /// changes. Mixed derivatives are half the difference of the second derivative along both from those along each.
     fn changed_measures(&self, changed: &[Vector3<f64>]) -> Vec<f64> {
         let (model, start) = (self.start.model, &self.expansion.points);
         let count = self.mechanism.names.points.len();

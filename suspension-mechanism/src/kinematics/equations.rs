@@ -9,7 +9,8 @@ use crate::mechanism::{Mechanism, Suspension};
 /// The equations of a mechanism at a place, as numbers.
 #[derive(Clone, Debug)]
 pub struct Equations {
-    /// Their derivatives, one row an equation, one column an unknown: lengths, in the unit, without a unit.
+    /// Their derivatives, one row per equation and one column per unknown. Both are lengths in the unit of the file, so
+    /// the entries have no unit.
     pub jacobian: DMatrix<f64>,
     /// The fixed order of elimination.
     pub elimination: Elimination<f64>,
@@ -18,7 +19,7 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Those of a mechanism at its first instant.
+    /// The equations of a mechanism at its first instant.
     pub(super) fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
         let Mechanism { model, start, .. } = mechanism;
         let q = &start.position;
@@ -34,7 +35,7 @@ impl Equations {
     }
 }
 
-/// The Jacobian of the listing's equations; a model has room for more.
+/// The Jacobian of the listing's equations, which may be fewer than a model has room for.
 pub(super) fn jacobian<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     q: &SVector<f64, N>,

@@ -36,7 +36,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         })
     }
 
-    /// Gives `work` the mechanism about a place.
+    /// Passes to `work` the mechanism about a place.
     pub(crate) fn around<R>(
         &self,
         drives: L::Drives,
@@ -58,12 +58,12 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 }
 
-/// The mechanism about a place. What several of its states need is computed once, where one asks for it.
+/// The mechanism about a place. Data that several of its states need are computed once, on demand.
 pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     drives: L::Drives,
     places: Points,
-    /// `None` where the mechanism locks.
+    /// `None` if the mechanism locks.
     directions: Option<&'a Directions<'a, L, N>>,
     known: Known<'a, N>,
     derivatives: Derivatives<'a, L, N>,
@@ -118,7 +118,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         }
     }
 
-    /// What the linkage measures, of points with such rates.
+    /// The measures of the linkage, for points with these rates.
     fn measures(&self, rates: impl FnOnce() -> [L::Points; 2]) -> Signal<Vec<f64>> {
         if self.mechanism.names.measures.is_empty() {
             return Signal::default();
@@ -138,7 +138,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             .clone()
     }
 
-    /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
+    /// The state with derivatives with respect to a drive; `None` if the mechanism locks.
     pub(crate) fn per(&self, drive: usize) -> Option<State> {
         let Along { direction, points } = self.derivatives.along(drive)?;
         let second = self.derivatives.second(drive, drive)?;
@@ -179,7 +179,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         }
     }
 
-    /// What is of the drives that move wheels or steer them.
+    /// A value for each drive that moves or steers wheels.
     fn of_moving_drives<V>(&self, velocities: impl Fn(usize) -> Option<V>) -> Vec<Option<V>> {
         let vehicle = &self.mechanism.names.vehicle;
         let of_one = |drive| {
@@ -191,7 +191,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         (0..self.mechanism.names.drives.len()).map(of_one).collect()
     }
 
-    /// The velocities with respect to one drive, with their derivatives with respect to another or the same.
+    /// The velocities with respect to one drive, with their derivatives with respect to another drive or the same.
     fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
         let second_rate = match self.known.order {
             Order::First => self.known.lists.unknown.clone(),

@@ -11,19 +11,19 @@ use crate::mechanism::known::Arrival;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 
-/// Derivatives at a place; there are none where the mechanism locks.
+/// Derivatives at a place; none exist if the mechanism locks.
 pub(crate) struct Derivatives<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     directions: Option<&'a Directions<'a, L, N>>,
-    /// How the motion came to the place.
+    /// The motion by which the place was reached.
     arrival: Option<&'a Arrival<N>>,
-    /// Along each drive.
+    /// The derivatives along each drive.
     along: Vec<OnceCell<Option<Along<L, N>>>>,
-    /// The second ones with respect to two drives, a row for each drive, up to itself.
+    /// The second derivatives with respect to two drives: a row for each drive, up to itself.
     second: Vec<OnceCell<Option<Points>>>,
 }
 
-/// How a mechanism moves along a drive.
+/// The motion of a mechanism along a drive.
 pub(crate) struct Along<L: Suspension<N>, const N: usize> {
     pub(crate) direction: Direction<L, N>,
     /// The derivatives of the points.
@@ -47,7 +47,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
         }
     }
 
-    /// How the mechanism moves along a drive.
+    /// The motion of the mechanism along a drive.
     pub(crate) fn along(&self, drive: usize) -> Option<&Along<L, N>> {
         let along = || {
             let change = direction::<L, N>(drive);
@@ -63,7 +63,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
         self.along.get(drive)?.get_or_init(along).as_ref()
     }
 
-    /// How the motion came here, where it did by this drive.
+    /// The motion by which the place was reached, if it was by this drive.
     fn arrival(&self, drive: usize) -> Option<&Arrival<N>> {
         self.arrival.filter(|arrival| arrival.drive == drive)
     }
@@ -84,7 +84,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
         self.second.get(row + one)?.get_or_init(second).as_ref()
     }
 
-    /// The third derivative of the unknowns, once with respect to one drive and twice to another or the same.
+    /// The third derivative of the unknowns, with respect to one drive once and to another or the same twice.
     pub(crate) fn third(&self, once: usize, twice: usize) -> Option<SVector<f64, N>> {
         let along = |change: L::Drives| {
             let jet = self.directions?.unknowns::<3>(change).ok()?;
@@ -98,7 +98,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
         Some((plus? + minus? - along(single)? * 2.0) / 6.0)
     }
 
-    /// Rates of the unknowns as those of points: zero for the chassis, NaN for markers.
+    /// Rates of the unknowns as rates of points: zero for the chassis, NaN for markers.
     pub(crate) fn spread(&self, unknowns: &SVector<f64, N>) -> Points {
         let names = &self.mechanism.names;
         let free = (0..names.free).map(|point| unknowns.fixed_rows::<3>(3 * point).into_owned());
@@ -109,7 +109,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
     }
 }
 
-/// The change of a drive by one.
+/// A change of a drive by one.
 fn direction<L: Suspension<N>, const N: usize>(drive: usize) -> L::Drives {
     L::Drives::from_values([]).with(drive, 1.0)
 }

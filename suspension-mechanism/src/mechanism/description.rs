@@ -11,7 +11,7 @@ use suspension_motion_file::Axes;
 use suspension_motion_file::Instants;
 use suspension_motion_file::Unit;
 
-/// What is known of a mechanism without its equations: names, unit, and what leads it.
+/// The data of a mechanism without its equations: names, unit, and what leads it.
 #[derive(Clone, Debug)]
 pub struct Description {
     /// The linkage's name in motion files.
@@ -22,25 +22,26 @@ pub struct Description {
     pub unit: Unit,
     /// The axes of its coordinates.
     pub axes: Axes,
-    /// What to add to a local position for the file's coordinates.
+    /// The vector to be added to a local position to get the file's coordinates.
     pub origin: Vector3<f64>,
     /// The instants of its motion.
     pub instants: Instants,
-    /// The drives; one for which a measure leads stays as it is at the first instant.
+    /// The drives; a drive that a measure replaces keeps its value of the first instant.
     pub drives: DriveLaws,
-    /// What each drive has more in the file's coordinates than in local ones.
+    /// The difference of each drive's value in the file's coordinates from its local value.
     pub drive_offsets: Vec<f64>,
-    /// The same of each measure.
+    /// The same difference for each measure.
     pub measure_offsets: Vec<f64>,
     /// The drives at the design position, in the file's coordinates.
     pub design: Vec<f64>,
-    /// The measures there.
+    /// The measures at the design position.
     pub design_measures: Vec<f64>,
-    /// Why its motion begins out of reach, for which it stays at the design position; `None` where it does not.
+    /// The reason why the motion begins out of reach, in which case it stays at the design position; `None` if it
+    /// does not.
     pub out_of_reach: Option<String>,
-    /// The number of the measure that leads in place of a drive.
+    /// The number of the measure that leads instead of a drive.
     pub led_by: Option<usize>,
-    /// What the file says that its author may not have meant, a sentence each.
+    /// Remarks on what the author of the file may not have meant, one sentence each.
     pub notes: Vec<String>,
 }
 
@@ -51,7 +52,8 @@ impl Description {
         each.map(|(local, offset)| local + offset).collect()
     }
 
-    /// The measures' values in the file's coordinates, from local ones: each as near to that at the design position as it can be.
+    /// The measures' values in the file's coordinates, from local ones: each is as near as possible to that at the
+    /// design position.
     pub fn given_measures(&self, local: &[f64]) -> Vec<f64> {
         let design = self.names.measures.iter().zip(&self.design_measures);
         let each = local.iter().zip(&self.measure_offsets).zip(design);
@@ -72,12 +74,13 @@ impl Description {
         self.drives_at(first)
     }
 
-    /// Where the mechanism locks, in words.
+    /// A description of where the mechanism locks.
     pub fn lock_in_words(&self, lock: &Lock) -> String {
         lock.in_words(&self.names, self.unit, &self.design)
     }
 
-    /// That a driven angle is at the end of its range where the drives have values, in the file's coordinates, and what to do, in words.
+    /// The message that a driven angle is at the end of its range, with the remedy, if it is so at these values of
+    /// the drives in the file's coordinates.
     pub fn end_of_angle(&self, drives: &[f64]) -> Option<String> {
         let end = EndOfAngle::of(&self.names, None, drives);
         end.map(|end| end.in_words(&self.names, self.unit))

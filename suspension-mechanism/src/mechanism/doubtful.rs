@@ -18,34 +18,34 @@ pub struct DriveAtDesign<'a> {
     pub drive: &'a Drive,
     /// Its value at the design position.
     pub design: f64,
-    /// How far the points of the mechanism are apart: no drive moves them as far.
+    /// The extent of the points of the mechanism: no drive moves them as far.
     pub size: f64,
     /// The units.
     pub unit: Unit,
 }
 
-/// How near the design position a value is at it, as a part of the value.
+/// The distance within which a value counts as that at the design position, as a fraction of the value.
 const AT_DESIGN: f64 = 0.01;
 
-/// What is small beside the size, or beside the value at the design position.
+/// The fraction of the size, or of the value at the design position, below which something is small.
 const SMALL: f64 = 0.1;
 
-/// A motion that is smaller, as a part of the size, moves nothing that could be read.
+/// A motion smaller than this, as a fraction of the size, moves nothing measurable.
 const NO_MOTION: f64 = 2e-4;
 
-/// Digits of a value in words.
+/// The number of digits of a value in messages.
 const DIGITS: usize = 4;
 
 impl DriveAtDesign<'_> {
-    /// How far points are apart: the diagonal of the box about them.
+    /// The extent of points: the diagonal of the box around them.
     pub fn extent(points: impl IntoIterator<Item = Vector3<f64>>) -> f64 {
         let corners = points.into_iter().map(|at| (at, at));
         let corners = corners.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
         corners.map_or(0.0, |(low, high)| (high - low).norm())
     }
 
-    /// What is doubtful in the values between two that it is to take, counted `from`, with what to write instead; `way` says
-    /// how to write the other way of counting. An angle about a line may well begin at zero.
+    /// What is doubtful in the values between two that a drive is to take, counted `from`, with what to write
+    /// instead; `way` says how to write the other way of counting. An angle about a line may well begin at zero.
     pub fn doubt(&self, ends: [f64; 2], from: CountedFrom, way: &str) -> Option<String> {
         match self.drive.kind {
             DriveKind::Coordinate => {
@@ -60,7 +60,7 @@ impl DriveAtDesign<'_> {
         }
     }
 
-    /// Where values seem to be counted otherwise than `from`, beside a size that no drive moves by.
+    /// The doubt that values seem to be counted otherwise than `from`, given a size by which no drive moves.
     fn counted_otherwise(
         &self,
         [least, greatest]: [f64; 2],
@@ -92,7 +92,7 @@ impl DriveAtDesign<'_> {
         ))
     }
 
-    /// The units in which the values would be those of a motion, where in that of the file they are not.
+    /// The units in which the values would be those of a motion, if they are not in the unit of the file.
     fn other_unit(&self, ends: [f64; 2], from: CountedFrom) -> Option<String> {
         let zero = match from {
             CountedFrom::Zero => self.design,

@@ -9,7 +9,7 @@ use crate::mechanism::description::Description;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::names::Suspension;
 
-/// Gives a mechanism where it starts, with how it changes with its design; `None` where it locks there.
+/// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.
 pub type WhereItStarts<L, const N: usize> =
     for<'a> fn(&'a Mechanism<L, N>) -> Option<Box<dyn Changing + 'a>>;
 
@@ -17,15 +17,15 @@ pub type WhereItStarts<L, const N: usize> =
 /// [`Description`].
 #[derive(Clone, Debug)]
 pub struct Mechanism<L, const N: usize> {
-    /// What is known of it without its equations.
+    /// The data of the mechanism without its equations.
     pub description: Description,
     /// The geometry.
     pub model: L,
     /// The configuration at the first instant.
     pub start: Motion<f64, N>,
-    /// What leads in place of a drive.
+    /// The measure that leads instead of a drive.
     pub lead: Option<Lead<N>>,
-    /// How it changes with its design, where its model tells that.
+    /// The change of the mechanism with its design, if its model provides it.
     pub changing: Option<WhereItStarts<L, N>>,
 }
 

@@ -12,7 +12,7 @@ use crate::mechanism::polynomial::Polynomial;
 pub struct Law([Polynomial; 3]);
 
 impl Law {
-    /// Of a polynomial.
+    /// The quantity that a polynomial describes.
     pub fn new(value: Polynomial) -> Self {
         let rate = value.derivative();
         let second_rate = rate.derivative();
@@ -37,14 +37,14 @@ pub struct DriveLaws {
 }
 
 impl DriveLaws {
-    /// One polynomial for each drive.
+    /// The drives that these polynomials describe, one for each drive.
     pub fn new(polynomials: impl IntoIterator<Item = Polynomial>) -> Self {
         Self {
             laws: polynomials.into_iter().map(Law::new).collect(),
         }
     }
 
-    /// Drives that stay as they are.
+    /// Drives that keep their values.
     pub fn held(values: impl Iterator<Item = f64>) -> Self {
         Self::new(values.map(|value| Polynomial::new(vec![value])))
     }
@@ -69,7 +69,7 @@ impl DriveLaws {
         })
     }
 
-    /// The inputs at time `t`, the chassis at rest.
+    /// The inputs at time `t`, with the chassis at rest.
     pub fn inputs<D: Values<f64>>(&self, t: f64) -> Inputs<Still, D> {
         let [value, rate, second_rate] =
             [0, 1, 2].map(|order| D::from_values(self.laws.iter().map(|law| law.0[order].at(t))));
@@ -81,10 +81,10 @@ impl DriveLaws {
     }
 }
 
-/// Steps that the way from one instant to the next may take.
+/// The number of steps that the way from one instant to the next may take.
 pub(super) const MAX_STEPS: usize = 10_000;
 
-/// How motions are followed.
+/// The settings with which motions are followed.
 fn tracker() -> Tracker<f64> {
     Tracker {
         max_steps: MAX_STEPS,
@@ -96,7 +96,7 @@ fn tracker() -> Tracker<f64> {
 ///
 /// # Errors
 ///
-/// [`Stopped`] where the mechanism goes no further.
+/// [`Stopped`] if the mechanism goes no further.
 pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     drives: &DriveLaws,
@@ -106,8 +106,8 @@ pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
     advance(model, |t| drives.inputs(t), times, motion)
 }
 
-/// The same of inputs at each time. Angles that go beyond their range are refused: the equations have the sine or cosine of
-/// other ones there.
+/// The same for inputs that are a function of time. Angles that go beyond their range are refused, because the
+/// equations have the sine or cosine of other angles there.
 pub(super) fn advance<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     inputs: impl Fn(f64) -> Inputs<Still, L::Drives>,

@@ -4,19 +4,19 @@ use crate::failure::Failure;
 use crate::mechanism::words::advice;
 use crate::number::number;
 
-/// How a motion ended.
+/// The end of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum End {
-    /// At the last instant.
+    /// The motion reached its last instant.
     Complete,
-    /// Where the receiver of the rows wanted it.
+    /// The receiver of the rows ended it.
     Cut,
-    /// Where the solver found no further configuration.
+    /// The solver found no further configuration.
     Stopped(Stop),
 }
 
 impl End {
-    /// What remains to be said of the motion of `file` where it did not reach its last instant, and of what was `done`.
+    /// The failure to report for the motion of `file` if it did not reach its last instant, with what was `done`.
     pub fn failure(&self, file: &str, done: &str) -> Option<Failure> {
         match self {
             Self::Complete => None,
@@ -32,20 +32,21 @@ impl End {
 /// Where and why the solver stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
-    /// The instant that was asked for, s.
+    /// The requested instant, s.
     pub asked: f64,
-    /// The drives there.
+    /// The drives at the requested instant.
     pub drives_asked: String,
     /// The last time at which the mechanism has a configuration, s.
     pub reached: f64,
     /// Why the mechanism goes no further, in words.
     pub cause: String,
-    /// Whether drives, not a measure, lead it.
+    /// Whether drives lead it, and not a measure.
     pub is_driven: bool,
 }
 
 impl Stop {
-    /// In one sentence: what was asked for, how far the mechanism goes, and why no further. `file` is the motion's.
+    /// One sentence: what was requested, how far the mechanism goes, and why no further. `file` is the file of the
+    /// motion.
     pub fn in_words(&self, file: &str) -> String {
         let Self {
             asked,

@@ -10,19 +10,20 @@ use crate::mechanism::names::Names;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
-/// How near the end, in radians, the equations of an angle from an axis do not notice that the drive moves: its cosine enters.
+/// The distance from the end, in radians, within which the equations of an angle from an axis do not show that the
+/// drive moves, because its cosine enters them.
 const NEAR: f64 = 1e-6;
 
 /// A driven angle at the end of its range.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct EndOfAngle {
     drive: usize,
-    /// In radians.
+    /// The end in radians.
     end: f64,
 }
 
 impl EndOfAngle {
-    /// Where a motion has stopped with the drives, in the file's coordinates, at `drives`.
+    /// The angle at its end where a motion has stopped, with the drives at `drives` in the file's coordinates.
     pub(super) fn of(
         names: &Names,
         cause: Option<&SolveError<f64>>,

@@ -7,21 +7,21 @@ use crate::mechanism::points::Points;
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
 
-/// How many drives a [`Gradient`] has derivatives with respect to: travel and steering.
+/// The number of drives with respect to which a [`Gradient`] has derivatives: travel and steering.
 pub const DRIVES_AT_ONCE: usize = 2;
 
-/// A number with its first derivatives with respect to some drives, one behind the other; NaN where they are not known.
+/// A number with its first derivatives with respect to some consecutive drives; NaN if they are not known.
 pub type Gradient = Dual<f64, DRIVES_AT_ONCE>;
 
 /// A state with first derivatives with respect to some drives.
 pub(crate) struct Graded<'a> {
-    /// With velocities, without rates.
+    /// The state, with velocities and without rates.
     pub(crate) state: &'a State,
     /// The derivatives of the points, by drive.
     pub(crate) points: [Points; DRIVES_AT_ONCE],
-    /// The same of the measures.
+    /// The derivatives of the measures.
     pub(crate) measures: [Vec<f64>; DRIVES_AT_ONCE],
-    /// The same of the state's velocities.
+    /// The derivatives of the state's velocities.
     pub(crate) velocities: Vec<Option<[Points; DRIVES_AT_ONCE]>>,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::mechanism::description::Description;
 
-/// The most places that a grid may have.
+/// The largest number of places of a grid.
 pub const MOST_PLACES: usize = 1_000_000;
 
 /// Drives and the values that they take, in local coordinates.
@@ -10,7 +10,7 @@ pub const MOST_PLACES: usize = 1_000_000;
 pub struct Grid {
     /// The places along each axis; the last changes fastest.
     pub(super) axes: Vec<Vec<AxisPlace>>,
-    /// All drives where the mechanism starts.
+    /// All drives at the start of the mechanism.
     pub(super) start: Vec<f64>,
 }
 
@@ -20,14 +20,14 @@ pub(super) type AxisPlace = Vec<(usize, f64)>;
 /// An axis of a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// The drives that move together, by number, each with what a unit along the axis moves it by.
+    /// The drives that move together, by number, each with its change per unit along the axis.
     pub drives: Vec<(usize, f64)>,
     /// The values along the axis.
     pub values: Vec<f64>,
 }
 
 impl Axis {
-    /// Of one drive.
+    /// An axis of one drive.
     pub fn of(drive: usize, values: Vec<f64>) -> Self {
         Self {
             drives: vec![(drive, 1.0)],
@@ -36,7 +36,7 @@ impl Axis {
     }
 }
 
-/// So many values, evenly spaced from the first to the last: exact at both ends, and at zero in the middle.
+/// `count` values, evenly spaced from the first to the last: exact at both ends, and at zero in the middle.
 pub fn evenly_spaced([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     let last = count.saturating_sub(1).max(1) as f64;
     let value = |index: usize| {
@@ -46,21 +46,21 @@ pub fn evenly_spaced([from, to]: [f64; 2], count: usize) -> Vec<f64> {
     (0..count).map(value).collect()
 }
 
-/// What the values of a grid are counted from.
+/// The origin from which the values of a grid are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CountedFrom {
-    /// Where each drive is when the mechanism starts.
+    /// The value of each drive at the mechanism's start.
     Start,
     /// The drive's own zero.
     Zero,
 }
 
 impl Grid {
-    /// Of a mechanism.
+    /// The grid of a mechanism.
     ///
     /// # Errors
     ///
-    /// In words, where the places are too many.
+    /// A sentence, if there are too many places.
     pub fn new(
         mechanism: &Description,
         axes: Vec<Axis>,
@@ -90,7 +90,7 @@ impl Grid {
         }
     }
 
-    /// How many places there are; `None` where they are too many to count.
+    /// The number of places; `None` if there are too many to count.
     pub fn places(&self) -> Option<usize> {
         let mut counts = self.axes.iter().map(Vec::len);
         counts.try_fold(1_usize, usize::checked_mul)
@@ -123,7 +123,7 @@ impl Grid {
         )
     }
 
-    /// Where a place is along each axis.
+    /// The position of a place along each axis.
     fn along(&self, place: usize) -> Vec<At> {
         let mut stride = 1;
         let mut along: Vec<At> = Vec::new();
@@ -142,11 +142,11 @@ impl Grid {
     }
 }
 
-/// Where a place is along an axis.
+/// The position of a place along an axis.
 struct At {
     number: usize,
-    /// How many places the axis has.
+    /// The number of places on the axis.
     count: usize,
-    /// How far apart in number places are that are neighbours along it.
+    /// The difference in number of places that are neighbours along the axis.
     stride: usize,
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_listing::Kind;
 use suspension_runtime::{Listing, Statement};
 
-/// A line through two points on the chassis that nothing else joins.
+/// A line through two points on the chassis to which nothing else is joined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
     /// The two points, by number.
@@ -16,7 +16,7 @@ pub struct Guide {
 }
 
 impl Guide {
-    /// Those of a listing with so many chassis points.
+    /// All guides of a listing with this number of chassis points.
     pub(crate) fn all(listing: &Listing, chassis: usize) -> Vec<Self> {
         let statements = listing.statements();
         let lines = statements.iter().map(|statement| line(statement, chassis));
@@ -43,13 +43,14 @@ impl Guide {
         guides
     }
 
-    /// Takes its direction from the points of the design.
+    /// Sets its direction from the points of the design.
     pub(crate) fn design(&mut self, points: &[Vector3<f64>]) {
         let [from, to] = self.ends.map(|end| points[end]);
         self.along = (to - from).normalize();
     }
 
-    /// What moves with a point that slides on it, each by how much: the line, and across it what else slides there.
+    /// The points that move with a point that slides on it (the ends of the line and the other points that slide
+    /// there), each with its displacement: the part of `by` across the line.
     pub(crate) fn with(&self, point: usize, by: Vector3<f64>) -> Vec<(usize, Vector3<f64>)> {
         if !self.sliding.contains(&point) {
             return Vec::new();

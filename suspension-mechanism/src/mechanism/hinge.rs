@@ -7,13 +7,13 @@ use suspension_core::listing::{Part, Parts};
 use suspension_listing::Kind;
 use suspension_runtime::{Listing, Statement};
 
-/// A body that turns about a line on the chassis, or about a point, as an arm of a twist beam on its bush; or about a line of
-/// another body that moves.
+/// A body that turns about a line on the chassis, or about a point (as an arm of a twist beam on its bush does), or
+/// about a line of another body that moves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hinge {
     /// The body's name.
     pub name: String,
-    /// The points about which it turns: two on the line, or one alone.
+    /// The points about which it turns: two on the line, or a single one.
     pub axis: Vec<String>,
     equations: Vec<Range<usize>>,
     /// The numbers of its free points.
@@ -21,7 +21,7 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// Those of a listing with so many chassis points.
+    /// All hinges of a listing with this number of chassis points.
     pub(crate) fn all(listing: &Listing, chassis: usize) -> Vec<Self> {
         let mut bodies = listing.statements();
         bodies.retain(|statement| [Kind::HINGE, Kind::BODY].contains(&statement.kind));
@@ -43,19 +43,19 @@ impl Hinge {
 
     /// Whether a change of the unknowns moves it.
     pub(crate) fn moves<const N: usize>(&self, change: &SVector<f64, N>) -> bool {
-        /// The least, as a part of the unknown that changes most.
+        /// The smallest change, as a fraction of that of the unknown that changes most.
         const LEAST: f64 = 1e-3;
         let least = LEAST * change.amax();
         let mut coordinates = self.free.iter().flat_map(|point| 3 * point..3 * point + 3);
         coordinates.any(|unknown| change[unknown].abs() > least)
     }
 
-    /// Whether an equation, by its number, is of it.
+    /// Whether an equation, by its number, belongs to it.
     pub(crate) fn has(&self, equation: usize) -> bool {
         self.equations.iter().any(|rows| rows.contains(&equation))
     }
 
-    /// That it keeps the mechanism from going on, in words.
+    /// The message that it keeps the mechanism from going on.
     pub(crate) fn fault(&self) -> String {
         let on = match self.axis.as_slice() {
             [_] => "joint",
@@ -67,7 +67,7 @@ impl Hinge {
     }
 }
 
-/// The points of a body on the chassis, or else the two that it shares with another body.
+/// The points of a body on the chassis, otherwise the two that it shares with another body.
 fn axis(body: &Statement<'_>, bodies: &[Statement<'_>], chassis: usize) -> Option<Vec<usize>> {
     let points = || body.points.iter().copied();
     let on_chassis: Vec<usize> = points().filter(|point| *point < chassis).collect();

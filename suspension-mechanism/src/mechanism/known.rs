@@ -6,25 +6,26 @@ use suspension_core::Motion;
 use crate::mechanism::names::Names;
 use crate::mechanism::points::Points;
 
-/// Up to which order derivatives of quantities are wanted.
+/// The highest order of the derivatives of quantities that are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// The first.
+    /// First derivatives.
     First,
-    /// The second too.
+    /// First and second derivatives.
     Second,
 }
 
-/// What is known before a place is looked at.
+/// The data that are known before a place is evaluated.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a, const N: usize> {
     pub(crate) order: Order,
     pub(crate) lists: &'a Lists,
-    /// How the motion came there, where one drive moved alone.
+    /// The motion by which the place was reached, if a single drive moved.
     pub(crate) arrival: Option<&'a Arrival<N>>,
 }
 
-/// How a motion came to a place by one drive, the others held: what it has there are the derivatives with respect to that drive.
+/// The motion by which a place was reached with one drive moving and the others held: its rates there are the
+/// derivatives with respect to that drive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arrival<const N: usize> {
     pub(crate) drive: usize,
@@ -33,7 +34,7 @@ pub(crate) struct Arrival<const N: usize> {
 }
 
 impl<const N: usize> Arrival<N> {
-    /// Of the motion in which some drives changed by so much in a second, at constant rates.
+    /// The arrival by a motion in which some drives changed by these amounts per second, at constant rates.
     pub(crate) fn of(motion: &Motion<f64, N>, changes: &[(usize, f64)]) -> Option<Self> {
         let [(drive, change)] = changes else {
             return None;
@@ -55,7 +56,7 @@ pub(crate) struct Lists {
 }
 
 impl Lists {
-    /// Of a mechanism's points.
+    /// The lists for a mechanism's points.
     pub(crate) fn of(names: &Names) -> Self {
         let all = |number: f64| -> Points {
             let each = names.points.iter();

@@ -14,22 +14,22 @@ use crate::mechanism::names::Names;
 use crate::number::number;
 use suspension_motion_file::Unit;
 
-/// What leads in place of a drive.
+/// The measure that leads instead of a drive.
 #[derive(Clone, Debug)]
 pub struct Lead<const N: usize> {
     /// The measure's number.
     pub measure: usize,
     /// The number of the drive that it sets free.
     pub drive: usize,
-    /// The measure over time, of points in local coordinates.
+    /// The measure over time, for points in local coordinates.
     pub law: Law,
-    /// What to add for the file's coordinates.
+    /// The offset to be added to get the file's coordinates.
     pub offset: f64,
-    /// Where the motion starts.
+    /// The start of the motion.
     pub start: Led<f64, N>,
 }
 
-/// Leads a mechanism by a measure, angles within half a turn of their target.
+/// Leads a mechanism by a measure; angles are taken within half a turn of their target.
 pub(crate) fn lead<L: Linkage<N, Scalar = f64>, const N: usize>(
     leader: Leader<f64>,
     model: &L,
@@ -60,7 +60,7 @@ impl<const N: usize> Lead<N> {
     ///
     /// # Errors
     ///
-    /// [`Stopped`] where the mechanism goes no further.
+    /// [`Stopped`] if the mechanism goes no further.
     pub fn follow<L: Linkage<N, Scalar = f64>>(
         &self,
         model: &L,
@@ -76,7 +76,7 @@ impl<const N: usize> Lead<N> {
         lead(leader, model, self.measure, held, target, times, led)
     }
 
-    /// The inputs `held`, the free drive as the mechanism has it.
+    /// The inputs `held`, with the free drive at its value in the mechanism.
     pub fn inputs<L: Linkage<N, Scalar = f64>>(
         &self,
         model: &L,
@@ -97,14 +97,14 @@ impl<const N: usize> Lead<N> {
         })
     }
 
-    /// What leads at time `t` in words, as `height = 50 mm`, the measure in place of its drive.
+    /// A description of what leads at time `t`, such as `height = 50 mm`, with the measure in place of its drive.
     pub fn in_words(&self, names: &Names, drives: &[f64], t: f64, unit: Unit) -> String {
         let value = self.value_in_words(names, self.law.at(t).value, unit);
         let measure = format!("{} = {value}", names.measures[self.measure].name);
         names.drives_in_words(drives, unit, Some((self.drive, &measure)))
     }
 
-    /// Why a step was refused.
+    /// The reason why a step was refused.
     pub fn cause(&self, names: &Names, error: &SolveError<f64>, unit: Unit) -> String {
         match error {
             SolveError::TurningPoint { extreme, .. } => format!(

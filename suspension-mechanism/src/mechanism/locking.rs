@@ -15,27 +15,27 @@ use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
-/// Where a motion that its drives lead ends.
+/// The end of a motion that drives lead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lock {
     /// The drives there, in the file's coordinates.
     pub drives: Vec<f64>,
-    /// The number of the drive that turns there, where one does: led by it, the mechanism locks.
+    /// The number of the drive that turns there, if one does: led by it, the mechanism locks.
     pub turns: Option<usize>,
     misfit: Option<Misfit>,
-    /// Where no link is known at what was asked for, which may be far beyond: the one just beyond the lock, or else the hinge
-    /// with the greatest share in it, in words.
+    /// A description of the link just beyond the lock, or otherwise of the hinge with the greatest share in the lock.
+    /// It is used if no link is known at the requested position, which may be far beyond.
     near: Option<String>,
-    /// The driven angle that is at the end of its range.
+    /// The driven angle that is at the end of its range, if any.
     end_of_angle: Option<EndOfAngle>,
-    /// The driven length that is zero.
+    /// The driven length that is zero, if any.
     at_zero: Option<DrivenLength>,
     cause: Option<SolveError<f64>>,
 }
 
 impl Lock {
-    /// Where a motion stopped, of which `q` is the last configuration, on the way to the time `asked`. `given` has the
-    /// drives in the file's coordinates.
+    /// The lock at which a motion stopped on the way to the time `asked`, with `q` its last configuration. `given`
+    /// contains the drives in the file's coordinates.
     pub(crate) fn of<L: Suspension<N>, const N: usize>(
         model: &L,
         names: &Names,
@@ -72,13 +72,14 @@ impl Lock {
         }
     }
 
-    /// What is in the way of going on by a little: the link and whether it is too long or too short, in words, or else the hinge.
+    /// A description of what prevents going on by a little: the link and whether it is too long or too short, or
+    /// otherwise the hinge.
     pub fn fault(&self) -> Option<String> {
         let misfit = self.misfit.as_ref().map(Misfit::fault);
         misfit.or_else(|| self.near.clone())
     }
 
-    /// In words, `design` being the drives at the design position.
+    /// A description of the lock; `design` are the drives at the design position.
     pub fn in_words(&self, names: &Names, unit: Unit, design: &[f64]) -> String {
         if let Some(end) = &self.end_of_angle {
             return end.in_words(names, unit);
@@ -116,7 +117,7 @@ impl Lock {
     }
 }
 
-/// A drive's change from the design position in words, as `at +0.0712 m from the design`.
+/// A description of a drive's change from the design position, such as `at +0.0712 m from the design`.
 pub fn from_design(change: f64, symbol: &str) -> String {
     const DIGITS: usize = 4;
     let sign = if change < 0.0 { "-" } else { "+" };
@@ -126,18 +127,18 @@ pub fn from_design(change: f64, symbol: &str) -> String {
     )
 }
 
-/// How far beyond the lock it is looked for what is in the way of going on by a little, as a part of the way to what was asked for.
+/// How far beyond the lock the cause is searched for, as a fraction of the way to the requested position.
 const BEYOND: f64 = 0.01;
 
-/// Steps within which the turning point must lie: the motion has stopped beside it.
+/// The number of steps within which the turning point must lie: the motion has stopped beside it.
 const STEPS: usize = 3;
 
-/// How near a drive's value must be to that where it turns, as a part of itself or of one: the
-/// tracker stops where the next step has shrunk to rounding.
+/// How near a drive's value must be to the value where it turns, as a fraction of itself or of one: the tracker stops
+/// when the next step has shrunk to rounding.
 const NEAR: f64 = 1e-9;
 
-/// The number of the drive that turns where a motion has stopped; `None` where none does. Where one locks, those that
-/// are held do too: one that moves is named before them.
+/// The number of the drive that turns where a motion has stopped; `None` if none does. If one locks, the held ones do
+/// too: a drive that moves is named before them.
 fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     inputs: &Inputs<Still, L::Drives>,

@@ -9,24 +9,24 @@ use crate::mechanism::points::Points;
 /// A part that has a mass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mass {
-    /// At a point that moves, kg.
+    /// A mass at a point that moves, kg.
     At(usize, f64),
-    /// Of a uniform rod between two points, kg.
+    /// The mass of a uniform rod between two points, kg.
     Rod([usize; 2], f64),
-    /// Of a body.
+    /// The mass of a body.
     Body {
         /// Three points that hold it.
         held: [usize; 3],
-        /// What it is, in metres.
+        /// The body, in metres.
         body: RigidBody<f64>,
-        /// The point that its centre of mass is stated by, and moves with.
+        /// The point relative to which its centre of mass is stated, and with which it moves.
         centre: Option<usize>,
     },
 }
 
 impl Mass {
-    /// Weight in a field, m/s^2, and inertia as forces, N, at the points of the part, which move as `points` do, in units of
-    /// which `metre` are a metre; `None` where three points that hold a body are in line.
+    /// Weight in a field, m/s^2, and inertia as forces, N, at the points of the part, which move as `points` do, in
+    /// units of which `metre` are a metre; `None` if three points that hold a body are collinear.
     pub fn forces(
         &self,
         points: &Signal<Points>,
@@ -47,8 +47,8 @@ impl Mass {
         })
     }
 
-    /// Twice the kinetic energy, J, of points in places with velocities: what inertia does that the velocities meet as if they
-    /// were accelerations.
+    /// Twice the kinetic energy, J, of points at `places` with `velocities`: the work of the inertia forces if the
+    /// velocities were accelerations.
     pub fn twice_energy(&self, places: &Points, velocities: &Points, metre: f64) -> Option<f64> {
         let points = Signal {
             value: places.clone(),
@@ -62,8 +62,8 @@ impl Mass {
         Some(-work.sum::<f64>() / metre)
     }
 
-    /// The same part of a mechanism whose points stand elsewhere, its centre of mass where it was, or where the point is now that
-    /// it is stated by.
+    /// The same part of a mechanism whose points are elsewhere. Its centre of mass is where it was, or moves with the
+    /// point relative to which it is stated.
     pub(crate) fn held_at(&self, places: &[Vector3<f64>], metre: f64) -> Self {
         match self {
             Self::Body { held, body, centre } => Self::Body {

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 
-/// A measure where it is nearest to another value: an angle is given between -pi and pi, and may be any number of turns off.
+/// A measure's value nearest to another value: an angle is given between -pi and pi, and may be off by any number of
+/// turns.
 pub(crate) fn nearest(kind: MeasureKind, value: f64, to: f64) -> f64 {
     match kind {
         MeasureKind::Angle => value + TAU * ((to - value) / TAU).round_ties_even(),

@@ -12,41 +12,42 @@ use crate::mechanism::words::listed;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
-/// A link whose length does not allow a configuration, or several, as the two of a wishbone, of which that is true of each.
+/// A link whose length does not allow a configuration; or several links, such as the two of a wishbone, for each of
+/// which that is true.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Misfit {
-    /// First the one whose lengths are known.
+    /// The names, first that of the link whose lengths are known.
     names: Vec<String>,
-    /// The length that it has.
+    /// Its actual length.
     has: f64,
-    /// The nearest to it with which there is a configuration.
+    /// The length nearest to it with which there is a configuration.
     needs: f64,
 }
 
-/// Instants on the way from the last configuration to the one that was asked for.
+/// The number of instants on the way from the last configuration to the requested one.
 const INSTANTS: i32 = 40;
 
-/// Corrections at each of them, at most.
+/// The largest number of corrections at each of them.
 const CORRECTIONS: usize = 30;
 
-/// A change of the configuration after which there is no other, as a part of the mechanism's size.
+/// The change of the configuration below which the corrections end, as a fraction of the mechanism's size.
 const CORRECTED: f64 = 1e-9;
 
-/// The longest step along the configurations that all other equations allow, as a part of it.
+/// The longest step along the configurations that all other equations allow, as a fraction of the mechanism's size.
 const LONGEST: f64 = 0.1;
 
-/// How far other equations may be off at the end, as a part of it.
+/// How far other equations may be off at the end, as a fraction of the mechanism's size.
 const CLOSED: f64 = 1e-6;
 
-/// The share in the end of a motion from which on a link or a hinge is named as its cause.
+/// The share in the end of a motion from which a link or a hinge is named as its cause.
 const LEAST_SHARE: f64 = 0.1;
 
-/// The part of the named link's share from which on another link is named beside it.
+/// The fraction of the named link's share from which another link is named with it.
 const BESIDE: f64 = 0.5;
 
 impl Misfit {
-    /// The link that ends a motion between two times, of which the mechanism has a configuration, `q`, at the
-    /// first alone. `None` where it is no link's length.
+    /// The link that ends a motion between two times, of which only the first has a configuration, `q`; `None` if no
+    /// link's length is the cause.
     pub(crate) fn between<L: Suspension<N>, const N: usize>(
         model: &L,
         names: &Names,
@@ -56,7 +57,7 @@ impl Misfit {
     ) -> Option<Self> {
         let place = Place::at(model, drives, reached);
         let AtLock { shares, mut along } = place.at_lock(q)?;
-        // A line of an angle that is driven or held would have another angle if it were longer.
+        // A line of a driven or held angle would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = || (0..names.equations.len()).filter(is_link);
         let equation = greatest(links().map(|row| (row, shares[row])))?;
@@ -84,7 +85,7 @@ impl Misfit {
         })
     }
 
-    /// Whether it is too long or too short, in words.
+    /// A description of whether it is too long or too short.
     pub(crate) fn fault(&self) -> String {
         let fault = if self.has > self.needs {
             "long"
@@ -96,7 +97,7 @@ impl Misfit {
         format!("{names} {are} too {fault}")
     }
 
-    /// The fault, and the lengths where the digits shown differ.
+    /// The fault, and the lengths if the digits shown differ.
     pub(crate) fn in_words(&self, unit: Unit) -> String {
         const DIGITS: usize = 6;
         let [has, needs] = [self.has, self.needs].map(|length| rounded(length, DIGITS));
@@ -114,8 +115,8 @@ impl Misfit {
     }
 }
 
-/// The hinge with the greatest share in the end of a motion, at the time `reached` and the configuration `q`; `None` where no
-/// share is large.
+/// The hinge with the greatest share in the end of a motion, at the time `reached` and the configuration `q`; `None`
+/// if no share is large.
 pub(crate) fn hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     model: &L,
     names: &'n Names,
@@ -132,21 +133,22 @@ pub(crate) fn hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     greatest(hinges.map(|hinge| (hinge, share(hinge))))
 }
 
-/// What has the greatest share, of either sign, where that is large.
+/// The item with the greatest share, of either sign, if that is large.
 fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
     let greatest = shares.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
     let (named, _) = greatest.filter(|(_, share)| share.abs() > LEAST_SHARE)?;
     Some(named)
 }
 
-/// A mechanism where it locks. The rows of its Jacobian `J` depend on each other, `f^T J = 0`, and a motion `v` changes no equation
-/// to the first order, `J v = 0`. To the second order a drive `s` with `f^T dF/ds = 1` has `s'' = -f^T C(v, v)` along it: the drive
-/// goes no further because of the equations with large `f_k C_k(v, v)`. The forces `f` alone do not tell which these are: a link that
-/// bears much and does not rotate has `C_k(v, v) = 0`.
+/// A mechanism at its lock. The rows of its Jacobian `J` are linearly dependent, `f^T J = 0`, and a motion `v`
+/// changes no equation to first order, `J v = 0`. To second order a drive `s` with `f^T dF/ds = 1` has
+/// `s'' = -f^T C(v, v)` along it: the equations with large `f_k C_k(v, v)` prevent the drive from going further. The
+/// forces `f` alone do not show which these are: a link that bears much and does not rotate has `C_k(v, v) = 0`.
 struct AtLock<const N: usize> {
-    /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; those are below zero that let the drive go on.
+    /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; equations with a negative share
+    /// let the drive go on.
     shares: SVector<f64, N>,
-    /// `v`, of length one.
+    /// `v`, a unit vector.
     along: SVector<f64, N>,
 }
 
@@ -172,7 +174,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
-    /// `f` and `v` by inverse iteration: they are the singular vectors of the least singular value.
+    /// `f` and `v` by inverse iteration: they are the singular vectors of the smallest singular value.
     fn at_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
         let still = L::Fixed::default();
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
@@ -187,8 +189,9 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         Some(AtLock { shares, along })
     }
 
-    /// Where all equations but that of a link hold and this is off as little as can be. The configurations that the others
-    /// allow are a curve, with a direction near `along`; on it by Newton's method to where the link's error is stationary.
+    /// The configuration where all equations but that of a link hold and the error of this one is as small as
+    /// possible. The configurations that the others allow form a curve, with a direction near `along`; Newton's
+    /// method moves on it to where the link's error is stationary.
     fn nearest(
         &self,
         mut q: SVector<f64, N>,

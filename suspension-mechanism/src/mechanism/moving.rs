@@ -13,11 +13,11 @@ use crate::mechanism::locking::Lock;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::polynomial::Polynomial;
 
-/// A mechanism on its way.
+/// A mechanism in motion.
 pub(crate) enum Moving<'a, const N: usize> {
-    /// By its drives.
+    /// Its drives lead it.
     Driven(Motion<f64, N>),
-    /// By a measure in place of one.
+    /// A measure leads it instead of a drive.
     Led(&'a Lead<N>, Led<f64, N>),
 }
 
@@ -32,7 +32,7 @@ impl<const N: usize> Moving<'_, N> {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// At the first instant.
+    /// The motion at the first instant.
     pub(crate) fn moving(&self) -> Moving<'_, N> {
         match &self.lead {
             Some(lead) => Moving::Led(lead, lead.start),
@@ -52,7 +52,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         }
     }
 
-    /// The drives at time `t`, a free one as the mechanism has it.
+    /// The drives at time `t`, with a free drive at its value in the mechanism.
     pub(crate) fn inputs(&self, t: f64, moving: &Moving<'_, N>) -> Inputs<Still, L::Drives> {
         match moving {
             Moving::Driven(_) => self.drives.inputs(t),
@@ -92,7 +92,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         }
     }
 
-    /// Where a motion by drives stopped, `last` being its last configuration.
+    /// The lock at which a motion by drives stopped, with `last` its last configuration.
     pub(crate) fn lock(
         &self,
         laws: &DriveLaws,
@@ -112,11 +112,11 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         )
     }
 
-    /// Drives the mechanism, the drives being at `drives`, to values of some of them, in local coordinates: the way takes a second.
+    /// Drives the mechanism from `drives` to values of some of the drives, in local coordinates, in one second.
     ///
     /// # Errors
     ///
-    /// The way and where it stopped, for [`lock`](Self::lock).
+    /// The way and the place where it stopped, for [`lock`](Self::lock).
     pub(crate) fn drive_to(
         &self,
         drives: &[f64],
@@ -140,8 +140,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         })
     }
 
-    /// Where the mechanism locks on the way of one drive from the first instant to a value, in local coordinates,
-    /// the others held; `None` where it gets there.
+    /// The lock on the way of one drive from the first instant to a value, in local coordinates, with the others
+    /// held; `None` if the mechanism gets there.
     pub(crate) fn lock_before(&self, drive: usize, value: f64) -> Option<Lock> {
         let mut motion = self.start;
         let driven = self.drive_to(&self.first_drives(), &[(drive, value)], &mut motion);

@@ -25,38 +25,38 @@ impl<L, const N: usize> Suspension<N> for L where
 {
 }
 
-/// The parts of a listing in lists, whatever its types.
+/// The parts of a listing in lists, independent of its types.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Names {
     /// Points: those of the chassis, then free ones, then markers carried by bodies.
     pub points: Vec<String>,
-    /// How many of them are the chassis'.
+    /// The number of chassis points.
     pub chassis: usize,
-    /// How many are free: the unknowns.
+    /// The number of free points, whose coordinates are the unknowns.
     pub free: usize,
     /// Lengths of links and bodies.
     pub lengths: Vec<String>,
-    /// Those of links, by number; of a listing that was read while the program runs.
+    /// The lengths of links, by number; known for a listing that was read at run time.
     pub links: Vec<usize>,
-    /// Of these the ones that are lines of an angle that is driven or held.
+    /// Those of these links that are lines of a driven or held angle.
     pub angled_links: Vec<usize>,
-    /// Hinges; of a listing that was read while the program runs.
+    /// Hinges; known for a listing that was read at run time.
     pub hinges: Vec<Hinge>,
-    /// Lines on the chassis on which points slide; likewise.
+    /// Lines on the chassis on which points slide; known in the same case.
     pub guides: Vec<Guide>,
-    /// Lengths that drives prescribe; likewise.
+    /// Lengths that drives prescribe; known in the same case.
     pub driven_lengths: Vec<DrivenLength>,
     /// Drives.
     pub drives: Vec<Drive>,
     /// Measures.
     pub measures: Vec<Measure>,
-    /// Equations, rows of the Jacobian.
+    /// Equations: rows of the Jacobian.
     pub equations: Vec<String>,
-    /// Unknowns, columns of the Jacobian.
+    /// Unknowns: columns of the Jacobian.
     pub unknowns: Vec<String>,
     /// The wheels that the listing states.
     pub wheels: Vec<Wheel>,
-    /// What the motion file says of the vehicle.
+    /// The data of the vehicle in the motion file.
     pub vehicle: Vehicle,
 }
 
@@ -65,7 +65,7 @@ pub struct Names {
 pub struct Drive {
     /// Its name.
     pub name: String,
-    /// What its value measures.
+    /// The kind of its value.
     pub kind: DriveKind,
 }
 
@@ -74,12 +74,12 @@ pub struct Drive {
 pub struct Measure {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: MeasureKind,
 }
 
 impl Names {
-    /// Those of a listing or a model.
+    /// The names of a listing or a model.
     pub fn of(parts: &impl Parts) -> Self {
         let named = |count: usize, part: fn(usize) -> Part| -> Vec<String> {
             let each = (0..count).map(|index| parts.name(part(index)).to_owned());
@@ -123,7 +123,7 @@ impl Names {
         }
     }
 
-    /// The same with the links, the hinges and the guides of the listing.
+    /// Adds the links, hinges and guides of the listing.
     pub(crate) fn with_parts_of(mut self, listing: &suspension_runtime::Listing) -> Self {
         let statements = listing.statements().into_iter();
         let links = statements.filter(|statement| statement.ends().is_some());
@@ -150,21 +150,21 @@ impl Names {
         found.map(|(_, length)| length)
     }
 
-    /// Whether there is a link of that name which is no line of an angle that is driven or held.
+    /// Whether there is a link of this name that is not a line of a driven or held angle.
     pub(crate) fn is_free_link(&self, name: &str) -> bool {
         let length = self.link(name);
         length.is_some_and(|length| !self.angled_links.contains(&length))
     }
 
-    /// The same with springs, and parts that have a mass.
+    /// Adds springs, and parts that have a mass.
     pub fn with(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
         self.vehicle.springs = springs.into();
         self.vehicle.masses = masses.into();
         self
     }
 
-    /// The same with wheels that know where their axes are at the design position, of whose points these are the local coordinates,
-    /// and with guides that know their directions.
+    /// Adds the axes of the wheels and the directions of the guides at the design position, of which `points` are the
+    /// local coordinates.
     pub fn designed(mut self, points: &[Vector3<f64>]) -> Self {
         for wheel in &mut self.wheels {
             wheel.design = Some(wheel.points.axis.map(|point| points[point]));
@@ -175,9 +175,10 @@ impl Names {
         self
     }
 
-    /// The same with wheels that know whether they stand in the middle of the vehicle; `middle` is what to add to y for the file's coordinates.
+    /// Adds whether each wheel is in the middle of the vehicle; `middle` is to be added to y to get the file's
+    /// coordinates.
     pub(crate) fn about(mut self, middle: f64) -> Self {
-        /// Beside the length of the spin axis.
+        /// A fraction of the length of the spin axis.
         const ROUNDING: f64 = 1e-6;
         for wheel in &mut self.wheels {
             wheel.is_in_middle = wheel.design.is_some_and(|[inner, centre]| {
@@ -187,7 +188,7 @@ impl Names {
         self
     }
 
-    /// The same with wheels that know how their travel is bound to that of others.
+    /// Adds the coupling of each wheel's travel with that of others.
     pub fn coupled(mut self, couplings: &[Coupling]) -> Self {
         for (wheel, coupling) in self.wheels.iter_mut().zip(couplings) {
             wheel.coupling = *coupling;
@@ -222,11 +223,11 @@ impl Names {
         drives.chain(measures.map(|measure| measure.name.as_str()))
     }
 
-    /// The number of the drive that an option names; without one that of the only drive.
+    /// The number of the drive that an option names; without an option, the number of the only drive.
     ///
     /// # Errors
     ///
-    /// What is wrong, in words.
+    /// A sentence that says what is wrong.
     pub fn chosen_drive(&self, wanted: Option<&str>) -> Result<usize, String> {
         let names = self.of_drives();
         let all = names.join(", ");

@@ -5,7 +5,7 @@
 pub struct Polynomial(Vec<f64>);
 
 impl Polynomial {
-    /// From its coefficients, constant first.
+    /// The polynomial with these coefficients, constant first.
     pub fn new(coefficients: Vec<f64>) -> Self {
         Self(coefficients)
     }

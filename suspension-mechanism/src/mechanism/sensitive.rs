@@ -10,31 +10,31 @@ use crate::mechanism::gradient::DRIVES_AT_ONCE;
 use crate::mechanism::names::Names;
 use crate::mechanism::positions::Positions;
 
-/// Along how many changes a [`Sensitive`] number has derivatives.
+/// The number of changes along which a [`Sensitive`] number has derivatives.
 pub const CHANGES_AT_ONCE: usize = 4;
 
-/// A number with its first derivatives along some changes of the design, and those of its first derivatives with respect to some
-/// drives.
+/// A number with its first derivatives along some changes of the design, and with those of its first derivatives with
+/// respect to some drives.
 pub type Sensitive = Dual<Dual<f64, CHANGES_AT_ONCE>, DRIVES_AT_ONCE>;
 
-/// What of an [`Expansion`].
+/// A term of an [`Expansion`].
 #[derive(Clone, Copy)]
 enum Term {
     Value,
     First(usize),
-    /// With respect to two drives, or twice to the same.
+    /// The second derivative with respect to two drives, or twice to the same.
     Second(usize, usize),
 }
 
 /// A mechanism with derivatives along changes of its design, and with respect to the drives from `first` on.
 pub struct InDesign<'a> {
-    /// What the mechanism has.
+    /// The names of the mechanism's parts.
     pub names: &'a Names,
-    /// What it is.
+    /// The mechanism at its start.
     pub start: &'a Expansion,
-    /// How that changes, where it can; at most as many as there are derivatives along.
+    /// Its derivatives along the changes, if they exist; at most as many as a number has derivatives.
     pub changes: &'a [Option<Expansion>],
-    /// The first drive.
+    /// The first of the drives.
     pub first: usize,
 }
 
@@ -47,7 +47,7 @@ impl InDesign<'_> {
         }
     }
 
-    /// A component of a point of a term; NaN with respect to a drive that there is not.
+    /// A component of a point of a term; NaN for a drive that does not exist.
     fn component(&self, term: Term, point: usize, axis: usize) -> Dual<f64, CHANGES_AT_ONCE> {
         let drives = self.names.drives.len();
         let row = match term {

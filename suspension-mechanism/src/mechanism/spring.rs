@@ -9,18 +9,18 @@ pub struct Spring {
     pub name: String,
     /// The number of its measure.
     pub measure: usize,
-    /// What that is.
+    /// The kind of its measure.
     pub kind: MeasureKind,
-    /// N per unit of length, or N m per radian.
+    /// Its rate: N per unit of length, or N m per radian.
     pub rate: f64,
-    /// What it presses at the design position, N or N m, positive where it makes the measure larger.
+    /// Its load at the design position, N or N m, positive if it tends to increase the measure.
     pub load: f64,
-    /// The measure there, in the file's coordinates.
+    /// The measure at the design position, in the file's coordinates.
     pub design: f64,
 }
 
 impl Spring {
-    /// What it presses where its measure is `value`.
+    /// Its load when its measure is `value`.
     pub fn presses(&self, value: f64) -> f64 {
         self.load - self.rate * (value - self.design)
     }

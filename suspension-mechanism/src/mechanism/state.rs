@@ -21,38 +21,38 @@ pub struct State {
     pub drives: Vec<f64>,
     /// All points with their velocities and accelerations, in local coordinates.
     pub points: Signal<Points>,
-    /// What to add to a position for the file's coordinates.
+    /// The vector to be added to a position to get the file's coordinates.
     pub origin: Vector3<f64>,
     /// The axes of all coordinates.
     pub axes: Axes,
-    /// What the linkage measures, in the file's coordinates, with its rates.
+    /// The measures of the linkage, in the file's coordinates, with their rates.
     pub measures: Signal<Vec<f64>>,
-    /// Velocities of all points as a drive moves them, the others held, by the number of the drive, with their
-    /// derivatives along the rates of `points`, NaN where those are not known; `None` of drives that neither move a
-    /// wheel up and down nor steer it, and where the mechanism locks.
+    /// Velocities of all points when a drive moves them, with the others held, by the number of the drive, with their
+    /// derivatives along the rates of `points`, which are NaN if they are not known. `None` for drives that neither
+    /// move a wheel up and down nor steer it, and if the mechanism locks.
     pub velocities: Vec<Option<Signal<Points>>>,
-    /// Where springs or masses are: the states with derivatives along movements of the wheels up and down.
+    /// The states with derivatives along movements of the wheels up and down; present if there are springs or masses.
     pub moved: Rc<[Moved]>,
     /// Springs and anti-roll bars.
     pub springs: Rc<[Spring]>,
     /// Parts that have a mass.
     pub masses: Rc<[Mass]>,
-    /// Units of length in a metre.
+    /// The number of units of length in a metre.
     pub metre: f64,
-    /// Iterations of Newton's method, steps in between included.
+    /// The number of iterations of Newton's method, including those of intermediate steps.
     pub iterations: usize,
     /// The largest residual, in the unit of lengths.
     pub residual: f64,
 }
 
-/// How wheels move up and down, the other drives held.
+/// A way in which wheels move up and down, with the other drives held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
-    /// As a drive of travel moves its wheel, the one beside it held at its height if that has a drive of its own.
+    /// A drive of travel moves its wheel; the wheel beside it is held at its height if it has a drive of its own.
     Travel(usize),
-    /// The two of an axle, by number, so that their centres rise alike, by drives of their own.
+    /// Both wheels of an axle, by number, move by drives of their own so that their centres rise by the same amount.
     Heave([usize; 2]),
-    /// So that the centre of the first rises as that of the second falls.
+    /// The two move so that the centre of the first rises as that of the second falls.
     Roll([usize; 2]),
 }
 
@@ -71,7 +71,7 @@ impl State {
         self.points.value[point] + self.origin
     }
 
-    /// The state along a movement, where it is known.
+    /// The state along a movement, if it is known.
     pub fn moved_along(&self, movement: Movement) -> Option<&State> {
         let mut moved = self.moved.iter();
         moved
@@ -79,20 +79,20 @@ impl State {
             .map(|moved| &moved.state)
     }
 
-    /// The velocities of all points as a drive moves them, where they are known.
+    /// The velocities of all points when a drive moves them, if they are known.
     pub fn moved_by(&self, drive: usize) -> Option<&Signal<Points>> {
         self.velocities.get(drive)?.as_ref()
     }
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// The state of points with their rates, at local values of the drives.
+    /// The state for points with their rates, at local values of the drives.
     pub fn state(&self, t: f64, drives: &L::Drives, points: &Signal<L::Points>) -> State {
         let listed = points.map(|points| self.listed(points));
         self.state_of(t, drives, listed, self.measured(points))
     }
 
-    /// The state of points in lists, and of what the linkage measures.
+    /// The state for lists of points and for the measures of the linkage.
     pub(crate) fn state_of(
         &self,
         t: f64,
@@ -124,7 +124,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         each.map(|_| points.next().unwrap_or_default()).collect()
     }
 
-    /// What the linkage measures of points with their rates, in the file's coordinates.
+    /// The measures for points with their rates, in the file's coordinates.
     pub(crate) fn measured(&self, points: &Signal<L::Points>) -> Signal<Vec<f64>> {
         let count = self.names.measures.len();
         let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();

@@ -12,16 +12,16 @@ use crate::mechanism::names::Suspension;
 use crate::mechanism::state::State;
 use suspension_motion_file::Instants;
 
-/// Takes the state at one instant; may end the motion.
+/// Receives the state at one instant; may end the motion.
 pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// Moves the mechanism from instant to instant. The first lies where the file's does. Where the
-    /// mechanism locks or the caller stops, that is the [`End`]: not an error.
+    /// Moves the mechanism from instant to instant. `instants` begin at the file's first instant. If the mechanism
+    /// locks or the caller stops, that is the [`End`] and not an error.
     ///
     /// # Errors
     ///
-    /// What `on_state` fails with.
+    /// The error of `on_state`.
     pub fn move_through(
         &self,
         instants: &Instants,

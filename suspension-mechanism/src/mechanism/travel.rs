@@ -4,7 +4,8 @@ use crate::mechanism::names::Names;
 use crate::mechanism::vehicle::Wheel;
 
 impl Names {
-    /// What `travel` is under `[vehicle]` for some of the wheels: the drives that alone lift them, `NAME` of a wheel without one.
+    /// The value of `travel` under `[vehicle]` for some of the wheels: the drives that alone lift them, or `NAME` for
+    /// a wheel without one.
     pub fn travel_in_file<'a>(&self, wheels: impl IntoIterator<Item = &'a Wheel>) -> String {
         let quoted = |wheel: &Wheel| {
             let drive = match *wheel.lifted_by {

@@ -13,21 +13,22 @@ use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::state::State;
 
-/// What forces at the points do to a mechanism.
+/// The effect of forces at the points on a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Borne {
-    /// The work of the forces per unit of each drive, which what moves the drive bears: N, and N times the unit of lengths
-    /// about angles.
+    /// The work of the forces per unit of each drive, which is borne by whatever moves the drive: N, and N times the
+    /// unit of lengths about angles.
     pub on_drives: Vec<f64>,
     /// The forces that each part exerts on the points, N.
     pub by_parts: Vec<Vec<Vector3<f64>>>,
-    /// The moments, N m, on parts by number, each with the name of the statement that drives or holds the angle it is about.
+    /// The moments, N m, on parts by number, each with the name of the statement that drives or holds the angle about
+    /// which it acts.
     pub on_parts: Vec<(usize, String, Vector3<f64>)>,
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// What forces at chassis points and free points do at a state, and parts to the points; `None` where the mechanism
-    /// locks.
+    /// The effect of forces at chassis points and free points at a state, and the forces of parts on the points;
+    /// `None` if the mechanism locks.
     pub fn under(
         &self,
         state: &State,
@@ -58,7 +59,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         })
     }
 
-    /// Drives whose angles about axes are on the turn that unknowns read off the points are on: within half a turn of the design.
+    /// The drives, with angles about axes put on the turn on which unknowns read from the points are: within half a
+    /// turn of the design.
     fn on_the_turn_of(&self, position: &SVector<f64, N>, mut drives: L::Drives) -> L::Drives {
         const TURNS: [f64; 3] = [0.0, TAU, -TAU];
         let named = self.names.drives.iter().enumerate();
@@ -97,7 +99,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 }
 
-/// The points of a state, as the linkage has them.
+/// The points of a state in the linkage's type.
 fn points<P: Values<Vector3<f64>>>(state: &State) -> P {
     points_of(&state.points.value)
 }

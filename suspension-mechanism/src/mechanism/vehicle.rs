@@ -10,16 +10,16 @@ use suspension_motion_file::{Axle, Torque};
 use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 
-/// What quantities need beside the linkage.
+/// The data that quantities need besides the linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Vehicle {
     /// The numbers of the drives that move wheels up and down, each once.
     pub travel: Vec<usize>,
-    /// The numbers of the drives that steer them, likewise.
+    /// The numbers of the drives that steer them, each once.
     pub steer: Vec<usize>,
-    /// The steering wheel, where it is known how far it moves the drive of steering.
+    /// The steering wheel, if it is known how far it moves the drive of steering.
     pub steering_wheel: Option<SteeringWheel>,
-    /// From axle to axle, in the unit of lengths.
+    /// The distance between the axles, in the unit of lengths.
     pub wheelbase: Option<f64>,
     /// The height of the centre of gravity above the ground, in the unit of lengths.
     pub cg_height: Option<f64>,
@@ -36,79 +36,80 @@ impl Vehicle {
     }
 }
 
-/// A steering wheel that moves a drive in proportion, as a rack and pinion does or a steering box.
+/// A steering wheel that moves a drive in proportion, as a rack and pinion or a steering box does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteeringWheel {
     /// The number of the drive.
     pub drive: usize,
     /// The numbers of the wheels that the drive turns at the design position.
     pub turned: Vec<usize>,
-    /// How far the drive moves in a turn to the left, in the unit of lengths or in radians: negative where less of the drive turns the wheels to
-    /// the left at the design position.
+    /// The change of the drive per turn to the left, in the unit of lengths or in radians: negative if a decrease of
+    /// the drive turns the wheels to the left at the design position.
     pub per_turn: f64,
     /// The drive's value at the design position, in the file's coordinates.
     pub design: f64,
 }
 
 impl SteeringWheel {
-    /// The line of a motion file that says how far it moves a rack.
+    /// The line of a motion file that tells how far it moves a rack.
     pub const RACK: &str = "rack_per_turn";
-    /// The same of a steering box, whose drive is an angle.
+    /// The line of a motion file for a steering box, whose drive is an angle.
     pub const BOX: &str = "steering_box_ratio";
 
-    /// How far it is turned for a unit of the drive, in radians, positive to the left.
+    /// The angle by which it turns per unit of the drive, in radians, positive to the left.
     pub fn per_drive(&self) -> f64 {
         TAU / self.per_turn
     }
 
-    /// How far it is turned from the design position, of the values of all drives.
+    /// The angle by which it is turned from the design position, for these values of all drives.
     pub fn angle(&self, drives: &[f64]) -> f64 {
         (drives[self.drive] - self.design) * self.per_drive()
     }
 }
 
-/// A wheel that a listing states, and what the motion file says of it.
+/// A wheel that a listing states, with its data in the motion file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wheel {
-    /// Its name; empty of an only wheel that is stated without one.
+    /// Its name; empty for a single wheel that is stated without one.
     pub name: String,
     /// Its points.
     pub points: WheelPoints,
     /// The number of the drive that moves it up and down.
     pub travel: Option<usize>,
-    /// Where no drive is known to: those that do at the design position.
+    /// If no such drive is known: the drives that lift it at the design position.
     pub lifted_by: Vec<usize>,
     /// The number of the drive that steers it.
     pub steer: Option<usize>,
-    /// From its centre to the ground, in the unit of lengths.
+    /// The distance from its centre to the ground, in the unit of lengths.
     pub radius: Option<f64>,
-    /// Which axle of a car it is on.
+    /// The axle of a car to which it belongs.
     pub axle: Option<Axle>,
-    /// That axle's share of the brake force.
+    /// The axle's share of the brake force.
     pub brake_share: Option<f64>,
-    /// The same of the drive force.
+    /// The axle's share of the drive force.
     pub drive_share: Option<f64>,
-    /// What bears the torque of its brakes.
+    /// The part that bears its brake torque.
     pub brake_torque: Torque,
-    /// The same of its drive.
+    /// The part that bears its drive torque.
     pub drive_torque: Torque,
-    /// The points of its axis at the design position, in local coordinates; of a listing without points none.
+    /// The points of its axis at the design position, in local coordinates; `None` for a listing without points.
     pub design: Option<[Vector3<f64>; 2]>,
-    /// Whether it stands in the middle of the vehicle then, as a motorcycle's.
+    /// Whether it is then in the middle of the vehicle, like a motorcycle's wheel.
     pub is_in_middle: bool,
-    /// How its travel is bound to that of others.
+    /// The coupling of its travel with that of other wheels.
     pub coupling: Coupling,
 }
 
-/// How the travel of a wheel is bound to that of others at the design position, the other wheel of its axle held at its height.
+/// The coupling of a wheel's travel with that of others at the design position, with the other wheel of its axle held
+/// at its height.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coupling {
-    /// Its travel moves the carrier of another wheel, as on a twist beam.
+    /// Its travel moves the carrier of another wheel, as in a twist beam.
     pub moves_another: bool,
     /// The travel of another wheel moves its carrier.
     pub is_moved: bool,
-    /// Its travel takes the drives of both wheels of its axle: either one moves both wheels up or down, as where both dampers of a
-    /// rigid axle drive it.
+    /// Its travel requires the drives of both wheels of its axle: either one moves both wheels up or down, for
+    /// example if both dampers of a rigid axle drive it.
     pub takes_both_drives: bool,
 }
 
@@ -122,34 +123,34 @@ impl Coupling {
 /// The points of a wheel, by number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WheelPoints {
-    /// On the spin axis, pointing outboard: the inner one and the wheel centre.
+    /// The two points on the spin axis, pointing outboard: the inner point and the wheel centre.
     pub axis: [usize; 2],
-    /// Of the body that carries the wheel.
+    /// Three points of the body that carries the wheel.
     pub carrier: [usize; 3],
-    /// The kingpin's lower and upper point, where the listing states one.
+    /// The kingpin's lower and upper point, if the listing states one.
     pub kingpin: Option<[usize; 2]>,
 }
 
 impl Wheel {
-    /// A word with the wheel's name behind it, as a listing has it: `wheel left`.
+    /// A word followed by the wheel's name, as in a listing: `wheel left`.
     pub fn stated(&self, word: &str) -> String {
         format!("{word} {}", self.name).trim_end().to_owned()
     }
 
-    /// What it is called: `left wheel`.
+    /// Its name for people: `left wheel`.
     pub fn title(&self, what: &str) -> String {
         format!("{} {what}", self.name).trim_start().to_owned()
     }
 
-    /// Whether both are on one side of the vehicle, by the way to which their axes point at the design position: two such wheels are
-    /// dual ones or behind each other, and no axle.
+    /// Whether both are on one side of the vehicle, according to the direction in which their axes point at the
+    /// design position: two such wheels are dual wheels or one behind the other, and not an axle.
     pub fn is_on_the_side_of(&self, other: &Self) -> bool {
         let outboard = |wheel: &Self| wheel.design.map(|[inner, centre]| centre.y - inner.y);
         let both = outboard(self).zip(outboard(other));
         both.is_some_and(|(one, other)| one * other > 0.0)
     }
 
-    /// Whether one body carries both across the vehicle, as a live axle does.
+    /// Whether one body carries both across the vehicle, like a live axle.
     pub fn is_across_on_one_body(&self, other: &Self) -> bool {
         self.points.carrier == other.points.carrier && !self.is_on_the_side_of(other)
     }
@@ -178,21 +179,21 @@ impl From<WheelPlaces<'_>> for Wheel {
     }
 }
 
-/// The sides of a vehicle, as the names of wheels have them.
+/// The sides of a vehicle, as used in names of wheels.
 const SIDES: [&str; 2] = ["left", "right"];
 
-/// Two wheels that stand across from each other.
+/// Two wheels opposite each other.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// What their names have in common; empty of the only two wheels of a listing.
+    /// The common part of their names; empty for the only two wheels of a listing.
     pub name: String,
     /// Their numbers.
     pub wheels: [usize; 2],
 }
 
 impl Pair {
-    /// Those of all wheels: two alone, but for a front and a rear one, or those whose names differ by their sides, as `front_left`
-    /// and `front_right` do; none of two on one side of the vehicle.
+    /// The pairs of all wheels: two single wheels that are not a front and a rear one, or those whose names differ by
+    /// their sides, such as `front_left` and `front_right`; none for two on one side of the vehicle.
     pub fn all(wheels: &[Wheel]) -> Vec<Self> {
         if let [one, other] = wheels {
             let are_in_line = match [one, other].map(|wheel| Axle::of(&wheel.name)) {
@@ -237,13 +238,13 @@ impl Pair {
     }
 }
 
-/// The side of the vehicle that a name has, where it has one.
+/// The side of the vehicle in a name, if it has one.
 pub fn side_of(name: &str) -> Option<&'static str> {
     let mut words = name.split('_');
     words.find_map(|word| SIDES.into_iter().find(|side| *side == word))
 }
 
-/// The name that has the other side in place of its own; `None` of a name that has none.
+/// The name with the other side instead of its own; `None` for a name without a side.
 pub fn on_other_side(name: &str) -> Option<String> {
     let [left, right] = SIDES;
     let exchange = |word| match word {

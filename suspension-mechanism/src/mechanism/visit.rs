@@ -15,16 +15,16 @@ use visitor::Visitor;
 
 pub use place::{OnPlace, Place, VisitEnd};
 
-/// What was read at the places of a grid.
+/// The results read at the places of a grid.
 #[derive(Clone, Debug)]
 pub struct Visited<R> {
-    /// In the order of the grid; `None` where the mechanism has no configuration.
+    /// The results in the order of the grid; `None` if the mechanism has no configuration.
     pub places: Vec<Option<R>>,
     pub(crate) end: VisitEnd,
 }
 
 impl<R> Visited<R> {
-    /// What remains to be said where places are missing.
+    /// The failure to report if places are missing.
     pub fn failure(&self, source: &str) -> Option<Failure> {
         let (all, missing) = self.counts();
         let written = match all - missing {
@@ -42,7 +42,7 @@ impl<R> Visited<R> {
         Some(Failure::Solver(format!("{source}: {why}; {written}")))
     }
 
-    /// Why places are missing, where the mechanism locks, in words.
+    /// The reason why places are missing if the mechanism locks.
     pub fn out_of_reach(&self, source: &str) -> Option<String> {
         if self.end.locks.is_empty() {
             return None;
@@ -57,7 +57,7 @@ impl<R> Visited<R> {
         ))
     }
 
-    /// How many places there are, and how many are missing.
+    /// The number of places, and the number of missing ones.
     fn counts(&self) -> (usize, usize) {
         let missing = self.places.iter().filter(|place| place.is_none()).count();
         (self.places.len(), missing)
@@ -65,7 +65,8 @@ impl<R> Visited<R> {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// Solves the mechanism at each place of a grid that it reaches; derivatives of quantities have the wanted order.
+    /// Solves the mechanism at each place of a grid that it reaches; derivatives of quantities have the requested
+    /// order.
     pub(crate) fn visit_each(
         &self,
         grid: &Grid,

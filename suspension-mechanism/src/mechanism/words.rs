@@ -7,7 +7,7 @@ use crate::mechanism::names::Names;
 use crate::number::number;
 use suspension_motion_file::Unit;
 
-/// What to do about a lock in the motion of a file.
+/// The remedy for a lock in the motion of a file.
 pub fn advice(file: &str) -> String {
     format!("`suspension range {file}` shows what ends it")
 }
@@ -22,7 +22,7 @@ pub fn listed(words: impl IntoIterator<Item = String>) -> String {
 }
 
 impl Names {
-    /// A drive's value inside in words, as `theta = 0.7 rad`.
+    /// A drive's local value in words, such as `theta = 0.7 rad`.
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
         let drive = &self.drives[drive];
         let (value, symbol) = (
@@ -32,7 +32,7 @@ impl Names {
         format!("{} = {} {symbol}", drive.name, number(value))
     }
 
-    /// All drives' values in words, `instead` in place of one of them.
+    /// All drives' values in words, with `instead` in place of one of them.
     pub fn drives_in_words(
         &self,
         values: &[f64],
@@ -49,7 +49,7 @@ impl Names {
         each.collect::<Vec<_>>().join(", ")
     }
 
-    /// Why a step was refused.
+    /// The reason why a step was refused.
     pub fn cause(&self, error: &SolveError<f64>) -> String {
         format!("{:#}", error.named(self))
     }

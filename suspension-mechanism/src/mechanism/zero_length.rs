@@ -2,17 +2,17 @@
 
 use suspension_runtime::Listing;
 
-/// A length that a drive prescribes, as of an actuator.
+/// A length that a drive prescribes, such as that of an actuator.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DrivenLength {
     /// The number of the drive.
     pub drive: usize,
-    /// The points between which it is.
+    /// The points that it is between.
     pub ends: [String; 2],
 }
 
 impl DrivenLength {
-    /// Those of a listing with this number of drives.
+    /// All driven lengths of a listing with this number of drives.
     pub(crate) fn all(listing: &Listing, drives: usize) -> Vec<Self> {
         let lengths = (0..drives).filter_map(|drive| {
             let ends = listing.driven_length(drive)?.map(str::to_owned);
@@ -21,15 +21,16 @@ impl DrivenLength {
         lengths.collect()
     }
 
-    /// The one that is zero but for rounding, in a mechanism of this size with these values of its drives, in the file's coordinates.
+    /// The length that is zero to rounding, in a mechanism of this size with these values of its drives, in the
+    /// file's coordinates.
     pub(crate) fn at_zero<'a>(all: &'a [Self], drives: &[f64], size: f64) -> Option<&'a Self> {
-        /// The part of the size below which rounding leaves no direction of the line between the points.
+        /// The fraction of the size below which rounding leaves no direction of the line between the points.
         const NEAR: f64 = 1e-6;
         let mut lengths = all.iter();
         lengths.find(|length| drives[length.drive].abs() < NEAR * size)
     }
 
-    /// That it is zero, in words.
+    /// The message that it is zero.
     pub(crate) fn fault(&self) -> String {
         let [from, to] = &self.ends;
         format!("the length is zero, where `{from}` and `{to}` meet, and cannot be less")

@@ -19,7 +19,7 @@ impl Axis {
     /// All three, in the order of a vector's components.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// The unit vector along it.
+    /// The unit vector along this axis.
     pub fn vector(self) -> Vector3<f64> {
         let mut vector = Vector3::zeros();
         vector[self as usize] = 1.0;

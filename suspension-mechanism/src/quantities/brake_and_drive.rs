@@ -9,8 +9,9 @@ use crate::quantities::on_ground::{moving, of_moving};
 use crate::quantities::readings::of_each_wheel;
 use crate::quantities::wheel::Moving;
 
-/// How far the point where the force of a torque acts goes forward and upwards in bump, whichever way the drives move the
-/// wheel: the contact point, as one of the carrier that bears the torque, or the wheel centre.
+/// How far the point at which the force of a torque acts moves forward and upwards in bump, in whichever direction
+/// the drives move the wheel. The point is the contact point, taken as a point of the carrier that bears the torque,
+/// or the wheel centre.
 fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
     let velocity = match torque {
         Torque::Carrier => moving.carrier.velocity_of(&moving.contact),
@@ -23,7 +24,7 @@ fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
     }
 }
 
-/// The angle of the path in bump from the vertical in the side view.
+/// The angle from the vertical of this point's path in bump, in the side view.
 pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
     let on_ground = torque == Torque::Carrier;
     of_moving(
@@ -38,7 +39,7 @@ pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
     )
 }
 
-/// The forces of a car of which each axle has a share.
+/// The forces of a car that its axles share.
 #[derive(Clone, Copy)]
 pub(super) enum Force {
     Brakes,
@@ -46,7 +47,7 @@ pub(super) enum Force {
 }
 
 impl Force {
-    /// The axle's share of it, and what bears its torque.
+    /// The axle's share of it, and the part that bears its torque.
     fn of(self, wheel: &Wheel) -> (Option<f64>, Torque) {
         match self {
             Self::Brakes => (wheel.brake_share, wheel.brake_torque),
@@ -55,8 +56,8 @@ impl Force {
     }
 }
 
-/// The part of the car's load transfer that links bear in place of springs; `towards` is 1 where a path forward
-/// in bump bears it, -1 where one rearward does.
+/// The fraction of the car's load transfer that links bear instead of springs; `towards` is 1 if a path forward in
+/// bump bears it, -1 if a path rearward does.
 pub(super) fn of_support<N: Number>(
     names: &Names,
     axle: Axle,

@@ -4,7 +4,7 @@
 use crate::file::Dimension;
 use crate::quantities::quantity::{Column, Quantity};
 
-/// Makes a `static` of each row and the list of a file's. A formula is compiled for each kind of number.
+/// Makes a `static` of each row and the list of a file's rows. A formula is compiled for each number type.
 macro_rules! catalogue {
     ($($row:ident: $title:literal {
         name: $name:literal,
@@ -70,17 +70,17 @@ pub use wheel::{
     MECHANICAL_TRAIL, SCRUB_RADIUS, TOE,
 };
 
-/// Whether a column is of a drive that is an angle, whose values files state.
+/// Whether a column belongs to a drive that is an angle, whose values files state.
 pub fn is_driven_angle(column: &Column) -> bool {
     column.is(&DRIVES) && column.dimension == Dimension::Angle
 }
 
-/// The rows of an axle, of a linkage with two wheels.
+/// The rows of an axle, for a linkage with two wheels.
 pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {
     axle::ROWS.iter().copied()
 }
 
-/// The rows of what is zero at the design position.
+/// The rows of quantities that are zero at the design position.
 pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
     from_design::ROWS
         .iter()
@@ -88,7 +88,7 @@ pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
         .chain([&TRACK_CHANGE, &STEERING_WHEEL_ANGLE])
 }
 
-/// All rows, in the order in which tables have them.
+/// All rows, in the order of tables.
 pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     let files = [
         motion::ROWS,

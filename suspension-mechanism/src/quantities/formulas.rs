@@ -8,16 +8,16 @@ use crate::quantities::axis::Axis;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 
-/// What makes the numbers of a quantity: one formula, compiled for each kind of number.
+/// Makes the numbers of a quantity: one formula, compiled for each number type.
 pub struct Formulas {
     pub(super) along: fn(&Names) -> Vec<Reading<Signal<f64>>>,
     pub(super) gradient: fn(&Names) -> Vec<Reading<Gradient>>,
     pub(super) sensitive: fn(&Names) -> Vec<Reading<Sensitive>>,
 }
 
-/// A number that the formulas of quantities are compiled for.
+/// A number type for which the formulas of quantities are compiled.
 pub trait Compiled: Number {
-    /// The numbers of a quantity; none where the linkage has no such thing.
+    /// The numbers of a quantity; none if the linkage lacks what it describes.
     fn readings(formulas: &Formulas, names: &Names) -> Vec<Reading<Self>>;
 }
 
@@ -39,13 +39,13 @@ impl Compiled for Sensitive {
     }
 }
 
-/// What reads a number of any state.
+/// A function that reads a number of any state.
 pub(super) type Read<N> = dyn Fn(&Reader<'_, N>) -> N;
 
 /// One number of a quantity.
 pub struct Reading<N> {
     pub(super) name: Option<String>,
-    /// The name of the wheel that it is of.
+    /// The name of the wheel to which it belongs.
     pub(super) wheel: Option<String>,
     pub(super) dimension: Dimension,
     pub(super) axis: Option<Axis>,

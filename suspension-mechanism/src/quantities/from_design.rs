@@ -8,7 +8,7 @@ use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, reading};
 use crate::quantities::wheel::{Rolling, Wheel};
 
-/// How far each wheel has moved from the design position.
+/// The displacement of each wheel from the design position.
 pub(super) fn of_moved<N: Number>(
     names: &Names,
     on_ground: bool,
@@ -20,7 +20,7 @@ pub(super) fn of_moved<N: Number>(
     })
 }
 
-/// The same along the vehicle, of wheels of whose axle is known which one it is: positive away from the other axle.
+/// The displacement along the vehicle, for wheels whose axle is known: positive away from the other axle.
 pub(super) fn of_moved_from_other_axle<N: Number>(
     names: &Names,
     forward: fn(&Wheel<N>, &Wheel<N>) -> N,

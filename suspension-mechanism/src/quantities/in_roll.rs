@@ -13,18 +13,18 @@ use crate::quantities::wheel::{Moving, Rolling, Wheel};
 pub(super) struct InRoll<N> {
     /// See [`roll_centre`].
     pub(super) centre: Vector3<N>,
-    /// The wheels by number, each with what it has per radian of roll.
+    /// The wheels by number, each with its values per radian of roll.
     wheels: [(usize, PerRoll<N>); 2],
 }
 
-/// What a wheel has per radian of roll.
+/// The values of a wheel per radian of roll.
 #[derive(Clone, Copy)]
 pub(super) struct PerRoll<N> {
     pub(super) camber: N,
     pub(super) steer: N,
 }
 
-/// A wheel as one drive moves it, or several.
+/// A wheel moved by one drive, or by several.
 struct Moved<N> {
     carrier: Carrier<N>,
     axis_rate: Vector3<N>,
@@ -43,8 +43,9 @@ impl<N: Number> Moved<N> {
     }
 }
 
-/// See [`roll_centre`]. Where both contact points move upright but for rounding, the normals are level: at one height they are one
-/// line, and the centre is in the middle between the wheels, without derivatives; at two they do not meet.
+/// See [`roll_centre`]. If both contact points move vertically to rounding, the normals are level. At the same height
+/// they coincide, and the centre is midway between the wheels, without derivatives; at different heights they do not
+/// meet.
 fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> Vector3<N> {
     const ROUNDING: f64 = 1e-11;
     let values = |vector: &Vector3<N>| vector.map(N::value);
@@ -63,8 +64,8 @@ fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> 
 }
 
 impl<N: Number> InRoll<N> {
-    /// Of the left wheel and the right one, and of what moves a wheel's carrier by a drive; `None` where the mechanism
-    /// locks, or a wheel has no drive of travel.
+    /// The axle in roll, from its left and right wheels and a function that gives the motion of a wheel's carrier by
+    /// a drive; `None` if the mechanism locks, or a wheel has no drive of travel.
     pub(super) fn of(
         axle: [(Rolling, &Wheel<N>); 2],
         moved: impl Fn(Rolling, usize) -> Option<Moving<N>>,
@@ -108,7 +109,7 @@ impl<N: Number> InRoll<N> {
         })
     }
 
-    /// What a wheel of the axle has per radian of roll.
+    /// The values of a wheel of the axle per radian of roll.
     pub(super) fn of_wheel(&self, number: usize) -> Option<PerRoll<N>> {
         let mut wheels = self.wheels.iter();
         wheels

@@ -7,7 +7,7 @@ use crate::quantities::number::Number;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::Rolling;
 
-/// The mass at each wheel centre that moves in height as all parts with masses do in travel.
+/// The mass at each wheel centre whose motion in height is equivalent to that of all parts with masses in travel.
 pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let has_masses = !names.vehicle.masses.is_empty();
     of_each_wheel(names, &|rolling| {
@@ -21,7 +21,7 @@ pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     })
 }
 
-/// Of one of the wheels that move together, in a state with derivatives along that.
+/// The effective mass at one of the wheels that move together, in a state with derivatives along this movement.
 fn effective(state: &State, together: &[Rolling]) -> Option<f64> {
     let velocities = &state.points.rate;
     let energies = state.masses.iter();

@@ -6,7 +6,7 @@ use suspension_core::signal;
 use crate::dual::Dual;
 use crate::mechanism::{DRIVES_AT_ONCE, Gradient, Sensitive};
 
-/// A number that quantities are read in: with it come its derivatives, of which its type says which ones these are.
+/// A number in which quantities are read. It carries derivatives; its type determines which ones.
 pub trait Number: signal::Number {
     /// A number that does not change.
     fn still(value: f64) -> Self;
@@ -17,13 +17,13 @@ pub trait Number: signal::Number {
     /// The number without its derivatives.
     fn value(self) -> f64;
 
-    /// What does not exist, or is not known.
+    /// A number that does not exist, or is not known.
     fn unknown() -> Self {
         Self::alone(f64::NAN)
     }
 }
 
-/// With the derivatives along the rates of a state.
+/// The derivatives are those along the rates of a state.
 impl Number for Signal<f64> {
     fn still(value: f64) -> Self {
         Self::still(value)
@@ -42,7 +42,7 @@ impl Number for Signal<f64> {
     }
 }
 
-/// With the first derivatives with respect to some drives.
+/// The derivatives are the first ones with respect to some drives.
 impl Number for Gradient {
     fn still(value: f64) -> Self {
         Self::still(value)
@@ -60,7 +60,7 @@ impl Number for Gradient {
     }
 }
 
-/// With the derivatives of a [`Gradient`] along changes of the design.
+/// The derivatives are those of a [`Gradient`] along changes of the design.
 impl Number for Sensitive {
     fn still(value: f64) -> Self {
         Self::still(Dual::still(value))

@@ -13,18 +13,19 @@ use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading};
 use crate::quantities::wheel::{Along, Rolling, Wheel};
 
-/// Within this mean steer angle, a degree, toe decides how the wheels of an axle differ, not the steering.
+/// A mean steer angle of a degree. Below it toe, and not the steering, determines the difference between the wheels
+/// of an axle.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
 
-/// Two wheels that stand across from each other.
+/// Two wheels opposite each other.
 pub(super) struct Axle {
-    /// What their names have in common, where the linkage has other wheels too.
+    /// The common part of their names, if the linkage has other wheels too.
     name: Option<String>,
     pub(super) wheels: [Rolling; 2],
 }
 
 impl Axle {
-    /// Those of a linkage.
+    /// All axles of a linkage.
     pub(super) fn all(names: &Names) -> Vec<Self> {
         let wheels: Vec<Rolling> = Rolling::each(names).map(|(_, rolling)| rolling).collect();
         let of_pair = |pair: Pair| Self {
@@ -55,7 +56,8 @@ impl Axle {
     }
 }
 
-/// How a wheel moves in the side view of its axle: in travel, or in heave where one wheel of the axle moves the other.
+/// The motion of a wheel in the side view of its axle: in travel, or in heave if one wheel of the axle moves the
+/// other.
 pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
     if !rolling.coupling(names).is_coupled() && !rolling.shares_its_carrier(names) {
         return travel(names, rolling);
@@ -63,14 +65,14 @@ pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
     beside(names, rolling).map_or(Along::Travel, Along::Heave)
 }
 
-/// How a wheel moves in travel, the other wheel of its axle held at its height.
+/// The motion of a wheel in travel, with the other wheel of its axle held at its height.
 pub(super) fn travel(names: &Names, rolling: Rolling) -> Along {
     let takes_both = rolling.coupling(names).takes_both_drives;
     let other = beside(names, rolling).filter(|_| takes_both);
     other.map_or(Along::Travel, Along::Held)
 }
 
-/// The other wheel of an axle whose wheels have a drive of travel each.
+/// The other wheel of an axle, if each of its wheels has a drive of travel.
 fn beside(names: &Names, rolling: Rolling) -> Option<Rolling> {
     let mut axles = Axle::all(names).into_iter().filter(Axle::has_travel);
     axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
@@ -80,7 +82,8 @@ fn beside(names: &Names, rolling: Rolling) -> Option<Rolling> {
     })
 }
 
-/// The readings of each axle that is wanted, under its name. (`dyn`, so that this is compiled once, not for each quantity.)
+/// The readings of each requested axle, under its name. (`dyn`, so that this is compiled once and not for each
+/// quantity.)
 pub(super) fn of_each_axle<N: Number>(
     names: &Names,
     is_wanted: &dyn Fn(&Axle) -> bool,
@@ -97,7 +100,7 @@ pub(super) fn of_each_axle<N: Number>(
     axles.flat_map(of_one).collect()
 }
 
-/// The left wheel and the right one; `None` where both are on one side.
+/// The left wheel and the right one; `None` if both are on one side.
 fn sided<N: Number>(reader: &Reader<'_, N>, [a, b]: [Rolling; 2]) -> Option<[Rolling; 2]> {
     let is_right = |rolling| reader.wheel(rolling).axis.y.is_below_zero();
     match (is_right(a), is_right(b)) {
@@ -107,7 +110,7 @@ fn sided<N: Number>(reader: &Reader<'_, N>, [a, b]: [Rolling; 2]) -> Option<[Rol
     }
 }
 
-/// A number of both wheels of each axle, the left one first; `on_ground` where the wheel radius is needed.
+/// A number of both wheels of each axle, the left one first; `on_ground` if the wheel radius is needed.
 pub(super) fn of_both<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -123,7 +126,7 @@ pub(super) fn of_both<N: Number>(
 /// A number of both wheels of an axle, now and at the design position.
 type FromDesign<N> = fn([&Wheel<N>; 2], [&Wheel<N>; 2]) -> N;
 
-/// The same of wheels on the ground, now and at the design position.
+/// The same number for wheels on the ground, now and at the design position.
 pub(super) fn of_both_from_design<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -142,7 +145,7 @@ pub(super) fn of_both_from_design<N: Number>(
     })
 }
 
-/// The same of one axle.
+/// The same number for one axle.
 fn both<N: Number>(
     wheels: [Rolling; 2],
     dimension: Dimension,
@@ -181,8 +184,8 @@ pub(super) fn of_steered_wheels<N: Number>(
     })
 }
 
-/// A number of each axle that steers a vehicle whose wheelbase is known: of the turn, the wheelbase and the track. Straight
-/// ahead there is none.
+/// A number of each axle that steers a vehicle of known wheelbase, computed from the turn, the wheelbase and the
+/// track. It does not exist straight ahead.
 pub(super) fn of_turn<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -199,7 +202,7 @@ pub(super) fn of_turn<N: Number>(
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
             let [inner, outer] = [turn.inner, turn.outer].map(N::value);
             let is_straight = inner + outer < 2.0 * STRAIGHT;
-            // Toe may turn the outer wheel the other way: then there is no circle.
+            // Toe may turn the outer wheel the other way, and then there is no circle.
             if is_straight || outer <= 0.0 {
                 return N::unknown();
             }
@@ -208,12 +211,12 @@ pub(super) fn of_turn<N: Number>(
     })
 }
 
-/// From the right contact point to the left one, along y.
+/// The distance from the right contact point to the left one, along y.
 pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
     left.contact.y - right.contact.y
 }
 
-/// Where each axle's roll centre is, in the front view.
+/// The position of each axle's roll centre, in the front view.
 pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::rolls, &|wheels| {
         let axes = &[Axis::Y, Axis::Z];
@@ -232,7 +235,7 @@ pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     })
 }
 
-/// What each wheel has per radian of its axle's roll.
+/// A value of each wheel per radian of its axle's roll.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
     let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
     of_each_wheel(names, &|rolling| {

@@ -25,20 +25,20 @@ pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
     })
 }
 
-/// What a steering axis is to a point of the wheel.
+/// The position of a steering axis relative to a point of the wheel.
 type Offset<N> = fn(&SteeringAxis<N>, &Vector3<N>, &Heading<N>) -> N;
 
-/// Where the kingpin passes the contact point.
+/// The position of the kingpin relative to the contact point.
 pub(super) fn of_kingpin_at_ground<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, true, offset, |wheel| wheel.contact)
 }
 
-/// Where the kingpin passes the wheel centre.
+/// The position of the kingpin relative to the wheel centre.
 pub(super) fn of_kingpin_at_centre<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, false, offset, |wheel| wheel.centre)
 }
 
-/// `on_ground` where the wheel radius is needed.
+/// `on_ground` if the wheel radius is needed.
 fn of_kingpin_at<N: Number>(
     names: &Names,
     on_ground: bool,
@@ -60,7 +60,7 @@ fn of_kingpin_at<N: Number>(
     })
 }
 
-/// A number of each carrier as it moves; `on_ground` where the wheel radius is needed.
+/// A number of each carrier in motion; `on_ground` if the wheel radius is needed.
 pub(super) fn of_moving<N: Number>(
     names: &Names,
     along: impl Fn(Rolling) -> Along,
@@ -73,8 +73,8 @@ pub(super) fn of_moving<N: Number>(
     })
 }
 
-/// The same of those that no other wheel moves, in travel, on the ground: a force on such a wheel is borne by its links. `is_wanted` of
-/// which wheels.
+/// The same number, in travel and on the ground, for the carriers that no other wheel moves: a force on a wheel that
+/// another one moves is borne by its links. `is_wanted` selects the wheels.
 pub(super) fn of_independent<N: Number>(
     names: &Names,
     is_wanted: impl Fn(Rolling) -> bool,
@@ -91,7 +91,7 @@ pub(super) fn of_independent<N: Number>(
     })
 }
 
-/// The same of the carrier of one wheel.
+/// The same number for the carrier of one wheel.
 pub(super) fn moving<N: Number>(
     rolling: Rolling,
     along: Along,
@@ -108,7 +108,7 @@ pub(super) fn moving<N: Number>(
     })]
 }
 
-/// Coordinates of a place that the carrier's motion tells.
+/// Coordinates of a place that follows from the carrier's motion.
 pub(super) fn of_moving_place<N: Number>(
     names: &Names,
     along: impl Fn(Rolling) -> Along,
@@ -133,7 +133,7 @@ pub(super) fn of_moving_place<N: Number>(
     })
 }
 
-/// Whether the file names the drive by which a wheel moves.
+/// Whether the file names the drive that moves a wheel.
 fn is_moved(rolling: &Rolling, along: Along, on_ground: bool) -> bool {
     rolling.drive(along).is_some() && (rolling.is_on_ground() || !on_ground)
 }

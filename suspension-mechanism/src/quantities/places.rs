@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::mechanism::{Positions, State};
 use crate::quantities::number::Number;
 
-/// A state, and what positions determine of it in such numbers.
+/// A state, and what its positions determine, in numbers of this type.
 #[derive(Clone, Copy)]
 pub(super) struct Places<'a, N> {
     pub(super) state: &'a State,
@@ -18,18 +18,18 @@ impl<N: Number> Places<'_, N> {
         self.state.axes.turned(self.numbers.point(point))
     }
 
-    /// Its velocity as a drive moves it, in those axes, where that is known.
+    /// Its velocity when a drive moves it, in these axes, if it is known.
     pub(super) fn velocity(&self, point: usize, drive: usize) -> Option<Vector3<N>> {
         let velocity = self.numbers.velocity(point, drive)?;
         Some(self.state.axes.turned(velocity))
     }
 
-    /// A fixed place in those axes.
+    /// A fixed place in these axes.
     pub(super) fn still(&self, place: Vector3<f64>) -> Vector3<N> {
         self.state.axes.turned(place).map(N::still)
     }
 
-    /// The origin of local coordinates, in those axes.
+    /// The origin of local coordinates, in these axes.
     pub(super) fn origin(&self) -> Vector3<N> {
         self.still(self.state.origin)
     }

@@ -8,69 +8,70 @@ use crate::quantities::axis::Axis;
 use crate::quantities::formulas::{Compiled, Formulas, Read, Reading};
 use crate::quantities::reader::Reader;
 
-/// What is read off a mechanism: a row of the catalogue.
+/// A quantity that is read from a mechanism: a row of the catalogue.
 pub struct Quantity {
-    /// What it is called.
+    /// Its name for people.
     pub title: &'static str,
-    /// Its name in tables; empty where it is one of several things that the linkage names.
+    /// Its name in tables; empty if it belongs to one of several things that the linkage names.
     pub name: &'static str,
-    /// What is positive; empty where that goes without saying.
+    /// The positive direction; empty if that is obvious.
     pub sign: &'static str,
-    /// What it is, by a formula where there is one.
+    /// Its definition, as a formula if there is one.
     pub definition: &'static str,
-    /// Where the definition is from.
+    /// The source of the definition.
     pub source: &'static str,
-    /// The lines of `[vehicle]` without which a mechanism does not have it, in words; empty where the linkage alone decides.
+    /// The lines of `[vehicle]` that a mechanism needs to have it, in words; empty if the linkage alone decides.
     pub vehicle: &'static str,
-    /// Where it is shown.
+    /// The outputs in which it is shown.
     pub shown: Shown,
-    /// Its numbers; none where the linkage has no such thing.
+    /// Its numbers; none if the linkage lacks what it describes.
     pub(super) read: Formulas,
 }
 
-/// Where a quantity is shown.
+/// The outputs in which a quantity is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// In tables of all numbers, as CSV files are.
+    /// Tables of all numbers, such as CSV files.
     InTables,
-    /// In summaries, as it stands in tables under another name.
+    /// Summaries, because tables have it under another name.
     InSummaries,
-    /// In both.
+    /// Both.
     InBoth,
 }
 
-/// A column of numbers: one number of a quantity, read of any state of a mechanism.
+/// A column of numbers: one number of a quantity, read from any state of a mechanism.
 pub struct Column<N = Signal<f64>> {
     /// The quantity.
     pub quantity: &'static Quantity,
-    /// What it is the quantity of, or else the quantity's name, behind the wheel's: `left_camber`.
+    /// The name of what the quantity belongs to, otherwise the quantity's name after that of the wheel:
+    /// `left_camber`.
     pub name: String,
-    /// The name of the wheel that it is of, where that has one.
+    /// The name of the wheel to which it belongs, if that has one.
     pub wheel: Option<String>,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
-    /// The component, of a vector.
+    /// The component, for a vector.
     pub axis: Option<Axis>,
-    /// Whether [`read`](Self::read) has derivatives: whether positions alone determine it.
+    /// Whether [`read`](Self::read) has derivatives, that is, whether positions alone determine it.
     pub has_derivatives: bool,
     value: Box<Read<N>>,
 }
 
 impl Column {
-    /// Its number in a state: lengths in the file's unit, angles in radians.
+    /// Its value in a state: lengths in the file's unit, angles in radians.
     pub fn value(&self, state: &State) -> f64 {
         self.along(state).value
     }
 
-    /// The same with its derivatives: see [`read`](Self::read).
+    /// The value with its derivatives: see [`read`](Self::read).
     pub fn along(&self, state: &State) -> Signal<f64> {
         self.read(&Reader::of(state))
     }
 }
 
 impl<N: Compiled> Column<N> {
-    /// The number with its derivatives, those of a [`State`] along the rates of its points: with respect to time, or to a
-    /// drive. They are NaN of what is not determined by positions.
+    /// The number with its derivatives. Those of a [`State`] are along the rates of its points: with respect to time,
+    /// or to a drive. They are NaN if positions do not determine the number.
     pub fn read(&self, reader: &Reader<'_, N>) -> N {
         (self.value)(reader)
     }
@@ -81,19 +82,19 @@ impl<N: Compiled> Column<N> {
         format!("{}{}", self.name, axis.unwrap_or_default())
     }
 
-    /// The same of its derivative with respect to a drive, where there is one: `camber per bump`.
+    /// The name of its derivative with respect to a drive, if one is given: `camber per bump`.
     pub fn title_per(&self, drive: Option<&Drive>) -> String {
         let per = drive.map(|drive| format!(" per {}", drive.name));
         self.title() + &per.unwrap_or_default()
     }
 
-    /// What a number inside, or its derivative with respect to a drive, is multiplied with for that in the file.
+    /// The factor from the number, or its derivative with respect to a drive, to its value in the file.
     pub fn in_file_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
         let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).in_file(unit));
         self.dimension.in_file(unit) / per
     }
 
-    /// The same for what people read, and the unit's symbol.
+    /// The factor to the value for people, and the symbol of its unit.
     pub fn for_people_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
         let (scale, symbol) = self.dimension.for_people(unit);
         match drive.map(|drive| drive.kind) {
@@ -110,7 +111,7 @@ impl<N: Compiled> Column<N> {
         self.name_with(&self.dimension.symbol(unit))
     }
 
-    /// The same of numbers for people: `camber_deg`.
+    /// Its name for people: `camber_deg`.
     pub fn name_for_people(&self, unit: Unit) -> String {
         let (_, symbol) = self.dimension.for_people(unit);
         self.name_with(&symbol)
@@ -129,7 +130,7 @@ impl<N: Compiled> Column<N> {
         }
     }
 
-    /// Above a column for people: `camber (deg)`, `centre x (m)`.
+    /// The heading of a column for people: `camber (deg)`, `centre x (m)`.
     pub fn heading(&self, unit: Unit) -> String {
         let (_, symbol) = self.dimension.for_people(unit);
         let axis = self
@@ -138,7 +139,7 @@ impl<N: Compiled> Column<N> {
         format!("{}{axis} ({symbol})", self.name)
     }
 
-    /// Whether it is one of a quantity's.
+    /// Whether it belongs to a quantity.
     pub fn is(&self, quantity: &Quantity) -> bool {
         std::ptr::eq(self.quantity, quantity)
     }
@@ -152,7 +153,7 @@ pub fn columns(
     columns_in(quantities, names)
 }
 
-/// The same that are read in other numbers.
+/// The same columns, read in another number type.
 pub fn columns_in<N: Compiled>(
     quantities: impl IntoIterator<Item = &'static Quantity>,
     names: &Names,

@@ -13,14 +13,14 @@ use crate::quantities::places::Places;
 use crate::quantities::two_drives::{combined, rates};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
-/// Reads quantities of one state of a mechanism: what several of them need is computed once. It can be read as the
-/// [`State`].
+/// Reads quantities of one state of a mechanism. Values that several of them need are computed once. It can be read
+/// as the [`State`].
 pub struct Reader<'a, N = Signal<f64>> {
     pub(super) places: Places<'a, N>,
     first: Cells<N>,
 }
 
-/// What was computed of a wheel, and of the wheels behind it.
+/// The values computed for a wheel, and for the wheels after it.
 struct Cells<N> {
     wheel: OnceCell<Wheel<N>>,
     /// The wheel at the design position.
@@ -29,7 +29,7 @@ struct Cells<N> {
     travel: OnceCell<Option<Moving<N>>>,
     heave: OnceCell<Option<Moving<N>>>,
     steer: OnceCell<Option<Moving<N>>>,
-    /// Of a left wheel, its axle.
+    /// The axle in roll, stored for its left wheel.
     in_roll: OnceCell<Option<InRoll<N>>>,
     next: OnceCell<Box<Cells<N>>>,
 }
@@ -50,14 +50,14 @@ impl<N> Default for Cells<N> {
 }
 
 impl<'a> Reader<'a, Signal<f64>> {
-    /// Of a state, with the derivatives along its rates.
+    /// Reads a state, with the derivatives along its rates.
     pub fn of(state: &'a State) -> Self {
         Self::with(state, state)
     }
 }
 
 impl<'a, N: Number> Reader<'a, N> {
-    /// Of a state and what positions determine of it in such numbers.
+    /// Reads a state with what its positions determine in numbers of this type.
     pub fn with(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
         Self {
             places: Places { state, numbers },
@@ -71,14 +71,14 @@ impl<'a, N: Number> Reader<'a, N> {
         wheel.get_or_init(|| Wheel::of(&self.places, rolling))
     }
 
-    /// The same at the design position, where that is known.
+    /// The wheel at the design position, if that is known.
     pub(super) fn at_design(&self, rolling: Rolling) -> Option<&Wheel<N>> {
         let design = &self.cells(rolling).design;
         let of_design = || Wheel::at_design(&self.places, rolling);
         design.get_or_init(of_design).as_ref()
     }
 
-    /// Its kingpin, where the listing states one.
+    /// Its kingpin, if the listing states one.
     pub(super) fn kingpin(&self, rolling: Rolling) -> Option<&SteeringAxis<N>> {
         let kingpin = &self.cells(rolling).kingpin;
         let through = || {
@@ -88,7 +88,7 @@ impl<'a, N: Number> Reader<'a, N> {
         kingpin.get_or_init(through).as_ref()
     }
 
-    /// Its carrier as it moves.
+    /// Its carrier in motion.
     pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
         let cells = self.cells(rolling);
         let cell = match along {
@@ -104,7 +104,8 @@ impl<'a, N: Number> Reader<'a, N> {
         cell.get_or_init(moving).as_ref()
     }
 
-    /// The first wheel of an axle as the drives of both move it, with the rates at which both centres rise.
+    /// The first wheel of an axle when the drives of both wheels move it, so that their centres rise at the rates
+    /// `at`.
     fn by_both(&self, [rolling, other]: [Rolling; 2], at: [f64; 2]) -> Option<Moving<N>> {
         let drives = [rolling.travel?, other.travel?];
         let by_drives = |wheel| {
@@ -120,12 +121,12 @@ impl<'a, N: Number> Reader<'a, N> {
         Some(moving.with(carrier))
     }
 
-    /// The same of any drive of travel or steering, computed anew.
+    /// The wheel when any drive of travel or steering moves it, computed anew.
     pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving<N>> {
         Moving::of(&self.places, drive, rolling.points, self.wheel(rolling))
     }
 
-    /// An axle, its left wheel and its right one, as it rolls.
+    /// An axle in roll, from its left wheel and its right one.
     pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll<N>> {
         let [left, _] = axle;
         let wheels = axle.map(|rolling| (rolling, self.wheel(rolling)));

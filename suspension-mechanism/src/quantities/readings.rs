@@ -10,7 +10,7 @@ use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::wheel::Rolling;
 
-/// One number of any state, of which no derivatives are known.
+/// One number of any state, whose derivatives are not known.
 pub(super) fn number<N: Number>(dimension: Dimension, value: fn(&State) -> f64) -> Vec<Reading<N>> {
     vec![Reading {
         has_derivatives: false,
@@ -33,7 +33,7 @@ pub(super) fn reading<N: Number>(
     }
 }
 
-/// A number each of several things that the linkage names.
+/// One number for each of several things that the linkage names.
 pub(super) fn each<'a, N: Number>(
     things: impl Iterator<Item = (&'a str, Dimension)>,
     has_derivatives: bool,
@@ -47,7 +47,7 @@ pub(super) fn each<'a, N: Number>(
     things.enumerate().map(of_one).collect()
 }
 
-/// A number of which no derivatives are known; none where the state does not tell it.
+/// A number whose derivatives are not known; none if the state does not provide it.
 pub(super) fn without_derivatives<N: Number>(
     dimension: Dimension,
     value: impl Fn(&State) -> Option<f64> + 'static,
@@ -60,7 +60,7 @@ pub(super) fn without_derivatives<N: Number>(
     }
 }
 
-/// Components of a vector of which no derivatives are known.
+/// Components of a vector whose derivatives are not known.
 pub(super) fn vector<N: Number>(
     name: Option<&str>,
     dimension: Dimension,
@@ -135,7 +135,7 @@ fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Readin
     }
 }
 
-/// The readings of each wheel. (`dyn`, so that this is compiled once, not for each quantity.)
+/// The readings of each wheel. (`dyn`, so that this is compiled once and not for each quantity.)
 pub(super) fn of_each_wheel<N: Number>(
     names: &Names,
     read: &dyn Fn(Rolling) -> Vec<Reading<N>>,
@@ -167,7 +167,7 @@ pub(super) fn of_kingpin<N: Number>(names: &Names, angle: fn(&Vector3<N>) -> N) 
     of_kingpin_and_spin_axis(names, move |kingpin, _| angle(kingpin))
 }
 
-/// An angle of the kingpin whose sign rests on the side of the vehicle: kingpin first, then spin axis.
+/// An angle of the kingpin whose sign depends on the side of the vehicle: kingpin first, then spin axis.
 pub(super) fn of_kingpin_and_spin_axis<N: Number>(
     names: &Names,
     angle: impl Fn(&Vector3<N>, &Vector3<N>) -> N + Copy + 'static,

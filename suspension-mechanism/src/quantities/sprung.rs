@@ -13,7 +13,7 @@ use crate::quantities::reader::Reader;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::{Rolling, share};
 
-/// What all springs do along a coordinate.
+/// The effect of all springs along a coordinate.
 #[derive(Clone, Copy)]
 pub(super) struct Sprung {
     /// The generalised force against the coordinate.
@@ -23,8 +23,8 @@ pub(super) struct Sprung {
 }
 
 impl Sprung {
-    /// `-sum F s'` and `sum k s'^2 - F s''` along a coordinate of which the state's measures have the derivatives of another one:
-    /// by the chain rule.
+    /// `-sum F s'` and `sum k s'^2 - F s''` along a coordinate, when the state's measures have the derivatives along
+    /// another one: by the chain rule.
     fn along(coordinate: Signal<f64>, state: &State) -> Self {
         let none = Self {
             force: 0.0,
@@ -40,7 +40,7 @@ impl Sprung {
             let slope = rate / coordinate.rate;
             let bend = (second_rate - slope * coordinate.second_rate) / coordinate.rate.powi(2);
             let presses = spring.presses(value);
-            // Newton metres per unit of length.
+            // Converts to newton metres per unit of length.
             let scale = match spring.kind {
                 MeasureKind::Angle => state.metre,
                 MeasureKind::Length => 1.0,
@@ -53,7 +53,7 @@ impl Sprung {
     }
 }
 
-/// What each spring presses.
+/// The load of each spring.
 pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let springs = names.vehicle.springs.iter().enumerate();
     let of_one = |(number, spring): (usize, &Spring)| {
@@ -95,7 +95,8 @@ pub(super) fn of_wheels<N: Number>(
     })
 }
 
-/// A number of the springs at each wheel of an axle in heave, both centres rising alike: each wheel has half of it.
+/// A number of the springs at each wheel of an axle in heave, in which both centres rise by the same amount: each
+/// wheel has half of it.
 pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::Stiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
@@ -103,7 +104,8 @@ pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Ve
     })
 }
 
-/// The same of each axle in roll, one centre rising as the other falls, along the angle of the line through them.
+/// The same number for each axle in roll, in which one centre rises as the other falls, along the angle of the line
+/// through them.
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
@@ -111,12 +113,12 @@ pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec
         let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
         let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
         let sprung = Sprung::along(roll, moved);
-        // Along an angle a force is newtons times the unit of length.
+        // Along an angle, a force is in newtons times the unit of length.
         Some(value(sprung) / state.metre)
     })
 }
 
-/// A number of each axle whose wheels have drives of travel of their own, where there are springs.
+/// A number of each axle whose wheels have their own drives of travel, if there are springs.
 fn of_sprung_axles<N: Number>(
     names: &Names,
     dimension: Dimension,

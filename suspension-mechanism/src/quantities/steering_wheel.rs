@@ -10,7 +10,7 @@ use crate::quantities::on_ground::moving;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 use crate::quantities::wheel::{Along, Moving};
 
-/// How far the steering wheel is turned from the design position.
+/// The angle by which the steering wheel is turned from the design position.
 pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let wheel = names.vehicle.steering_wheel.iter();
     let readings = wheel.cloned().map(|wheel| {
@@ -21,7 +21,7 @@ pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
     readings.collect()
 }
 
-/// How far it turns for the steer angle of each wheel that it steers.
+/// The steering wheel's angle per steer angle of each wheel that it steers.
 pub(super) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let wheel = names.vehicle.steering_wheel.as_ref();

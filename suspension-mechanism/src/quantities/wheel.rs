@@ -10,13 +10,13 @@ use crate::mechanism::{Coupling, Names, WheelPoints};
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
 
-/// What is known of a wheel in every state.
+/// The data of a wheel that are the same in every state.
 #[derive(Clone, Copy)]
 pub(super) struct Rolling {
-    /// Its number among the linkage's.
+    /// Its number among the linkage's wheels.
     pub(super) number: usize,
     pub(super) points: WheelPoints,
-    /// NaN where the file has none.
+    /// NaN if the file has none.
     pub(super) radius: f64,
     pub(super) travel: Option<usize>,
     pub(super) steer: Option<usize>,
@@ -54,18 +54,18 @@ impl Rolling {
         names.wheels[self.number].is_in_middle
     }
 
-    /// How its travel is bound to that of others.
+    /// The coupling of its travel with that of other wheels.
     pub(super) fn coupling(&self, names: &Names) -> Coupling {
         names.wheels[self.number].coupling
     }
 
-    /// All wheels with the same drive of travel, this one among them.
+    /// All wheels with the same drive of travel, including this one.
     pub(super) fn moved_together(&self, names: &Names) -> Vec<Self> {
         let wheels = Self::each(names).map(|(_, wheel)| wheel);
         wheels.filter(|wheel| wheel.travel == self.travel).collect()
     }
 
-    /// The drive that moves it, where the file names one.
+    /// The drive that moves it, if the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
             Along::Travel | Along::Held(_) | Along::Heave(_) => self.travel,
@@ -83,13 +83,13 @@ impl Rolling {
 pub(super) struct Wheel<N> {
     pub(super) centre: Vector3<N>,
     pub(super) axis: Vector3<N>,
-    /// Not finite where the file has no wheel radius.
+    /// Not finite if the file has no wheel radius.
     pub(super) contact: Vector3<N>,
     pub(super) heading: Heading<N>,
 }
 
-/// A wheel's share of a force along its height, where one drive moves several wheels: each bears in proportion to its rise per
-/// unit of the drive, `rise`, so that the forces do the drive's work together.
+/// A wheel's share of a force along its height if one drive moves several wheels: each bears in proportion to its
+/// rise per unit of the drive, `rise`, so that together the forces do the drive's work.
 pub(super) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rolling) -> f64) -> f64 {
     let squares: f64 = together.iter().map(|wheel| rise(*wheel).powi(2)).sum();
     rise(rolling).powi(2) / squares
@@ -101,7 +101,7 @@ impl<N: Number> Wheel<N> {
         Self::with(centre, centre - inner, radius)
     }
 
-    /// The same at the design position, where that is known.
+    /// The wheel at the design position, if that is known.
     pub(super) fn at_design(places: &Places<'_, N>, rolling: Rolling) -> Option<Self> {
         let [inner, centre] = rolling.design?.map(|end| places.still(end));
         Some(Self::with(centre, centre - inner, rolling.radius))
@@ -117,31 +117,32 @@ impl<N: Number> Wheel<N> {
     }
 }
 
-/// The drives that move a wheel's carrier, all others held.
+/// The drives that move a wheel's carrier, with all others held.
 #[derive(Clone, Copy)]
 pub(super) enum Along {
     /// The wheel's drive of travel.
     Travel,
-    /// The drives of travel of both wheels of its axle, of which this is the other one: its centre keeps its height.
+    /// The drives of travel of both wheels of its axle, the given one being the other wheel, whose centre keeps its
+    /// height.
     Held(Rolling),
-    /// The same, both centres rising alike.
+    /// The same drives, with both centres rising by the same amount.
     Heave(Rolling),
     /// The wheel's drive of steering.
     Steer,
 }
 
-/// A carrier and its wheel as a drive moves them, or several, in the axes of ISO 8855, from the file's origin.
+/// A carrier and its wheel when one drive moves them, or several, in the axes of ISO 8855, from the file's origin.
 pub(super) struct Moving<N> {
     pub(super) carrier: Carrier<N>,
     pub(super) axis: Vector3<N>,
-    /// Not finite where the file has no wheel radius.
+    /// Not finite if the file has no wheel radius.
     pub(super) contact: Vector3<N>,
     pub(super) heading: Heading<N>,
     screw: OnceCell<SteeringAxis<N>>,
 }
 
 impl<N: Number> Moving<N> {
-    /// `None` where the mechanism locks.
+    /// `None` if the mechanism locks.
     pub(super) fn of(
         places: &Places<'_, N>,
         drive: usize,
@@ -177,17 +178,17 @@ impl<N: Number> Moving<N> {
         }
     }
 
-    /// Its instant centre in the front view, where it turns there.
+    /// Its instant centre in the front view, if it turns there.
     pub(super) fn front_view(&self) -> InstantCentre<N> {
         self.where_it_turns(0, self.carrier.front_view(&self.axis))
     }
 
-    /// The same in the side view.
+    /// Its instant centre in the side view, if it turns there.
     pub(super) fn side_view(&self) -> InstantCentre<N> {
         self.where_it_turns(1, self.carrier.side_view())
     }
 
-    /// An instant centre where the carrier turns about a line along an axis by more than rounding, else none.
+    /// An instant centre if the carrier turns about a line along an axis by more than rounding, otherwise none.
     fn where_it_turns(&self, axis: usize, centre: InstantCentre<N>) -> InstantCentre<N> {
         const ROUNDING: f64 = 1e-12;
         let values = |vector: Vector3<N>| vector.map(N::value);
@@ -217,7 +218,7 @@ impl<N: Number> Moving<N> {
         self.screw.get_or_init(screw)
     }
 
-    /// How far the carrier moves along that axis for a radian about it.
+    /// How far the carrier moves along that axis per radian about it.
     pub(super) fn pitch(&self) -> N {
         let Carrier {
             velocity, omega, ..

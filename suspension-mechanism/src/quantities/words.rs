@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::mechanism::{Names, Unit};
 use crate::quantities::quantity::{Quantity, columns};
 
-/// What quantities are, each under the names of its first and last column for a linkage; those that it lacks
+/// Descriptions of quantities, each under the names of its first and last column for a linkage; those that it lacks
 /// are left out.
 pub fn in_words(
     quantities: impl IntoIterator<Item = &'static Quantity>,
@@ -28,7 +28,7 @@ pub fn in_words(
     text
 }
 
-/// A name and what it names; below it the definition; below that sign and source.
+/// A name and what it names, followed by the definition, and then by sign and source.
 fn entry(text: &mut String, quantity: &Quantity, name: &str, symbol: &str) {
     let Quantity {
         title,

@@ -11,50 +11,50 @@ use crate::mechanism::{DrivenLength, Mechanism, State, Suspension};
 use crate::reach::limit::{Limit, RangeEnd, fault_beyond};
 use crate::reach::station::Station;
 
-/// Beyond this multiple of its least value in the range, the points' speed for a unit of the drive
-/// tells of a poor transmission.
+/// The multiple of its smallest value in the range above which the points' speed per unit of the drive indicates a
+/// poor transmission.
 pub const POOR: f64 = 5.0;
 
-/// The longest step, as a part of the linkage's size: curves are drawn through the places.
+/// The longest step, as a fraction of the linkage's size: curves are drawn through the places.
 const LONGEST: f64 = 0.01;
 
-/// What is known of one drive.
+/// The range of one drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriveRange {
     /// Its name.
     pub name: String,
     /// Its index among the drives.
     pub index: usize,
-    /// What it measures.
+    /// The kind of its value.
     pub kind: DriveKind,
     /// Its value at the first instant.
     pub start: f64,
-    /// The lower and the upper end of the values to which it leads the mechanism from there.
+    /// The lower and the upper end of the values to which it can lead the mechanism from there.
     pub ends: [RangeEnd; 2],
-    /// Places from the lower end to the upper.
+    /// Places in the range, from the lower end to the upper.
     pub usable: Vec<Station>,
-    /// All places of the curve, also those to which the drive cannot lead.
+    /// All places of the curve, including those to which the drive cannot lead.
     pub curve: Vec<Station>,
-    /// Turning points of the drive on the curve.
+    /// The number of turning points of the drive on the curve.
     pub turns: usize,
-    /// The gap with which the curve closes; `None` where it is open.
+    /// The gap with which the curve closes; `None` if it is open.
     pub gap: Option<f64>,
 }
 
-/// The curve one way from the start.
+/// The curve in one direction from the start.
 struct Run {
     stations: Vec<Station>,
-    /// Indices of turning points among them, and whether each is an end of the angle.
+    /// The indices of turning points among them, and whether each is an end of the angle.
     turns: Vec<(usize, bool)>,
     limit: Limit,
     gap: Option<f64>,
 }
 
-/// The range of the drive with this index, the others held as at the first instant.
+/// The range of the drive with this index, with the others held as at the first instant.
 ///
 /// # Errors
 ///
-/// [`Failure::Solver`] where the curve has no start.
+/// [`Failure::Solver`] if the curve has no start.
 pub fn range<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     index: usize,
@@ -90,7 +90,7 @@ pub fn range<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// The curve one way from the first instant.
+/// The curve in one direction from the first instant.
 fn run<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     index: usize,
@@ -153,7 +153,7 @@ fn station<L: Suspension<N>, const N: usize>(
     }
 }
 
-/// How far the free points move for a unit of the drive.
+/// The distance that the free points move per unit of the drive.
 fn speed<L: Suspension<N>, const N: usize>(
     curve: &Curve<'_, L, N>,
     place: &Place<f64, N>,
@@ -170,7 +170,7 @@ fn speed<L: Suspension<N>, const N: usize>(
 }
 
 impl Run {
-    /// Follows the curve along a stretch, whose turning point comes before its end.
+    /// Extends the curve by a stretch, whose turning point comes before its end.
     fn extend<const N: usize>(
         &mut self,
         stretch: &Stretch<f64, N>,
@@ -179,7 +179,7 @@ impl Run {
         if let Some(turning) = &stretch.turning {
             let is_end = turning.is_end_of_angle;
             self.turns.push((self.stations.len(), is_end));
-            // At the end of an angle its cosine turns, while points move on with the angle.
+            // At the end of an angle its cosine turns, while the points move on with the angle.
             let speed = match self.stations.last() {
                 Some(before) if is_end => before.speed,
                 _ => f64::INFINITY,
@@ -198,7 +198,7 @@ impl Run {
         }
     }
 
-    /// Where the drive's range ends.
+    /// The end of the drive's range.
     fn end<L: Suspension<N>, const N: usize>(
         &self,
         mechanism: &Mechanism<L, N>,
@@ -219,14 +219,14 @@ impl Run {
         RangeEnd { value, limit }
     }
 
-    /// The stations up to there.
+    /// The stations up to that end.
     fn usable(&self) -> &[Station] {
         let first = self.turns.first();
         first.map_or(&self.stations, |(place, _)| &self.stations[..=*place])
     }
 }
 
-/// That the drive's value is a length of zero.
+/// The limit that the drive's value is a length of zero, if it is.
 fn zero_length<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     drive: usize,
@@ -240,19 +240,20 @@ fn zero_length<L: Suspension<N>, const N: usize>(
 }
 
 impl DriveRange {
-    /// The drive's values between which the transmission is poor: the points move more than
-    /// [`POOR`] times as far for a unit of the drive as where in the range they move least.
+    /// The intervals of the drive's value in which the transmission is poor: the points move more than [`POOR`] times
+    /// as far per unit of the drive as at the place in the range where they move least.
     pub fn poor(&self) -> Vec<[f64; 2]> {
         let least = self
             .usable
             .iter()
             .map(|s| s.speed)
             .fold(f64::INFINITY, f64::min);
-        // A drive of a point that only measures read moves no point of the mechanism; one at the end of its angle has no range.
+        // A drive of a point that only measures read moves no point of the mechanism; a drive at the end of its angle
+        // has no range.
         if least == 0.0 || least.is_infinite() {
             return Vec::new();
         }
-        // The inverse goes through zero where the drive turns.
+        // The inverse passes zero where the drive turns.
         let margin = |station: &Station| 1.0 / station.speed - 1.0 / (POOR * least);
         let mut intervals: Vec<[f64; 2]> = Vec::new();
         for pair in self.usable.windows(2) {

@@ -8,7 +8,7 @@ use crate::number::rounded;
 pub struct RangeEnd {
     /// The drive's value, in rad or the unit.
     pub value: f64,
-    /// What the end is.
+    /// The limit at this end.
     pub limit: Limit,
 }
 
@@ -17,23 +17,24 @@ pub struct RangeEnd {
 pub enum Limit {
     /// The drive turns: led by it, the mechanism locks.
     Locks {
-        /// The link that is too long or too short to go on, or the hinge that reaches no further, in words, where one is known.
+        /// A description of the link that is too long or too short to go on, or of the hinge that reaches no further,
+        /// if one is known.
         fault: Option<String>,
     },
     /// The angle itself is 0 or pi.
     EndOfAngle,
-    /// The driven length is zero, in words.
+    /// The driven length is zero, with a description.
     ZeroLength(String),
-    /// Another curve crosses within so much of the value, in the unit of length.
+    /// Another curve crosses within this distance of the value, in the unit of length.
     Bifurcation(f64),
-    /// The search was cut short: all steps were made, or the user interrupted.
+    /// The search was cut short: the steps were used up, or the user interrupted.
     Cut,
-    /// No further place was found, and why.
+    /// No further place was found, with the reason.
     Lost(String),
 }
 
 impl Limit {
-    /// What it is, in words.
+    /// A description of the limit.
     pub fn in_words(&self, unit: Unit) -> String {
         match self {
             Self::Locks { fault } => {
@@ -56,13 +57,13 @@ impl Limit {
     }
 }
 
-/// What is wrong with the link or the hinge that keeps a drive from going beyond a value, in the file's coordinates.
+/// A description of the link or the hinge that prevents a drive from going beyond a value, in the file's coordinates.
 pub(super) fn fault_beyond<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     drive: usize,
     value: f64,
 ) -> Option<String> {
-    /// How far beyond, as a part of the way there.
+    /// The distance beyond, as a fraction of the way there.
     const BEYOND: f64 = 0.01;
     let start = mechanism.first_drives()[drive];
     let end = value - mechanism.drive_offsets[drive];

@@ -2,15 +2,15 @@
 
 use crate::mechanism::Description;
 
-/// The motion is carried on beyond its last instant, to this many times its duration.
+/// The multiple of its duration to which the motion is continued beyond its last instant.
 pub const CARRIED_ON: f64 = 10.0;
 
-/// Whether the motion, carried on so long, moves no other drive than the one with this index.
+/// Whether the motion, continued that long, moves only the drive with this index.
 pub fn moves_alone(mechanism: &Description, index: usize) -> bool {
     looks(mechanism).all(|t| !moves_others(mechanism, index, t))
 }
 
-/// The instants at which the motion is looked at, but for the first.
+/// The instants at which the motion is checked, without the first.
 fn looks(mechanism: &Description) -> impl Iterator<Item = f64> {
     const LOOKS: usize = 20_000;
     let [first, last] = mechanism.instants.ends();
@@ -23,9 +23,9 @@ fn moves_others(mechanism: &Description, index: usize, t: f64) -> bool {
     drives.any(|(other, drive)| other != index && drive.rate != 0.0)
 }
 
-/// The first time at which the drive with this index is at one of `ends`, in the file's coordinates, and
-/// which; `None` where it is not, or where another drive moves too or a measure leads: then the ends are
-/// not those of the motion.
+/// The first time at which the drive with this index is at one of `ends`, in the file's coordinates, and the index of
+/// this end; `None` if it never is, or if another drive moves too or a measure leads, because the ends are then not
+/// those of the motion.
 pub fn meeting(mechanism: &Description, index: usize, ends: [f64; 2]) -> Option<(f64, usize)> {
     if mechanism.led_by.is_some() {
         return None;

@@ -9,8 +9,8 @@ pub struct Station {
     pub freed: usize,
     /// Whether the drive turns here.
     pub turns: bool,
-    /// How far the free points move, the root of the sum of their squares, for a unit of the
-    /// drive: in the unit for a radian, or for one of its own. Infinite where the drive turns, but at the end of an angle.
+    /// The distance that the free points move (the root of the sum of their squares) per unit of the drive: in the
+    /// unit per radian, or per unit. Infinite where the drive turns, except at the end of an angle.
     pub speed: f64,
     /// The mechanism at rest.
     pub state: State,

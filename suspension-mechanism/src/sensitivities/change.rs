@@ -2,11 +2,11 @@
 
 use crate::kinematics::Changes;
 
-/// What is changed.
+/// A change of the design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
-    /// Its name: `tie_ball.z`, `length tie_rod`, or a move's.
+    /// Its name: `tie_ball.z`, `length tie_rod`, or the name of a move.
     pub name: String,
-    /// What it is, of one unit of length.
+    /// The change for one unit of length.
     pub per_unit: Changes,
 }

@@ -8,7 +8,7 @@ use super::read::read;
 use crate::kinematics::Kinematics;
 use crate::quantities::Column;
 
-/// How far neighbours are from each other, as a part of the suspension's size.
+/// The distance between neighbours, as a fraction of the suspension's size.
 const STEP: f64 = 1e-3;
 
 /// The steps of neighbours, and their weights.
@@ -21,7 +21,7 @@ const WEIGHTS: [(f64, f64); 6] = [
     (3.0, 1.0),
 ];
 
-/// Puts the derivatives of values along a change where columns have none.
+/// Fills in the derivatives of values along a change for columns that have none.
 pub(super) fn fill(
     mechanism: &dyn Kinematics,
     change: &Change,
@@ -41,7 +41,7 @@ pub(super) fn fill(
     }
 }
 
-/// The derivatives of all numbers along a change; `None` where no such suspensions can be built.
+/// The derivatives of all numbers along a change; `None` if no such suspensions can be built.
 pub(super) fn of(
     mechanism: &dyn Kinematics,
     change: &Change,

@@ -8,7 +8,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Changing, DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive, State};
 use crate::quantities::{Column, Reader};
 
-/// Reads what changes do.
+/// Reads the effects of changes.
 pub(super) struct Exact<'a> {
     columns: Vec<Column<Sensitive>>,
     names: &'a Names,
@@ -17,7 +17,7 @@ pub(super) struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
-    /// Of a mechanism that starts in this state.
+    /// Reads a mechanism that starts in this state.
     pub(super) fn new(
         mechanism: &'a dyn Kinematics,
         design: &'a dyn Changing,
@@ -31,8 +31,9 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Of each change the derivatives of each column's value and of its derivatives with respect to each drive, NaN where it has
-    /// none; `None` where no such suspensions can be built. At most as many changes as numbers have derivatives along.
+    /// For each change the derivatives of each column's value and of its derivatives with respect to each drive, NaN
+    /// if it has none; `None` if no such suspensions can be built. At most as many changes as a number has
+    /// derivatives.
     pub(super) fn read(&self, changes: &[Change]) -> Vec<Option<DMatrix<f64>>> {
         let drives = self.names.drives.len();
         let along = changes.iter().map(|change| {

@@ -6,7 +6,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::Place;
 use crate::quantities::{Column, Reader};
 
-/// Value and derivatives of each column where a mechanism starts.
+/// The value and derivatives of each column at the start of a mechanism.
 pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
     let mut of_place = |place: &dyn Place| {
         let state = place.state();

@@ -33,7 +33,8 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         moved.map(state).collect()
     }
 
-    /// A wheel that rises while the one beside it, which has a drive of its own, stays at its height; or what the drive moves.
+    /// The motion in which a wheel rises while the one beside it, which has a drive of its own, keeps its height;
+    /// otherwise the motion of the drive alone.
     fn along_travel_of(&self, drive: usize, pairs: &[Pair]) -> Option<Signal<L::Points>> {
         let of = |wheel: usize| self.mechanism.names.wheels[wheel].travel;
         let alone = pairs.iter().find_map(|Pair { wheels, .. }| {
@@ -51,7 +52,8 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         self.directions?.points(change).ok()
     }
 
-    /// As the drives of travel of two wheels move them so that their centres rise at given rates, and without acceleration.
+    /// The motion in which the drives of travel of two wheels raise their centres at given rates, without
+    /// acceleration.
     fn along_both(&self, wheels: [usize; 2], rise: [f64; 2]) -> Option<Signal<L::Points>> {
         let wheels = wheels.map(|wheel| &self.mechanism.names.wheels[wheel]);
         let [Some(a), Some(b)] = wheels.map(|wheel| wheel.travel) else {

@@ -4,15 +4,15 @@ use crate::mechanism::gradient::Gradient;
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
 
-/// What kept a visit from some places.
+/// The reasons why a visit did not reach some places.
 #[derive(Clone, Debug, Default)]
 pub struct VisitEnd {
-    /// Where the visit ended first along each axis, upwards and downwards.
+    /// The first end of the visit along each axis, upwards and downwards.
     pub(super) locks: Vec<AxisEnd>,
     pub(super) interrupted: bool,
 }
 
-/// Where an axis of a grid ends.
+/// The end of an axis of a grid.
 #[derive(Clone, Debug)]
 pub(super) struct AxisEnd {
     level: usize,
@@ -21,7 +21,7 @@ pub(super) struct AxisEnd {
 }
 
 impl VisitEnd {
-    /// Notes an end where it is the first of its axis and way.
+    /// Notes an end if it is the first on its axis in its direction.
     pub(super) fn add(&mut self, level: usize, upwards: bool, in_words: impl FnOnce() -> String) {
         let is_this = |end: &AxisEnd| end.level == level && end.upwards == upwards;
         if !self.locks.iter().any(is_this) {
@@ -34,18 +34,18 @@ impl VisitEnd {
     }
 }
 
-/// A place of a grid, of which states are made where one asks for them.
+/// A place of a grid, whose states are made on demand.
 pub trait Place {
     /// The state.
     fn state(&self) -> State;
 
-    /// The state with derivatives with respect to a drive; `None` where the mechanism locks.
+    /// The state with derivatives with respect to a drive; `None` if the mechanism locks.
     fn per(&self, drive: usize) -> Option<State>;
 
-    /// The [`state`](Self::state) with first derivatives with respect to the drives from `first` on: quantities read so
-    /// have these all at once.
+    /// The [`state`](Self::state) with first derivatives with respect to the drives from `first` on: quantities that
+    /// are read from it get all these derivatives at once.
     fn gradient<'a>(&self, state: &'a State, first: usize) -> Box<dyn Positions<Gradient> + 'a>;
 }
 
-/// Takes a place, by number.
+/// Receives a place, by number.
 pub type OnPlace<'a> = dyn FnMut(usize, &dyn Place) + 'a;

@@ -16,10 +16,10 @@ use crate::mechanism::names::Suspension;
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
 
-/// The mechanism on its way, at a place.
+/// The mechanism on its way, at a place it has reached.
 #[derive(Clone)]
 struct Reached<const N: usize> {
-    /// The place's number, as far as the axes before tell it.
+    /// The place's number, as far as the axes before determine it.
     index: usize,
     drives: Vec<f64>,
     motion: Motion<f64, N>,
@@ -27,7 +27,7 @@ struct Reached<const N: usize> {
     arrival: Option<Arrival<N>>,
 }
 
-/// What takes the mechanism to all places.
+/// Takes the mechanism to all places.
 pub(super) struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
@@ -79,8 +79,8 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         self.end
     }
 
-    /// Visits places that are out of reach along one axis after the other from neighbours that are not: none where two neighbours
-    /// lead to different assemblies of the same drives.
+    /// Visits places that are out of reach along the axes from neighbours that were reached; not if two neighbours
+    /// lead to different assemblies with the same drives.
     fn visit_neighbours(&mut self) {
         let places = 0..self.positions.len();
         let mut reached: Vec<usize> = places.filter(|at| self.positions[*at].is_some()).collect();
@@ -110,7 +110,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
                 return;
             }
         }
-        // The way is gone once more: what is read of a place is larger than its position.
+        // The way is followed once more, because the results of a place take more memory than its position.
         for [from, to] in ways {
             if self.is_interrupted() {
                 return;
@@ -128,7 +128,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
 
     /// Whether all neighbours that lead to a place lead to the assembly that was reached there.
     fn is_one_assembly(&self, place: usize) -> bool {
-        /// How far apart two are that rounding does not part, as a part of the mechanism's size.
+        /// The largest distance that rounding alone may cause, as a fraction of the mechanism's size.
         const APART: f64 = 1e-6;
         let mut neighbours = self.grid.neighbours(place);
         neighbours.all(|from| {
@@ -142,7 +142,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         })
     }
 
-    /// A place as another one that was reached leads to it; `None` where that does not.
+    /// A place, reached from another one that was reached before; `None` if there is no way.
     fn reach(&self, from: usize, to: usize) -> Option<Reached<N>> {
         let position = self.positions[from]?;
         let [before, drives] = [from, to].map(|place| self.grid.drives_at(place));
@@ -167,14 +167,14 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         })
     }
 
-    /// Visits the places along the axes from `level` on, both ways from `here`.
+    /// Visits the places along the axes from `level` on, in both directions from `here`.
     fn along_axes(&mut self, level: usize, here: &Reached<N>) {
         let grid = self.grid;
         let Some(axis) = grid.axes.get(level) else {
             self.read_at(here);
             return;
         };
-        // The drives of an axis move together: the first tells the way.
+        // The drives of an axis move together, so the first tells the direction.
         let above_here = |index: &usize| {
             let first = axis[*index].first();
             first.map_or(0.0, |(drive, value)| value - here.drives[*drive])
@@ -238,7 +238,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
     }
 }
 
-/// What is read of a place.
+/// The results read at a place.
 struct Here<'a, L: Suspension<N>, const N: usize> {
     around: &'a Around<'a, L, N>,
     residual: f64,

@@ -86,7 +86,7 @@ catalogue! {
     }
 }
 
-/// What is read of each marker.
+/// The values read of each marker.
 const RATES: [Dimension; 3] = [
     Dimension::Length,
     Dimension::Velocity,
@@ -99,7 +99,7 @@ fn of_free_points<N: Number>(names: &Names, dimension: Dimension) -> Vec<Reading
         .collect()
 }
 
-/// A rate of the body that carries the wheel: one of its angular velocity and acceleration.
+/// A rate of the body that carries the wheel: its angular velocity or acceleration.
 fn of_carrier<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -113,7 +113,7 @@ fn of_carrier<N: Number>(
     })
 }
 
-/// Angular velocity and acceleration of the body of three points; not finite where they are in line.
+/// Angular velocity and acceleration of the body of three points; not finite if they are collinear.
 fn rotation(state: &State, body: [usize; 3]) -> [Vector3<f64>; 2] {
     let points = &state.points;
     let [at, rates, seconds] =
