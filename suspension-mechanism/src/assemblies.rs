@@ -34,14 +34,14 @@ use searched::Searched;
 /// All assemblies of a mechanism at given values of its drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Census<const N: usize> {
-    /// The real ones, residuals tested.
+    /// The real assemblies, whose residuals were tested.
     pub real: Vec<SVector<f64, N>>,
-    /// What became of all.
+    /// The outcome for all assemblies.
     pub tally: Tally,
 }
 
-/// The search for all assemblies of a mechanism. What it finds out about general dimensions serves all
-/// values of the drives.
+/// The search for all assemblies of a mechanism. Its results for general dimensions are used for all values of the
+/// drives.
 pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
     model: &'a L,
     near: Vector<N>,
@@ -50,7 +50,7 @@ pub struct Assemblies<'a, L: Enumerable<N>, const N: usize> {
 }
 
 impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
-    /// Searches the parts of a mechanism of general dimensions, starting around `near`.
+    /// Searches the parts of a mechanism with general dimensions, starting around `near`.
     pub fn new(
         model: &'a L,
         near: &SVector<f64, N>,
@@ -70,7 +70,7 @@ impl<'a, L: Enumerable<N>, const N: usize> Assemblies<'a, L, N> {
         }
     }
 
-    /// All assemblies at values of the drives; `None` where it is given up.
+    /// All assemblies at values of the drives; `None` if the search is given up.
     pub fn at(&mut self, inputs: &Inputs<Still, L::Drives>) -> Option<Census<N>> {
         let drives = complex(self.model, inputs);
         let mut assemblies = vec![self.near];

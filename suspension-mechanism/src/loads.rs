@@ -25,42 +25,44 @@ pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
 pub use unborne::{OneSided, Unborne};
 
-/// A load case: what acts where.
+/// A load case: the loads and where they act.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Its name.
     pub name: String,
     /// Forces, N, and moments, N m, at places.
     pub at: Vec<(Site, [Vector3<f64>; 2])>,
-    /// Measures by number, with what makes each larger: N, or N m of an angle.
+    /// Measures by number, with the load that tends to increase each: N, or N m for an angle.
     pub along: Vec<(usize, f64)>,
-    /// What acts on each kilogram of the parts that have a mass: gravity, less the acceleration of the chassis, m/s^2.
+    /// The field that acts on each kilogram of the parts that have a mass: gravity minus the acceleration of the
+    /// chassis, m/s^2.
     pub field: Vector3<f64>,
-    /// Drives that bear nothing, each with the measure that does, a spring's say; both by number.
+    /// Drives that bear nothing, each with the measure that bears its load, for example that of a spring; both by
+    /// number.
     pub borne_by: Vec<(usize, usize)>,
 }
 
 /// The statements of a listing that hold its points.
 pub struct Structure<'l> {
-    /// They, in the order of their equations.
+    /// The statements, in the order of their equations.
     pub statements: Vec<Statement<'l>>,
     /// The drives of lengths.
     actuators: Vec<Statement<'l>>,
-    /// Of the statements, then of the actuators.
+    /// The contributions to the forces of the statements, then of the actuators.
     part_forces: Vec<PartForces>,
-    /// Of each measure the shares of parts in what acts along it.
+    /// For each measure, the shares of parts in the load along it.
     measured: Vec<Vec<AngleShare>>,
-    /// Of each measure the points on which it acts with forces.
+    /// For each measure, the points on which it acts with forces.
     measured_points: Vec<Vec<usize>>,
-    /// How many chassis points there are, the first of all points.
+    /// The number of chassis points, which are the first of all points.
     chassis: usize,
     /// Markers with three points of the body that carries each.
     carriers: Vec<(usize, [usize; 3])>,
 }
 
 impl<'l> Structure<'l> {
-    /// That of a listing. Drives of free points are no part of it: [`Outcome::on_drives`] has what
-    /// they bear.
+    /// The structure of a listing. It does not contain drives of free points: [`Outcome::on_drives`] has what they
+    /// bear.
     pub fn of(listing: &'l Listing) -> Self {
         let actuators: Vec<Statement<'l>> = listing.actuators().collect();
         let of_actuators = actuators.iter().map(PartForces::of_own);
@@ -79,8 +81,8 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// What a case does at a state; `None` where the mechanism locks, where what is to bear the load of a drive does not
-    /// move with it, and where points that hold a body with a mass are in line.
+    /// The effect of a case at a state; `None` if the mechanism locks, if a measure that should bear the load of a
+    /// drive does not move with it, and if points that hold a body with a mass are collinear.
     pub fn under(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
         let here = self.here(mechanism, state);
         let mut forces = here.at_sites(&case.at);
@@ -123,7 +125,7 @@ impl<'l> Structure<'l> {
         Some(outcome)
     }
 
-    /// The name of what exerts a force at a joint, or a moment on a part.
+    /// The name of the part, measure or drive that exerts a force at a joint, or a moment on a part.
     pub fn name_of<'n>(&'n self, by: By, names: &'n Names) -> &'n str {
         match by {
             By::Part(number) => self.statements[number].name,
@@ -132,7 +134,7 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// Whether what exerts a force at a joint is a hinge on two bushes, which share what acts along their line.
+    /// Whether it is a hinge on two bushes, which share the force along their line.
     pub fn is_on_two_bushes(&self, by: By) -> bool {
         matches!(by, By::Part(number) if self.bushes(number).is_some())
     }
@@ -147,7 +149,7 @@ impl<'l> Structure<'l> {
             .filter(|_| statement.kind == Kind::HINGE)
     }
 
-    /// Where the loads of a case act at places, in the file's coordinates, and their forces, N.
+    /// The places where the loads of a case act, in the file's coordinates, and their forces, N.
     pub fn acting(
         &self,
         mechanism: &dyn Kinematics,
@@ -169,7 +171,7 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// Adds the forces `by` a statement on all points, with what acts on the part itself, which it passes on.
+    /// Adds the forces `by` a statement on all points, with the loads on the part itself, which it passes on.
     fn add(
         &self,
         outcome: &mut Outcome,
@@ -206,7 +208,7 @@ impl<'l> Structure<'l> {
     }
 }
 
-/// What two bushes on the axis of a hinge bear along it is not determined by rigid parts: each has half of it.
+/// Rigid parts do not determine how two bushes on the axis of a hinge share the force along it: each has half of it.
 fn share_along(by: &mut [Vector3<f64>], ends: [usize; 2], at: &[Vector3<f64>]) {
     let [first, second] = ends;
     let axis = (at[second] - at[first]).normalize();
@@ -215,7 +217,7 @@ fn share_along(by: &mut [Vector3<f64>], ends: [usize; 2], at: &[Vector3<f64>]) {
     by[second] -= axis * apart;
 }
 
-/// Moments about angles per metre, not per the unit of lengths.
+/// Converts moments about angles to newton metres from newtons times the unit of lengths.
 fn in_newton_metres(mechanism: &Description, mut on_drives: Vec<f64>) -> Vec<f64> {
     for (load, drive) in on_drives.iter_mut().zip(&mechanism.names.drives) {
         if drive.kind.is_angle() {

@@ -17,43 +17,43 @@ use fit::{Bounds, Fit, fit, start};
 pub use fit::MOST_STEPS;
 pub use target::{Deviations, Reading, Target, Wanted};
 
-/// Something that may be moved.
+/// A part of the design that may be moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Move {
     /// Its name.
     pub name: String,
-    /// What changes where it is moved by one unit of length.
+    /// The change per unit of length of the move.
     pub per_unit: Changes,
-    /// The least and the greatest that it may be moved.
+    /// The smallest and the largest move.
     pub by: [f64; 2],
 }
 
-/// What was found.
+/// The result of tuning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tuned {
-    /// How far each move went.
+    /// The size of each move.
     pub moved: Vec<f64>,
-    /// How far each target is off before, and with the moves.
+    /// The deviations of each target before the moves and after them.
     pub targets: Vec<[Deviations; 2]>,
     /// All points of the design, in the file's coordinates.
     pub points: Vec<Vector3<f64>>,
     /// The drives at the design, in the file's coordinates.
     pub drives: Vec<f64>,
-    /// Points, by number, that assembly puts elsewhere than the moves do: what holds them was not moved.
+    /// Points, by number, that assembly puts elsewhere than the moves do, because what holds them was not moved.
     pub held: Vec<usize>,
-    /// Targets, by number, that no move changes, next to the design.
+    /// Targets, by number, that no move changes near the design.
     pub unaffected: Vec<usize>,
-    /// Moves, by number, that change no target there.
+    /// Moves, by number, that change no target near the design.
     pub idle: Vec<usize>,
     /// Whether the user interrupted before the best was found.
     pub interrupted: bool,
 }
 
-/// Moves what may be moved until the targets are met, or as near as they can be.
+/// Makes moves until the targets are met, or as nearly as they can be.
 ///
 /// # Errors
 ///
-/// [`Failure::Solver`] where the mechanism as it is does not get to all places of a target.
+/// [`Failure::Solver`] if the mechanism without moves does not reach all places of a target.
 pub fn tune(
     (source, mechanism): (&str, &dyn Kinematics),
     moves: &[Move],
@@ -93,7 +93,7 @@ pub fn tune(
     })
 }
 
-/// A mechanism, what may be moved of it, and what is to be reached.
+/// A mechanism, its moves, and its targets.
 struct Problem<'a> {
     mechanism: &'a dyn Kinematics,
     moves: &'a [Move],
@@ -109,24 +109,24 @@ impl Problem<'_> {
         boxes.collect()
     }
 
-    /// What all moves together change, each `moved` so far.
+    /// The changes of all moves together, each of size `moved`.
     fn changes(&self, moved: &DVector<f64>) -> Changes {
         let each = self.moves.iter().zip(moved.iter());
         Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
     }
 
-    /// The mechanism, each move made so far; `None` where it cannot be assembled.
+    /// The mechanism with the moves; `None` if it cannot be assembled.
     fn moved(&self, moved: &DVector<f64>) -> Option<Box<dyn Kinematics + '_>> {
         self.mechanism.changed(&self.changes(moved))
     }
 
-    /// How far each target of a mechanism is off.
+    /// The deviations of each target of a mechanism.
     fn deviations(&self, mechanism: &dyn Kinematics) -> Option<Vec<Deviations>> {
         let each = self.targets.iter();
         each.map(|target| target.deviations(mechanism)).collect()
     }
 
-    /// How far the targets are off with the moves, in parts of what they may be off.
+    /// The deviations of the targets with the moves, as fractions of the permitted ones.
     fn residuals(&self, moved: &DVector<f64>) -> Option<DVector<f64>> {
         let off = self.deviations(&*self.moved(moved)?)?;
         let parts = off.iter().zip(self.targets);
@@ -134,7 +134,7 @@ impl Problem<'_> {
         Some(DVector::from_vec(parts.collect()))
     }
 
-    /// Targets that no move changes, and moves that change no target, next to where the moves begin.
+    /// Targets that no move changes, and moves that change no target, near the start of the moves.
     fn without_effect(&self, boxes: &[Bounds]) -> [Vec<usize>; 2] {
         let Some(changed) = self.changed(boxes) else {
             return Default::default();
@@ -148,9 +148,10 @@ impl Problem<'_> {
         ]
     }
 
-    /// Of each move whether it changes each target, from where the moves begin to next to that; `None` where a trial has no answer.
+    /// For each move, whether it changes each target near the start of the moves; `None` if a trial has no answer.
     fn changed(&self, boxes: &[Bounds]) -> Option<Vec<Vec<bool>>> {
-        /// Of a box, and of what a target may be off: what changes less would change a thousandth of that in the whole box.
+        /// The trial step as a fraction of a box, and the change of a target as a fraction of its permitted
+        /// deviation: a smaller change would amount to less than a thousandth of that over the whole box.
         const BESIDE: f64 = 1e-3;
         const SAME: f64 = 1e-6;
         let off = |moved: &DVector<f64>| self.deviations(&*self.moved(moved)?);
@@ -171,11 +172,11 @@ impl Problem<'_> {
     }
 }
 
-/// The points that are not where they were moved to once the mechanism is assembled.
+/// The points that are not where they were moved to when the mechanism is assembled.
 fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
-    /// Of how far they were moved.
+    /// A fraction of their displacement.
     const OFF: f64 = 1e-3;
-    /// Of the largest coordinate.
+    /// A fraction of the largest coordinate.
     const ROUNDING: f64 = 1e-9;
     let before = mechanism.points();
     let mut moved = vec![Vector3::zeros(); before.len()];

@@ -9,58 +9,58 @@ use crate::assemblies::generic::{Evidence, Generic, add_distinct};
 use crate::assemblies::limits::{MOST, Stage};
 use crate::assemblies::path::{End, FAR};
 
-/// Ways on which the roots are followed at most: a straight one, and detours where paths of that
-/// are lost.
+/// The largest number of ways on which the roots are followed: a straight one, and detours if paths on it are lost.
 const WAYS: usize = 8;
 
-/// The largest imaginary part of a real root, and how far it may lie from where Newton's method
-/// confirms it, as a multiple of the linkage's size.
+/// The largest imaginary part of a real root, and the largest distance from it to the root that Newton's method
+/// confirms, as multiples of the linkage's size.
 const REAL: f64 = 1e-6;
 
-/// What rounding may leave of a residual.
+/// The largest residual due to rounding.
 const ROUNDINGS: f64 = 64.0;
 
-/// What became of the assemblies of a general mechanism, by number.
+/// The outcome for the assemblies of a general mechanism, by number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// How many are real.
+    /// The number of real assemblies.
     pub real: usize,
-    /// How many more are real, with another quarter of a driven angle about an axis: the equations have sine and cosine of the
-    /// quarter, which other angles have too, and an angle of zero or half a turn has in two ways.
+    /// The number of further real solutions, with another quarter of a driven angle about an axis: the equations have
+    /// the sine and cosine of the quarter, which other angles share, and which an angle of zero or half a turn has in
+    /// two ways.
     pub turned: usize,
-    /// How many were put together, and are not confirmed as a whole.
+    /// The number of solutions that were put together and are not confirmed as a whole.
     pub unconfirmed: usize,
-    /// Whether there are more than are listed.
+    /// Whether there are more assemblies than are listed.
     pub is_cut: bool,
-    /// Of each part, in the order in which they are put together.
+    /// The outcome for each part, in the order in which they are put together.
     pub parts: Vec<PartTally>,
 }
 
-/// What became of the assemblies of a part of a general mechanism, with each assembly of the parts that it needs.
+/// The outcome for the assemblies of a part of a general mechanism, with each assembly of the parts that it needs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartTally {
     /// Its points and other unknowns.
     pub unknowns: Vec<String>,
-    /// In how many ways the parts that it needs are put together.
+    /// The number of ways in which the parts that it needs are put together.
     pub times: usize,
-    /// How many assemblies are real.
+    /// The number of real assemblies.
     pub real: usize,
-    /// How many are complex.
+    /// The number of complex assemblies.
     pub complex: usize,
-    /// How many have imaginary parts that may be rounding, and no iteration confirms a real one:
-    /// beside a fold two real ones or two complex ones, which are not told apart.
+    /// The number of assemblies whose imaginary parts may be rounding, although no iteration confirms a real one:
+    /// near a fold, two real ones or two complex ones, which cannot be told apart.
     pub unconfirmed: usize,
-    /// How many such a part with general dimensions has, each time.
+    /// The number of assemblies of such a part with general dimensions, each time.
     pub generic: usize,
-    /// How many of those go to infinity as the lengths become the mechanism's.
+    /// The number of those that go to infinity as the lengths become those of the mechanism.
     pub infinite: usize,
-    /// Why the generic ones are believed to be all.
+    /// The evidence that the generic assemblies are complete.
     pub evidence: Evidence,
 }
 
 impl PartTally {
-    /// How many assemblies of a general part were followed neither to one of this mechanism
-    /// nor to infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
+    /// The number of assemblies of a general part that were followed neither to an assembly of this mechanism nor to
+    /// infinity: several that coincide, paths lost near a singularity, or the unconfirmed ones.
     pub fn unaccounted(&self) -> usize {
         let accounted = self.real + self.complex + self.infinite;
         (self.times * self.generic).saturating_sub(accounted)
@@ -95,7 +95,7 @@ impl PartTally {
         doubts.into_iter().flatten()
     }
 
-    /// Adds what became of the part with another assembly of those that it needs.
+    /// Adds the outcome for the part with another assembly of the parts that it needs.
     pub(crate) fn add(&mut self, other: &Self) {
         self.times += other.times;
         self.real += other.real;
@@ -111,8 +111,8 @@ impl Tally {
         self.doubts().is_empty()
     }
 
-    /// Why the list may not be complete: unless all assemblies of a general mechanism are known, and where each of
-    /// them leads.
+    /// The reasons why the list may not be complete. There are none only if all assemblies of a general mechanism are
+    /// known, and where each of them leads.
     pub fn doubts(&self) -> Vec<String> {
         let several = self.parts.len() > 1;
         let of_part = |part: &PartTally| {
@@ -134,8 +134,8 @@ impl Tally {
     }
 }
 
-/// Follows the generic roots to a member with real numbers; the real ones, and what became of all. `None` where the search is
-/// given up.
+/// Follows the generic roots to a member with real numbers; returns the real roots, and the outcome for all. `None`
+/// if the search is given up.
 pub(crate) fn census<G: Listing<N>, const N: usize>(
     generic: &mut Generic<'_, G, N>,
     target: MemberOf<G, N>,
@@ -148,7 +148,7 @@ pub(crate) fn census<G: Listing<N>, const N: usize>(
         let lines = generic.lines(detour.into_iter().chain([target]));
         let ends = generic.follow_all(Stage::Follow, &lines);
         let ends: Option<Vec<_>> = ends.into_iter().collect();
-        // Another way loses other paths: as many go to infinity on each.
+        // Another way loses other paths, while the same number goes to infinity on each.
         let mut far = 0;
         for end in ends? {
             match end {
@@ -190,7 +190,7 @@ fn confirmed<G: Listing<N>, const N: usize>(
     root: &Vector<N>,
     bound: f64,
 ) -> Option<Vector<N>> {
-    /// What a correction may be of the one before, and how many there are.
+    /// The largest ratio of a correction to the one before, and the number of corrections.
     const CONTRACTION: f64 = 0.5;
     const CORRECTIONS: usize = 10;
     let found = root.map(|entry| Complex::from(entry.re));

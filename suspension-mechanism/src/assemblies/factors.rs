@@ -10,7 +10,8 @@ pub(crate) type Vector<const N: usize> = SVector<Complex<f64>, N>;
 
 type Matrix<const N: usize> = SMatrix<Complex<f64>, N, N>;
 
-/// Which equations are solved together for which unknowns. Each of the other unknowns is given by an equation that says its value.
+/// The equations that are solved together, and their unknowns. Each of the other unknowns is given by an equation
+/// that states its value.
 pub(crate) struct Solved {
     rows: Vec<usize>,
     columns: Vec<usize>,
@@ -19,7 +20,8 @@ pub(crate) struct Solved {
 }
 
 impl Solved {
-    /// A part's `own` equations, and of the `others` one in which the value of a given unknown is not alone; all with their unknowns.
+    /// A part's `own` equations, together with equation `and` of the `others`, in which the value of a given unknown is
+    /// not alone; all with their unknowns.
     pub(crate) fn of(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Self {
         let others = others.iter().copied();
         let (with_others, given): (Vec<_>, Vec<_>) = others.partition(|[row, _]| Some(*row) == and);
@@ -32,7 +34,8 @@ impl Solved {
         }
     }
 
-    /// Of the equations solved together, the entries of given unknowns that are not zero: place of the equation, unknown, entry.
+    /// The non-zero entries of given unknowns in the equations that are solved together: place of the equation,
+    /// unknown, entry.
     fn of_given<const N: usize>(&self, jacobian: &Matrix<N>) -> Vec<(usize, usize, Complex<f64>)> {
         let given = self.given.iter().flat_map(|[_, column]| {
             let rows = self.rows.iter().enumerate();
@@ -44,20 +47,20 @@ impl Solved {
     }
 }
 
-/// The factors of the equations that are solved together: `L`, its diagonal of ones left out, and `U`. Most of their
-/// entries are zero, as those of the matrix are.
+/// The factors of the equations that are solved together: `L`, without its diagonal of ones, and `U`. Most of their
+/// entries are zero, as are those of the matrix.
 pub(crate) struct Factors<'s> {
     solved: &'s Solved,
     of_given: Vec<(usize, usize, Complex<f64>)>,
-    /// The row with which each one was swapped.
+    /// The row with which each row was swapped.
     swaps: Vec<usize>,
-    /// Of the pivots that are not zero.
+    /// The inverses of the non-zero pivots.
     inverses: Vec<Complex<f64>>,
     below: Columns,
     above: Columns,
 }
 
-/// Entries that are not zero, with their rows, one column after the other.
+/// Non-zero entries with their rows, column after column.
 struct Columns {
     entries: Vec<(usize, Complex<f64>)>,
     ends: Vec<usize>,
@@ -116,7 +119,7 @@ impl<'s> Factors<'s> {
         }
     }
 
-    /// Solves `J x = right`; `None` where a pivot is zero.
+    /// Solves `J x = right`; `None` if a pivot is zero.
     pub(crate) fn solve<const N: usize>(&self, right: &Vector<N>) -> Option<Vector<N>> {
         if self.inverses.len() < self.swaps.len() {
             return None;
@@ -149,8 +152,8 @@ impl<'s> Factors<'s> {
     }
 }
 
-/// Puts `L` below the diagonal of a matrix of so many rows, given column by column, and `U` on and above it; and tells the
-/// row with which each one was swapped.
+/// Writes `L` below the diagonal of a matrix of `count` rows, given column by column, and `U` on and above it;
+/// returns the row with which each row was swapped.
 fn eliminate(entries: &mut [Complex<f64>], count: usize) -> Vec<usize> {
     let mut swaps = Vec::with_capacity(count);
     let mut below = Vec::with_capacity(count);

@@ -12,7 +12,7 @@ use crate::assemblies::tilt::{Plane, Tilt};
 
 pub(crate) use line::Line;
 
-/// A model of a listing, whose equations can be taken over complex numbers.
+/// A model of a listing whose equations can be evaluated in complex numbers.
 pub trait Enumerable<const N: usize>:
     Linkage<N, Scalar = f64, Listing: Listing<N, Model<f64> = Self>>
 {
@@ -25,33 +25,33 @@ impl<L, const N: usize> Enumerable<N> for L where
 
 /// Driven coordinates.
 pub(crate) type Drives<G, const N: usize> = <G as Listing<N>>::Drives<Complex<f64>>;
-/// Chassis points, those that drives move included.
+/// Chassis points, including those that drives move.
 pub(crate) type Fixed<G, const N: usize> = <G as Listing<N>>::Fixed<Complex<f64>>;
 /// A member of the family of a listing.
 pub(crate) type MemberOf<G, const N: usize> = Member<Fixed<G, N>, Drives<G, N>, N>;
 
-/// All systems `F(q; u) = c` of one part of a linkage, one equation tilted or not. In the place of the equations of other parts
-/// their unknowns are given: `q = c`.
+/// All systems `F(q; u) = c` of one part of a linkage, with or without one tilted equation. In place of the equations
+/// of other parts, their unknowns are given: `q = c`.
 ///
-/// Each `q` is a root of exactly one `c` for given `u`, so that all pairs `(q, c)` form a copy of
-/// the space of `q`: one piece. Loops of `c` therefore lead from any root of a generic `c` to any
-/// other.
+/// Each `q` is a root of exactly one `c` for given `u`, so all pairs `(q, c)` form a copy of the space of `q`, which
+/// is connected. Loops of `c` therefore lead from any root of a generic `c` to any other.
 pub(crate) struct Family<G: Listing<N>, const N: usize> {
     model: G::Model<Complex<f64>>,
     /// The longest length of the linkage.
     pub(crate) size: f64,
     pub(crate) part: Part,
     solved: Solved,
-    /// Of an unknown that the part needs, or of its first drive: of what the part's assemblies are a curve over.
+    /// The tilt of the equation of an unknown that the part needs, or of its first drive: the variable along which
+    /// the part's assemblies form a curve.
     pub(crate) tilt: Option<Tilt<N>>,
 }
 
 /// One system of a family.
 #[derive(Clone, Copy)]
 pub(crate) struct Member<F, D, const N: usize> {
-    /// `u`: the chassis points,
+    /// `u`: the chassis points.
     pub(crate) fixed: F,
-    /// and the drives, angles as the coordinates that they prescribe.
+    /// `u`: the drives, with angles as the coordinates that they prescribe.
     pub(crate) drives: D,
     /// `c`.
     pub(crate) right: Vector<N>,
@@ -78,14 +78,14 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         *self.model.fixed()
     }
 
-    /// Other ones anywhere near. Those of the linkage are special where axes are parallel; where they nearly are, some of the
-    /// roots lie so far away that rounding hides how many there are.
+    /// Random chassis points nearby. Those of the linkage are special if axes are parallel; if axes are nearly
+    /// parallel, some of the roots are so far away that rounding hides how many there are.
     pub(crate) fn general_fixed(&self, random: &mut Random) -> Fixed<G, N> {
         let of = |point: Vector3<Complex<f64>>| point + random.vector::<3>(self.size);
         Values::from_values(self.own_fixed().values().map(of))
     }
 
-    /// The member of which `q` is a root, otherwise as another.
+    /// The member of which `q` is a root, otherwise equal to `other`.
     pub(crate) fn of_root(&self, q: &Vector<N>, other: MemberOf<G, N>) -> MemberOf<G, N> {
         let MemberOf::<G, N> { drives, plane, .. } = other;
         let fixed = self.model.drive_anchors(other.fixed, &drives);
@@ -113,7 +113,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         rows
     }
 
-    /// The derivatives of an equation, where that gives an unknown of another part.
+    /// The derivatives of an equation that gives an unknown of another part.
     fn give(&self, equation: usize, jacobian: &mut SMatrix<Complex<f64>, N, N>) {
         let mut given = self.part.others.iter();
         if let Some(&[row, column]) = given.find(|[row, _]| *row == equation) {
@@ -122,7 +122,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         }
     }
 
-    /// Rows of the part alone.
+    /// The rows of the part alone.
     fn own(&self, mut rows: Vector<N>) -> Vector<N> {
         for &[row, _] in &self.part.others {
             rows[row] = Complex::ZERO;
@@ -131,7 +131,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     }
 }
 
-/// The parts of a model that can be put together one after another, wherever drives move the chassis' points.
+/// The parts of a model that can be put together one after another, wherever drives move the chassis points.
 pub(crate) fn parts<G: Listing<N>, const N: usize>(
     model: &G::Model<f64>,
     random: &mut Random,

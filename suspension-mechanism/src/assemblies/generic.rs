@@ -13,42 +13,43 @@ use crate::assemblies::path::{End, follow};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
 
-/// Random starts before the first loop.
+/// The number of random starts before the first loop.
 const STARTS: usize = 200;
 
-/// Loops without a new root after which the search may end. One is not enough: of a double wishbone with skew
-/// axes 24 of 32 roots were closed under a loop.
+/// The number of loops without a new root after which the search may end. One is not enough: for a double wishbone
+/// with skew axes 24 of 32 roots were closed under a loop.
 const QUIET: usize = 4;
 
-/// Loops that are made at most.
+/// The largest number of loops.
 const MOST_LOOPS: usize = 80;
 
-/// How large loops are, as a multiple of the linkage's size: small ones leave the roots where they were, those far away
-/// above all; large ones take more steps.
+/// The size of loops, as a multiple of the linkage's size: small ones leave the roots where they were, above all
+/// those far away; large ones take more steps.
 const LOOP: f64 = 10.0;
 
-/// How large detours are, likewise. Of a live axle on a Watt linkage those of this size recognised all 80 assemblies at infinity,
-/// those of 10 and 30 lost some.
+/// The size of detours, as the same multiple. For a live axle on a Watt linkage, detours of this size recognised all
+/// 80 assemblies at infinity; those of 10 and 30 lost some.
 const DETOUR: f64 = 100.0;
 
-/// How far, relative to its change, the sum over all roots may be from linear. Rounding leaves up to 4e-10. Missing roots left 2e-4
-/// and more of double wishbones with skew axes, and 4e-7 of an H-arm with a camber link.
+/// The largest deviation from linearity of the sum over all roots, relative to its change. Rounding leaves up to
+/// 4e-10. Missing roots left 2e-4 and more for double wishbones with skew axes, and 4e-7 for an H-arm with a camber
+/// link.
 const LINEAR: f64 = 1e-8;
 
-/// Why the roots are believed to be all.
+/// The evidence that all roots were found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evidence {
-    /// Random starts, each followed from the system of which it is a root.
+    /// The number of random starts, each followed from the system of which it is a root.
     pub starts: usize,
-    /// Loops through other systems, along which all roots were followed.
+    /// The number of loops through other systems, along which all roots were followed.
     pub loops: usize,
-    /// How many of them, the last ones, brought no new root.
+    /// The number of the last loops that brought no new root.
     pub quiet: usize,
-    /// The trace test (Sommese, Verschelde and Wampler 2002): how far the sum of the roots is from
-    /// linear as a plane in the place of a coordinate turns, relative to its change. Where one is missing it is not linear.
-    /// `None` where neither a drive nor another part gives a coordinate of a free point.
+    /// The trace test (Sommese, Verschelde and Wampler 2002): the deviation of the sum of the roots from linearity
+    /// while a plane in place of a coordinate turns, relative to its change. If a root is missing, the sum is not
+    /// linear. `None` if neither a drive nor another part gives a coordinate of a free point.
     pub trace: Option<f64>,
-    /// After how many paths the search was ended, before it had found all by these.
+    /// The number of paths after which the search was ended, before the other criteria were met.
     pub ended_after: Option<usize>,
 }
 
@@ -67,14 +68,14 @@ pub(crate) struct Generic<'a, G: Listing<N>, const N: usize> {
     pub(crate) evidence: Evidence,
     random: Random,
     watch: &'a Watch<'a>,
-    /// How many were followed in the search.
+    /// The number of paths followed in the search.
     paths: AtomicUsize,
     is_ended: AtomicBool,
 }
 
 impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
-    /// Finds the roots of a random member near the one of which `q` is a root, as many as are found before `watch` or
-    /// their bound ends the search.
+    /// Finds the roots of a random member near the one of which `q` is a root, until all are found, or `watch` or the
+    /// limit ends the search.
     ///
     /// Duff, Hill, Jensen, Lee, Leykin and Sommars 2019, Solving polynomial systems via homotopy
     /// continuation and monodromy.
@@ -114,7 +115,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         generic
     }
 
-    /// Follows random points here, from the members of which they are roots.
+    /// Follows random points to this member, from the members of which they are roots.
     fn start(&mut self, q: &SVector<f64, N>) {
         let starts: Vec<Vector<N>> = (0..STARTS)
             .map(|index| {
@@ -131,8 +132,8 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         self.add(ends);
     }
 
-    /// Follows the roots along loops until there is good reason to believe that they are all. A root
-    /// that the trace test misses may need more loops than those that were quiet.
+    /// Follows the roots along loops until there is good reason to believe that they are complete. A root that the
+    /// trace test misses may need more loops than those that were quiet.
     fn go_round(&mut self) {
         while self.evidence.loops < MOST_LOOPS {
             if self.evidence.quiet >= QUIET {
@@ -156,7 +157,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         }
     }
 
-    /// Where a way leads from each root; `None` of those that are no longer followed.
+    /// The end of a way from each root; `None` for roots that are no longer followed.
     pub(crate) fn follow_all(&self, stage: Stage, way: &[Line<'_, G, N>]) -> Vec<Option<End<N>>> {
         self.each(stage, &self.roots, |root| follow(way, root))
     }
@@ -186,13 +187,13 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
         goes_on
     }
 
-    /// A random member, to go round by on a detour.
+    /// A random member for a detour.
     pub(crate) fn detour(&mut self) -> MemberOf<G, N> {
         self.waypoint(DETOUR)
     }
 
-    /// A random member so far away. It has other chassis points too: those of a mechanism are special, as where axes of
-    /// wishbones are nearly parallel, and each way comes to them from another side.
+    /// A random member at this distance. It has other chassis points too: those of a mechanism are special, for
+    /// example if axes of wishbones are nearly parallel, and each way approaches them from another side.
     fn waypoint(&mut self, away: f64) -> MemberOf<G, N> {
         let mut member = self.member;
         member.fixed = self.family.general_fixed(&mut self.random);
@@ -215,7 +216,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect()
     }
 
-    /// The trace test; `None` where there is no plane to turn.
+    /// The trace test; `None` if there is no plane to turn.
     fn bend(&mut self) -> Option<f64> {
         let turned = self.random.vector::<1>(1.0).x;
         let tilt = self.family.tilt.as_ref()?;
@@ -243,7 +244,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
     }
 }
 
-/// A sum over the roots, where all ends are roots.
+/// A sum over the roots, if all ends are roots.
 fn sum_of<const N: usize>(
     ends: Vec<Option<End<N>>>,
     of: impl Fn(&Vector<N>) -> Vector<N>,

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::thread;
 
-/// `work` of each item, in order.
+/// The results of `work` for each item, in order.
 pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let todo = Mutex::new(items.iter().enumerate());

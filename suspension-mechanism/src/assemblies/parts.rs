@@ -10,24 +10,25 @@ use suspension_listing::matching::augment;
 
 use crate::assemblies::factors::Vector;
 
-/// Some of the equations, with as many unknowns that only these find.
+/// Some of the equations, with as many unknowns that only they determine.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Part {
-    /// Each with one of the unknowns, such that no two have the same.
+    /// Each equation with one of the unknowns, all different.
     pub(crate) own: Vec<[usize; 2]>,
-    /// All other equations and unknowns likewise.
+    /// All other equations and unknowns, likewise.
     pub(crate) others: Vec<[usize; 2]>,
-    /// Those of the others whose unknowns are in the part's equations.
+    /// Those of the others whose unknowns occur in the part's equations.
     pub(crate) needed: Vec<[usize; 2]>,
     /// Whether its equations are linear in its unknowns.
     pub(crate) is_linear: bool,
 }
 
-/// Which unknowns are in which equations, by row.
+/// Whether each unknown (column) occurs in each equation (row).
 type Pattern<const N: usize> = [[bool; N]; N];
 
-/// The parts in an order in which each needs only those before it. What is linear and needs nothing else comes first; later it
-/// belongs to the part that it follows from: without it a part may have too few coordinates to be cut by a general plane.
+/// The parts in an order in which each needs only those before it. Linear parts that need nothing else come first;
+/// later ones belong to the part that they follow from, which might otherwise have too few coordinates to be cut by a
+/// general plane.
 pub(crate) fn in_order<const N: usize>(
     jacobian: &SMatrix<Complex<f64>, N, N>,
     is_linear: impl Fn(&Part) -> bool,
@@ -35,7 +36,7 @@ pub(crate) fn in_order<const N: usize>(
     let pattern: Pattern<N> =
         array::from_fn(|row| array::from_fn(|column| jacobian[(row, column)] != Complex::ZERO));
     let Some(matched) = matching(&pattern) else {
-        // Singular whatever the position: nothing comes before anything else.
+        // Singular whatever the position: no order is possible.
         let all = array::from_fn(|row| [row, row]);
         return vec![Part::of(&pattern, &all, |_| true)];
     };
@@ -58,13 +59,13 @@ pub(crate) fn in_order<const N: usize>(
 /// Parts that are not yet in order.
 struct Pending<F, const N: usize> {
     parts: Vec<Part>,
-    /// The equations of those that are.
+    /// The equations of the parts that are in order.
     found: [bool; N],
     is_linear: F,
 }
 
 impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
-    /// All, each as small as can be.
+    /// All parts, each as small as possible.
     fn new(pattern: &Pattern<N>, matched: &[[usize; 2]; N], is_linear: F) -> Self {
         let needs = reachable(pattern, matched);
         let together = |a: usize, b: usize| a == b || needs[a][b] && needs[b][a];
@@ -84,7 +85,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
         Some(self.take(vec![self.parts[first].clone()]))
     }
 
-    /// The equations of all linear parts that do.
+    /// The equations of all linear parts that need only what is found.
     fn take_linear(&mut self) -> Option<Vec<usize>> {
         let ready = |part: &&Part| part.follows_from(&self.found) && (self.is_linear)(part);
         let ready: Vec<Part> = self.parts.iter().filter(ready).cloned().collect();
@@ -100,7 +101,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
 }
 
 impl Part {
-    /// The part of the rows that belong to it.
+    /// The part that consists of these rows.
     fn of<const N: usize>(
         pattern: &Pattern<N>,
         matched: &[[usize; 2]; N],
@@ -129,7 +130,7 @@ impl Part {
         right
     }
 
-    /// An assembly with the part's unknowns of another.
+    /// An assembly with the part's unknowns taken from another.
     pub(crate) fn put<const N: usize>(&self, of: &Vector<N>, mut assembly: Vector<N>) -> Vector<N> {
         for column in self.columns() {
             assembly[column] = of[column];
@@ -153,7 +154,7 @@ impl Part {
     }
 }
 
-/// An unknown of each equation, no two the same. `None` where there are none such.
+/// An unknown for each equation, all different; `None` if there are none such.
 fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
     let columns = |row: &[bool; N]| (0..N).filter(|column| row[*column]).collect();
     let columns: Vec<Vec<usize>> = pattern.iter().map(columns).collect();
@@ -169,7 +170,7 @@ fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
     Some(matched)
 }
 
-/// Which equations must be solved before each one: those of its unknowns, and theirs in turn (Warshall 1962).
+/// The equations that must be solved before each one: those of its unknowns, and theirs in turn (Warshall 1962).
 fn reachable<const N: usize>(pattern: &Pattern<N>, matched: &[[usize; 2]; N]) -> Pattern<N> {
     let mut needs: Pattern<N> =
         array::from_fn(|row| array::from_fn(|other| pattern[row][matched[other][1]]));

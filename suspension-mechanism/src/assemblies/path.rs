@@ -6,44 +6,44 @@ use suspension_core::Listing;
 use crate::assemblies::factors::{Factors, Vector};
 use crate::assemblies::family::Line;
 
-/// Terms of the predicting series.
+/// The number of terms of the predicting series.
 const TERMS: usize = 10;
 
-/// What the prediction may be off by, as a multiple of the size of the root.
+/// The largest error of the prediction, as a multiple of the size of the root.
 const PREDICTION: f64 = 1e-6;
 
-/// How large the correction of a prediction may be, likewise.
+/// The largest correction of a prediction, as the same multiple.
 const CORRECTION: f64 = 1e-4;
 
-/// What rounding may leave of a correction: far from the real configurations the closure of a body
-/// is badly conditioned.
+/// The rounding error of a correction: far from the real configurations the closure of a body is badly conditioned.
 const ROUNDING: f64 = 1e-7;
 
-/// The same where a root is so large that the rounding of products of its coordinates is more, as a multiple of the square of its
-/// size. Without it of a double wishbone's 32 roots one was lost at 30,000 times the linkage's size.
+/// The rounding error of a correction if a root is so large that the rounding of products of its coordinates
+/// dominates, as a multiple of the square of its size. Without it, one of a double wishbone's 32 roots was lost at
+/// 30,000 times the linkage's size.
 const OF_PRODUCTS: f64 = 64.0 * f64::EPSILON;
 
-/// Steps that a path may take.
+/// The largest number of steps of a path.
 const MOST_STEPS: usize = 400;
 
-/// The shortest step, as a part of the line.
+/// The shortest step, as a fraction of the line.
 const SHORTEST: f64 = 1e-14;
 
-/// How large a root is that may be on its way to infinity, as a multiple of the linkage's size: larger than any real one.
-/// Rounding ends paths at a few times that.
+/// The size above which a root may be on its way to infinity, as a multiple of the linkage's size: larger than any
+/// real one. Rounding ends paths at a few times this size.
 pub(crate) const FAR: f64 = 1e4;
 
-/// How near to the end of a line, as a part of what is left of it, its series must have the pole.
+/// How near the pole of its series must be to the end of a line, as a fraction of what is left of the line.
 const POLE: f64 = 0.3;
 
-/// Where a path led.
+/// The end of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum End<const N: usize> {
-    /// To a root of the member at the end of the line.
+    /// A root of the member at the end of the line.
     Root(Vector<N>),
-    /// To infinity at the end of the line, or so far that it is no matter.
+    /// Infinity at the end of the line, or so far away that the difference does not matter.
     Infinite,
-    /// To where the root is not isolated, or too far away for its rounding, or no steps are left.
+    /// The root is not isolated, or is too far away for its rounding, or no steps are left.
     Lost,
 }
 
@@ -58,8 +58,8 @@ pub(crate) fn follow<G: Listing<N>, const N: usize>(
     })
 }
 
-/// Predicted by the Taylor series, corrected by Newton's method with the factors of the predicted
-/// place, which then give the next series.
+/// Follows a line: the Taylor series predicts, and Newton's method corrects with the factors at the predicted place,
+/// which then give the next series.
 fn follow_line<G: Listing<N>, const N: usize>(line: &Line<'_, G, N>, mut q: Vector<N>) -> End<N> {
     let mut s = 0.0;
     let mut factors = line.factors(&q, s);
@@ -93,7 +93,7 @@ fn polished<G: Listing<N>, const N: usize>(
     is_small.then(|| q - correction)
 }
 
-/// The longest step of the series that Newton's method confirms: root, place and factors there.
+/// The longest step of the series that Newton's method confirms: the root, the place and the factors there.
 fn step<'l, G: Listing<N>, const N: usize>(
     line: &'l Line<'_, G, N>,
     q: &Vector<N>,
@@ -109,7 +109,7 @@ fn step<'l, G: Listing<N>, const N: usize>(
         let first = factors.solve(&line.residual(&predicted, there))?;
         let once = predicted - first;
         let second = factors.solve(&line.residual(&once, there))?;
-        // A root that comes from far away is held to the size that it has now.
+        // For a root that comes from far away, the size that it has now counts.
         let scale = scale.min(line.size() + once.camax());
         let rounding = ROUNDING.max(OF_PRODUCTS * (scale / line.size()).powi(2));
         if first.camax() < CORRECTION * scale
@@ -122,8 +122,8 @@ fn step<'l, G: Listing<N>, const N: usize>(
     None
 }
 
-/// Whether the series has its nearest pole so far ahead: by the quotient of its last two terms, which for a pole of order `p`
-/// is the way to it times `k / (k - 1 + p)`.
+/// Whether the nearest pole of the series is at the distance `ahead`, judged by the quotient of its last two terms,
+/// which for a pole of order `p` is the distance times `k / (k - 1 + p)`.
 fn has_pole_at<const N: usize>(ahead: f64, terms: &[Vector<N>; TERMS]) -> bool {
     let [.., before, last] = terms;
     let largest = last.icamax();
@@ -131,13 +131,13 @@ fn has_pole_at<const N: usize>(ahead: f64, terms: &[Vector<N>; TERMS]) -> bool {
     (way - Complex::from(ahead)).modulus() < POLE * ahead
 }
 
-/// How far the series is good to `tolerance`, from its last two terms.
+/// The distance to which the series is accurate to `tolerance`, from its last two terms.
 fn reach<const N: usize>(terms: &[Vector<N>; TERMS], tolerance: f64) -> f64 {
     let reach_of = |order: usize| (tolerance / terms[order - 1].camax()).powf(1.0 / order as f64);
     reach_of(TERMS).min(reach_of(TERMS - 1))
 }
 
-/// The series' value, its constant left out.
+/// The value of the series without its constant.
 fn sum<const N: usize>(terms: &[Vector<N>; TERMS], step: f64) -> Vector<N> {
     let step = Complex::from(step);
     let horner = |sum: Vector<N>, term: &Vector<N>| (sum + term) * step;

@@ -13,20 +13,20 @@ use crate::assemblies::parts::Part;
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::Plane;
 
-/// A part, and what is known of it with general dimensions.
+/// A part, and its results with general dimensions.
 pub(crate) enum Searched<'a, G: Listing<N>, const N: usize> {
     /// Its equations are linear in its unknowns.
     Linear(Family<G, N>),
     /// All its assemblies.
     General {
         generic: Generic<'a, G, N>,
-        /// Points and other unknowns.
+        /// The names of its points and other unknowns.
         unknowns: Vec<String>,
     },
 }
 
 impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
-    /// Searches with general dimensions, starting around `near`.
+    /// Searches the part with general dimensions, starting around `near`.
     pub(crate) fn new<L: Enumerable<N, Listing = G>>(
         model: &L,
         part: Part,
@@ -54,8 +54,8 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         }
     }
 
-    /// The part put together with each assembly of those before it, and what became of those of a general mechanism; `None` where
-    /// the search is given up.
+    /// The part put together with each assembly of those before it, and the outcome for the assemblies of a general
+    /// mechanism; `None` if the search is given up.
     pub(crate) fn after(
         &mut self,
         before: &[Vector<N>],
@@ -88,7 +88,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         Some((longer, tally))
     }
 
-    /// With one assembly of the parts before.
+    /// The part with one assembly of the parts before.
     fn at(
         &mut self,
         before: &Vector<N>,
@@ -117,7 +117,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         }
     }
 
-    /// Before anything is followed; `None` where there is nothing to follow.
+    /// The tally before anything is followed; `None` if there is nothing to follow.
     fn tally(&self) -> Option<PartTally> {
         let Self::General { generic, unknowns } = self else {
             return None;
@@ -131,7 +131,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
     }
 }
 
-/// The points of a part's unknowns, and those that are no coordinates.
+/// The points of a part's unknowns, and the unknowns that are not coordinates.
 fn names<L: Parts>(model: &L, part: &Part) -> Vec<String> {
     let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| model.count(kind));
     let place = |column: usize| match column / 3 {

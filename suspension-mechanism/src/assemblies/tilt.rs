@@ -5,14 +5,14 @@ use nalgebra::{Complex, SMatrix};
 use crate::assemblies::factors::Vector;
 use crate::assemblies::random::Random;
 
-/// What is added to the equation of a drive, or of an unknown that is given: `f(q; u) + p d.q - t h(q)`, with general `d` and
-/// `h(q) = k + a.q`.
+/// The terms added to the equation of a drive, or of a given unknown: `f(q; u) + p d.q - t h(q)`, with general `d`
+/// and `h(q) = k + a.q`.
 ///
-/// Without that equation the roots form a curve, which a value of the coordinate cuts in a plane. Planes of one coordinate
-/// are special: a curve may run off to infinity along them. A general plane, with `p = 1`, cuts it in as many points as its
-/// degree. As it turns with `t` about where `h` is zero, the sum of `q / h(q)` over all of them is linear in `t` (Sommese,
-/// Verschelde and Wampler 2002, in the coordinates in which planes of one `t` are parallel). Roots far away have their part in that
-/// sum, and no more than that.
+/// Without that equation the roots form a curve, which a value of the coordinate cuts in a plane. Planes of one
+/// coordinate are special: a curve may run off to infinity along them. A general plane, with `p = 1`, cuts it in as
+/// many points as its degree. As it turns with `t` about the place where `h` is zero, the sum of `q / h(q)` over all
+/// points is linear in `t` (Sommese, Verschelde and Wampler 2002, in the coordinates in which planes of one `t` are
+/// parallel). Roots far away contribute to that sum, and no more than that.
 pub(crate) struct Tilt<const N: usize> {
     /// The row of the equation.
     pub(crate) row: usize,
@@ -20,11 +20,11 @@ pub(crate) struct Tilt<const N: usize> {
     direction: Vector<N>,
     /// `a`.
     turning: Vector<N>,
-    /// `k`, in the place of which the right-hand side of the row has `t k`.
+    /// `k`: the right-hand side of the row has `t k` in its place.
     pub(crate) away: Complex<f64>,
 }
 
-/// Which plane.
+/// The plane that cuts the curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Plane {
     /// `p`.
@@ -44,7 +44,7 @@ impl Plane {
 }
 
 impl<const N: usize> Tilt<N> {
-    /// For a linkage of the given size.
+    /// A tilt for a linkage of the given size.
     pub(crate) fn new(row: usize, size: f64, random: &mut Random) -> Self {
         Self {
             row,

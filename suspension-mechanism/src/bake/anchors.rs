@@ -2,15 +2,15 @@
 
 use crate::bake::exact::{OutOfReach, Stop};
 
-/// How many there are.
+/// The number of anchors.
 const COUNT: u32 = 65;
 
-/// Configurations, each with the value of what leads there.
+/// Configurations, each with the value that leads there.
 #[derive(Clone, Debug)]
 pub(super) struct Anchors<S>(Vec<(f64, S)>);
 
 impl<S: Copy> Anchors<S> {
-    /// Those of a range, to which the mechanism is led from where `now` leads to. `follow` leads from one value to another.
+    /// The anchors of a range, to which the mechanism is led from `now`. `follow` leads from one value to another.
     pub(super) fn over(
         [from, to]: [f64; 2],
         (now, start): (f64, S),
@@ -38,7 +38,7 @@ impl<S: Copy> Anchors<S> {
         Ok(Self(anchors))
     }
 
-    /// The configuration at a value, led there from the nearest; `None` where there is none.
+    /// The configuration at a value, led there from the nearest anchor; `None` if there is none.
     pub(super) fn led_to(
         &self,
         at: f64,

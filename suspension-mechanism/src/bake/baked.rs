@@ -7,14 +7,14 @@ use crate::bake::certify::Reached;
 use crate::bake::driven::Output;
 use crate::bake::scheme::{Coefficients, Continuity, TERMS};
 
-/// What to bake.
+/// The request for a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// The drive's first and last value.
     pub range: [f64; 2],
-    /// How far a point may be off, in the unit of the hardpoints.
+    /// The largest permitted error of a point, in the unit of the hardpoints.
     pub tolerance: f64,
-    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    /// A metre in that unit: the spin axis may have the same error as a point a metre away.
     pub metre: f64,
     /// How segments join.
     pub continuity: Continuity,
@@ -23,19 +23,19 @@ pub struct Wanted {
 /// A baked motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked {
-    /// What was asked for.
+    /// The request.
     pub wanted: Wanted,
-    /// The outputs, three numbers each.
+    /// The outputs, of three numbers each.
     pub outputs: Vec<Output>,
-    /// Bounds of what the curve is off by.
+    /// Bounds of the curve's errors.
     pub reached: Reached,
-    /// The polynomials by segment and output.
+    /// The polynomials indexed by segment and output.
     pub segments: Vec<Vec<Coefficients>>,
 }
 
 impl Baked {
-    /// The same with positions in coordinates that have the origin of these at `origin`, and with
-    /// the drive's `range` in them.
+    /// The same curve with positions in coordinates in which the present origin is at `origin`, and with the drive's
+    /// `range` in them.
     pub fn moved(mut self, origin: [f64; 3], range: [f64; 2]) -> Self {
         self.wanted.range = range;
         for segment in &mut self.segments {
@@ -57,7 +57,7 @@ impl Baked {
         self.segments.len() as f64 / (to - from)
     }
 
-    /// Numbers by segment, power and output, as [`Curve`] has them.
+    /// Numbers indexed by segment, power and output, as in [`Curve`].
     pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
         self.segments.iter().map(|segment| {
             let mut power = 0;
@@ -69,9 +69,8 @@ impl Baked {
         })
     }
 
-    /// The segments of a [`Curve`] in a number type; `None` where `OUT` is not the number of
-    /// outputs. What is reached holds in `f64`; with `f32`, coordinates lose some 1e-7 of their
-    /// size more.
+    /// The segments of a [`Curve`] in a number type; `None` if `OUT` is not the number of outputs. The bounds hold in
+    /// `f64`; with `f32`, coordinates lose about a further 1e-7 of their size.
     pub fn table<T: Scalar, const OUT: usize>(&self) -> Option<Vec<[[T; OUT]; TERMS]>> {
         let fixed = |rows: [Vec<f64>; TERMS]| {
             let mut table = [[T::zero(); OUT]; TERMS];

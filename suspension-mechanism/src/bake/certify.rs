@@ -15,25 +15,25 @@ use suspension_core::baked::polynomial;
 
 use crate::bake::driven::Derivatives;
 
-/// Samples a segment.
+/// The number of samples per segment.
 pub const SAMPLES: usize = 32;
 
-/// Degree up to which the factor holds.
+/// The degree up to which the factor holds.
 const DEGREE: usize = 8;
 
 /// The largest differences between a curve and the motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reached {
-    /// Of a position, in the unit of the hardpoints.
+    /// The difference of a position, in the unit of the hardpoints.
     pub position: f64,
-    /// Of a first derivative, in that unit per unit of the drive.
+    /// The difference of a first derivative, in that unit per unit of the drive.
     pub first: f64,
-    /// Of a second derivative, per unit of the drive squared.
+    /// The difference of a second derivative, in that unit per unit of the drive squared.
     pub second: f64,
 }
 
 impl Reached {
-    /// A multiple.
+    /// The differences multiplied by a factor.
     pub fn scaled(self, factor: f64) -> Self {
         Self {
             position: self.position * factor,
@@ -42,7 +42,7 @@ impl Reached {
         }
     }
 
-    /// The larger ones of both.
+    /// The larger of the two, for each difference.
     pub fn larger(self, other: Self) -> Self {
         Self {
             position: self.position.max(other.position),
@@ -70,7 +70,7 @@ pub fn bound(coefficients: &[[f64; 3]], length: f64, exact: &[Derivatives]) -> R
         let sums: [[f64; 3]; 3] = polynomial(coefficients, *place);
         let mut scale = 1.0;
         for (order, (sum, exact)) in sums.iter().zip(exact).enumerate() {
-            // Sums are divided by the factorial of their order, which for 0, 1, 2 is max(1, order).
+            // Sums are divided by the factorial of their order, which is max(1, order) for 0, 1, 2.
             let derivative = Vector3::from(*sum) * (order.max(1) as f64 * scale);
             differences[order].push(derivative - exact);
             scale /= length;
@@ -89,7 +89,7 @@ fn largest(samples: &[Vector3<f64>]) -> f64 {
     over_all(seen(samples), beyond(samples))
 }
 
-/// The largest length between samples, from the largest of them and what lies beyond [`DEGREE`].
+/// The largest length between samples, from the largest sample and the part beyond [`DEGREE`].
 fn over_all(seen: f64, beyond: f64) -> f64 {
     let between_samples = (PI * DEGREE as f64 / (2.0 * SAMPLES as f64)).cos().recip();
     (seen + beyond) * between_samples + beyond
@@ -100,7 +100,7 @@ fn seen(samples: &[Vector3<f64>]) -> f64 {
     samples.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
-/// The Chebyshev coefficients beyond [`DEGREE`], added up.
+/// The sum of the Chebyshev coefficients beyond [`DEGREE`].
 fn beyond(samples: &[Vector3<f64>]) -> f64 {
     let count = samples.len() as f64;
     let coefficient = |degree: usize| {

@@ -7,7 +7,7 @@ use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Tracker, Values
 
 use crate::mechanism::{Names, Suspension};
 
-/// Which points are wanted.
+/// The requested points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
     /// Every free point and marker.
@@ -28,7 +28,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// Its name: a point's, or what it is of the wheel.
+    /// Its name: that of a point, or what it is of the wheel.
     pub fn name(&self) -> &str {
         match self {
             Self::Point(name) => name,
@@ -37,8 +37,8 @@ impl Output {
         }
     }
 
-    /// What a difference of one in it counts as, in lengths, where a metre is `metre`: a spin axis
-    /// counts as a point one metre from the wheel centre.
+    /// The length that a difference of one in it counts as, if a metre is `metre`: a spin axis counts as a point one
+    /// metre from the wheel centre.
     pub fn lever(&self, metre: f64) -> f64 {
         match self {
             Self::SpinAxis => metre,
@@ -50,19 +50,19 @@ impl Output {
 /// A value with its first and second derivative with respect to a drive.
 pub type Derivatives = [Vector3<f64>; 3];
 
-/// A mechanism and what is read of it.
+/// A mechanism and the outputs that are read from it.
 #[derive(Clone, Debug)]
 pub(super) struct Driven<'a, L> {
     model: &'a L,
     reading: Reading,
 }
 
-/// What is read of the points.
+/// The outputs that are read from the points.
 #[derive(Clone, Debug)]
 enum Reading {
-    /// The points from this number on, which are called so.
+    /// The points from this number on, with their names.
     From(usize, Vec<String>),
-    /// The spin axis from one point to another, the wheel centre.
+    /// The spin axis from one point to another, which is the wheel centre.
     Axis([usize; 2]),
 }
 
@@ -79,7 +79,7 @@ impl Reading {
 }
 
 impl<'a, L> Driven<'a, L> {
-    /// What is wished for of a model.
+    /// The requested outputs of a model.
     pub(super) fn new<const N: usize>(model: &'a L, wish: Wish) -> Self
     where
         L: Suspension<N>,
@@ -101,7 +101,7 @@ impl<'a, L> Driven<'a, L> {
             max_steps: 10_000,
             ..Tracker::default()
         };
-        // The rates of the last motion are those of another way.
+        // The rates of the last motion belong to another way.
         *motion = Motion {
             positive_determinant: motion.positive_determinant,
             ..Motion::at_rest(motion.position)
@@ -115,8 +115,8 @@ impl<'a, L> Driven<'a, L> {
         followed.map(|_| ())
     }
 
-    /// The outputs with their derivatives in directions in which drives move at `rates`, at a motion's position for
-    /// values of the drives.
+    /// The outputs with their derivatives in directions in which drives move at `rates`, at a motion's position and
+    /// these values of the drives.
     pub(super) fn derivatives<const N: usize, const K: usize>(
         &self,
         motion: &Motion<f64, N>,
@@ -149,14 +149,14 @@ impl<'a, L> Driven<'a, L> {
             Reading::Axis(ends) => {
                 let [inner, centre] = ends.map(point);
                 let axis = [0, 1, 2].map(|order| centre[order] - inner[order]);
-                // Both points belong to one body: their distance does not change.
+                // Both points belong to one body, so their distance does not change.
                 let length = axis[0].norm();
                 vec![centre, axis.map(|axis| axis / length)]
             }
         }
     }
 
-    /// What the outputs are.
+    /// The outputs' names.
     pub(super) fn outputs(&self) -> Vec<Output> {
         match &self.reading {
             Reading::From(_, names) => names.iter().cloned().map(Output::Point).collect(),

@@ -7,15 +7,15 @@ use suspension_core::SolveError;
 use crate::bake::driven::{Derivatives, Output};
 use crate::number::number;
 
-/// The value where a mechanism stopped, and why.
+/// The value at which a mechanism stopped, and the reason.
 pub(super) type Stop = (f64, Option<SolveError<f64>>);
 
 /// The mechanism does not go through the range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfReach {
-    /// The drive's first and last value towards the range that the mechanism reaches.
+    /// The first and last values of the drive that the mechanism reaches towards the range.
     pub reached: [f64; 2],
-    /// Why it goes no further.
+    /// The reason why it goes no further.
     pub cause: Option<SolveError<f64>>,
 }
 
@@ -30,7 +30,7 @@ impl fmt::Display for OutOfReach {
 impl std::error::Error for OutOfReach {}
 
 impl OutOfReach {
-    /// On a way that began at a value.
+    /// The failure on a way that began at a value.
     pub(super) fn on_the_way(from: f64, (reached, cause): Stop) -> Self {
         Self {
             reached: [from, reached],
@@ -39,12 +39,12 @@ impl OutOfReach {
     }
 }
 
-/// A motion along a drive, whatever its linkage.
+/// A motion along a drive, independent of its linkage.
 pub trait Exact {
-    /// What the outputs are.
+    /// The outputs.
     fn outputs(&self) -> Vec<Output>;
 
-    /// The outputs where the drive has the value `at`.
+    /// The outputs when the drive has the value `at`.
     ///
     /// # Errors
     ///

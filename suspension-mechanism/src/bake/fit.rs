@@ -10,14 +10,14 @@ use crate::number::number;
 
 use crate::bake::baked::{Baked, Wanted};
 
-/// Why a motion was not baked.
+/// The reason why a motion was not baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unmet {
     /// The mechanism does not go through the range.
     OutOfReach(OutOfReach),
     /// The tolerance is not met with [`MOST_SEGMENTS`].
     TooManySegments {
-        /// The drive's value about which it was missed.
+        /// The value of the drive near which it was missed.
         at: f64,
     },
 }
@@ -43,7 +43,7 @@ impl fmt::Display for Unmet {
 
 impl std::error::Error for Unmet {}
 
-/// Segments that a curve may have: with more, it no longer lies in the fast caches.
+/// The largest number of segments of a curve: with more, it no longer fits into the fast caches.
 pub const MOST_SEGMENTS: usize = 256;
 
 /// Bakes a motion.
@@ -70,18 +70,18 @@ pub fn bake(wanted: &Wanted, exact: &dyn Exact) -> Result<Baked, Unmet> {
     Err(Unmet::TooManySegments { at })
 }
 
-/// A try with a number of segments.
+/// An attempt with a number of segments.
 pub(super) struct Fit<'a> {
     pub(super) wanted: &'a Wanted,
     pub(super) exact: &'a dyn Exact,
     pub(super) count: usize,
 }
 
-/// Whether the tolerance is met, or where in the range (0 to 1) it is not.
+/// Whether the tolerance is met, otherwise the place in the range (0 to 1) where it is not.
 pub(super) type Met<R = ()> = Result<Result<R, f64>, OutOfReach>;
 
 impl Fit<'_> {
-    /// The first segment, the last one, and the one where the tolerance was not met before.
+    /// Tries the first segment, the last one, and the one where the tolerance was not met before.
     pub(super) fn outermost(&self, suspect: f64) -> Met {
         for place in [suspect, 0.0, 1.0] {
             if self.segment(self.index(place))?.is_none() {
@@ -91,13 +91,13 @@ impl Fit<'_> {
         Ok(Ok(()))
     }
 
-    /// The number of the segment at a place of the range, 0 to 1.
+    /// The number of the segment at a place in the range, 0 to 1.
     fn index(&self, place: f64) -> usize {
         ((place * self.count as f64) as usize).min(self.count - 1)
     }
 
-    /// All segments, or where in the range (0 to 1) the tolerance is not met: tried first where it
-    /// was not met before.
+    /// All segments, otherwise the place in the range (0 to 1) where the tolerance is not met. The segment where it
+    /// was not met before is tried first.
     pub(super) fn all(&self, suspect: f64) -> Met<Baked> {
         if self.segment(self.index(suspect))?.is_none() {
             return Ok(Err(suspect));
@@ -119,7 +119,7 @@ impl Fit<'_> {
         }))
     }
 
-    /// One segment; `None` where it does not meet the tolerance.
+    /// One segment; `None` if it does not meet the tolerance.
     fn segment(&self, index: usize) -> Result<Option<(Vec<Coefficients>, Reached)>, OutOfReach> {
         let Wanted {
             range: [from, to],

@@ -9,14 +9,14 @@ use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::bake::exact::{Exact, OutOfReach, Stop};
 use crate::mechanism::{Suspension, lead, nearest};
 
-/// The mechanism moved by a measure, one drive free and the others held.
+/// The mechanism moved by a measure, with one drive free and the others held.
 #[derive(Clone)]
 pub struct LedPath<'a, L: Linkage<N>, const N: usize> {
     way: Way<'a, L, N>,
     anchors: Anchors<Led<f64, N>>,
 }
 
-/// The way of the measure.
+/// The way along the measure.
 #[derive(Clone)]
 struct Way<'a, L: Linkage<N>, const N: usize> {
     driven: Driven<'a, L>,
@@ -25,12 +25,12 @@ struct Way<'a, L: Linkage<N>, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
-    /// The path of measure number `measure` over `range` in place of drive number `drive`, with the other drives held
+    /// The path of measure number `measure` over `range` instead of drive number `drive`, with the other drives held
     /// at `held`. The mechanism is led there from the configuration `start` at `held`.
     ///
     /// # Errors
     ///
-    /// [`OutOfReach`] where the mechanism cannot be led through the range, as where the measure turns back.
+    /// [`OutOfReach`] if the mechanism cannot be led through the range, for example because the measure turns back.
     pub fn new(
         model: &'a L,
         start: &Motion<f64, N>,
@@ -63,7 +63,7 @@ impl<L: Suspension<N>, const N: usize> Way<'_, L, N> {
         self.driven.model().measure_kind(self.measure)
     }
 
-    /// The measure's value.
+    /// The value of the measure.
     fn measured(&self, led: &Led<f64, N>) -> f64 {
         let model = self.driven.model();
         let measures = model.measures(&led.points(model, &self.held)).value;
@@ -71,7 +71,7 @@ impl<L: Suspension<N>, const N: usize> Way<'_, L, N> {
         value.unwrap_or_default()
     }
 
-    /// Leads from one value to another, rates those per unit of the measure.
+    /// Leads from one value to another, with rates per unit of the measure.
     fn follow(&self, ends: [f64; 2], led: &mut Led<f64, N>) -> Result<(), Stop> {
         let leader = Leader {
             max_steps: 10_000,

@@ -7,14 +7,14 @@ use crate::bake::driven::{Derivatives, Driven, Output, Wish};
 use crate::bake::exact::{Exact, OutOfReach, Stop};
 use crate::mechanism::Suspension;
 
-/// The mechanism moved by one drive, the others held.
+/// The mechanism moved by one drive, with the others held.
 #[derive(Clone)]
 pub struct Path<'a, L: Linkage<N>, const N: usize> {
     way: Way<'a, L, N>,
     anchors: Anchors<Motion<f64, N>>,
 }
 
-/// The way of the drive.
+/// The way along the drive.
 #[derive(Clone)]
 struct Way<'a, L: Linkage<N>, const N: usize> {
     driven: Driven<'a, L>,
@@ -28,7 +28,7 @@ impl<'a, L: Suspension<N>, const N: usize> Path<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// [`OutOfReach`] where the mechanism cannot be driven through the range.
+    /// [`OutOfReach`] if the mechanism cannot be driven through the range.
     pub fn new(
         model: &'a L,
         start: &Motion<f64, N>,

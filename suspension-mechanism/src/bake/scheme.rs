@@ -8,29 +8,29 @@ use nalgebra::Vector3;
 
 use crate::bake::driven::Derivatives;
 
-/// How smooth a curve is where segments join.
+/// The smoothness of a curve where segments join.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Continuity {
-    /// Position: what is read is positions.
+    /// Position is continuous: only positions are read.
     Position,
-    /// Position and first derivative: velocities do not jump.
+    /// Position and first derivative are continuous: velocities do not jump.
     Velocity,
-    /// Position, first and second derivative: accelerations do not jump.
+    /// Position, first and second derivative are continuous: accelerations do not jump.
     Acceleration,
 }
 
-/// Coefficients of a segment, one more than its degree.
+/// The number of coefficients of a segment, one more than its degree.
 pub const TERMS: usize = 6;
 
 /// Coefficients of three outputs over a segment, constants first.
 pub type Coefficients = [[f64; 3]; TERMS];
 
 impl Continuity {
-    /// The places in a segment, 0 to 1, where polynomial and motion meet, in order. Where a place
-    /// is listed again they share one more derivative.
+    /// The places in a segment, 0 to 1, where polynomial and motion meet, in order. If a place is listed again, they
+    /// share one more derivative.
     ///
-    /// The inner ones make the extremes of the product of all `x - node` small: the Chebyshev
-    /// points with the ends, or those with which the extremes are equal.
+    /// The inner places make the extremes of the product of all `x - node` small: they are the Chebyshev points with
+    /// the ends, or those for which the extremes are equal.
     fn nodes(self) -> [f64; TERMS] {
         match self {
             Self::Position => [
@@ -53,8 +53,8 @@ impl Continuity {
         places
     }
 
-    /// The polynomial over a segment of length `length` from the values at
-    /// [`places`](Self::places): Newton's divided differences, multiplied out.
+    /// The polynomial over a segment of length `length` from the values at [`places`](Self::places): Newton's divided
+    /// differences, multiplied out.
     pub fn fit(self, length: f64, values: &[Derivatives]) -> Coefficients {
         let mut coefficients = [Vector3::zeros(); TERMS];
         let differences = self.divided_differences(length, values);
@@ -68,7 +68,7 @@ impl Continuity {
         coefficients.map(Into::into)
     }
 
-    /// `f[z0]`, `f[z0, z1]` and so on. Over equal nodes they are derivatives.
+    /// `f[z0]`, `f[z0, z1]` and so on. For equal nodes they are derivatives.
     fn divided_differences(self, length: f64, values: &[Derivatives]) -> [Vector3<f64>; TERMS] {
         const FACTORIALS: [f64; 3] = [1.0, 1.0, 2.0];
         let (nodes, places) = (self.nodes(), self.places());

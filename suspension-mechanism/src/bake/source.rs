@@ -20,14 +20,14 @@ pub use about::{About, Ranged};
 pub enum Language {
     /// A `static` of `suspension_core::baked::Curve` or `Surface`.
     Rust,
-    /// A header in C99 with a function that evaluates.
+    /// A header in C99 with a function that evaluates the polynomials.
     C,
     /// The numbers alone.
     Toml,
 }
 
 impl Language {
-    /// The ending of a file's name.
+    /// The extension of a file's name.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Rust => "rs",
@@ -37,10 +37,10 @@ impl Language {
     }
 }
 
-/// A baked motion and what its numbers mean.
+/// A baked motion and the meaning of its numbers.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// What the numbers mean.
+    /// The meaning of the numbers.
     pub about: About,
     /// The numbers.
     pub baked: Table,
@@ -49,9 +49,9 @@ pub struct Sheet {
 /// The numbers of a baked motion.
 #[derive(Clone, Debug)]
 pub enum Table {
-    /// Of one drive.
+    /// The numbers of a motion of one drive.
     Curve(Baked),
-    /// Of two drives.
+    /// The numbers of a motion of two drives.
     Surface(BakedSurface),
 }
 
@@ -63,7 +63,7 @@ impl Table {
         }
     }
 
-    /// How many polynomials there are, in words.
+    /// The number of polynomials, in words.
     pub fn count_in_words(&self) -> String {
         match self {
             Self::Curve(baked) => counted(baked.segments.len(), "segment"),
@@ -75,7 +75,7 @@ impl Table {
 }
 
 impl Sheet {
-    /// What by which drives.
+    /// A description of the outputs and the drives.
     pub fn subject(&self) -> String {
         self.about.subject(self.baked.outputs())
     }
@@ -95,7 +95,7 @@ impl Sheet {
     }
 }
 
-/// What a file has of a table of either kind.
+/// The common parts of a file for a table of either kind.
 struct Titled<'a> {
     about: &'a About,
     /// The table's name.
@@ -104,7 +104,8 @@ struct Titled<'a> {
     outputs: Vec<String>,
 }
 
-/// The line of a header about a tolerance, and what was reached: shown as no more than what was asked for where it is no more.
+/// The line of a header about a tolerance and the error reached, which is never shown as larger than the request
+/// unless it is.
 fn tolerance(asked: f64, reached: f64, unit: &str) -> String {
     let within = rounded(asked, 3);
     let digits = bound(reached);

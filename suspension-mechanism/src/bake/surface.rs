@@ -21,22 +21,20 @@ pub use wanted::{MOST_PATCHES, UnmetSurface, WantedSurface};
 /// A baked motion of two drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BakedSurface {
-    /// What was asked for.
+    /// The request.
     pub wanted: WantedSurface,
-    /// The outputs, three numbers each.
+    /// The outputs, of three numbers each.
     pub outputs: Vec<Output>,
-    /// A bound of what a position is off by, from samples as [`certify`] has them in each
-    /// direction.
+    /// A bound of the error of a position, from samples as in [`certify`] in each direction.
     pub reached: f64,
     /// The numbers of patches along each drive.
     pub counts: [usize; 2],
-    /// The polynomials by patch, output and powers of both drives.
+    /// The polynomials indexed by patch, output and powers of both drives.
     pub patches: Vec<Vec<Patch<f64, 3, TERMS>>>,
 }
 
 impl BakedSurface {
-    /// The patches of a [`suspension_core::baked::Surface`]; `None` where `OUT` is not the number
-    /// of outputs.
+    /// The patches of a [`suspension_core::baked::Surface`]; `None` if `OUT` is not the number of outputs.
     pub fn table<const OUT: usize>(&self) -> Option<Vec<Patch<f64, OUT, TERMS>>> {
         let fixed = |outputs: &Vec<Patch<f64, 3, TERMS>>| {
             let mut patch = [[[0.0; OUT]; TERMS]; TERMS];
@@ -51,8 +49,8 @@ impl BakedSurface {
         self.patches.iter().map(fixed).collect()
     }
 
-    /// The same with positions in coordinates that have the origin of these at `origin`, and with
-    /// the drives' `ranges` in them.
+    /// The same surface with positions in coordinates in which the present origin is at `origin`, and with the
+    /// drives' `ranges` in them.
     pub fn moved(mut self, origin: [f64; 3], ranges: [[f64; 2]; 2]) -> Self {
         self.wanted.ranges = ranges;
         for patch in &mut self.patches {
@@ -77,10 +75,10 @@ impl BakedSurface {
     }
 }
 
-/// Bakes the motion of two drives, the others held at `held`, the configuration `start`.
+/// Bakes the motion of two drives, with the others held at `held`, from the configuration `start`.
 ///
-/// The number of patches is the smallest with which the tolerance is met, in whichever way they
-/// are laid out. It ends where `interrupted` is set, patch by patch.
+/// The number of patches is the smallest with which the tolerance is met, however they are arranged. The work ends
+/// when `interrupted` is set; this is checked at each patch.
 ///
 /// # Errors
 ///
@@ -120,7 +118,7 @@ pub fn bake_surface<L: Suspension<N>, const N: usize>(
 type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;
 
 impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
-    /// All patches and what they are off by; `None` where the tolerance is not met.
+    /// All patches and their largest error; `None` if the tolerance is not met.
     fn patches(&self, counts: [usize; 2]) -> Result<Option<(Patches, f64)>, UnmetSurface> {
         let mut patches = Vec::new();
         let mut reached = 0.0_f64;
@@ -172,7 +170,7 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
     }
 }
 
-/// The polynomial of an output: fitted along the second drive, then its coefficients along the
+/// The polynomial of an output: it is fitted along the second drive, then its coefficients are fitted along the
 /// first.
 fn fit(
     continuity: Continuity,

@@ -7,18 +7,18 @@ use crate::bake::baked::Wanted;
 use crate::bake::exact::Exact;
 use crate::bake::fit::{Fit, MOST_SEGMENTS, Met};
 
-/// Parts of the range, by the ends of which it is searched.
+/// The number of parts of the range, between whose ends the search takes place.
 const PARTS: u32 = 64;
 
-/// The widest part of the range, to a 64th, that can be baked; `None` where not even the smallest
-/// about the middle can.
+/// The widest part of the range, to a 64th, that can be baked; `None` if not even the smallest part around the middle
+/// can.
 ///
-/// A range that is too wide mostly is so at an end: it is searched by its outermost segments alone, which is a
-/// hundredth of the work, and by all of them where what is found so cannot be baked.
+/// A range that is too wide usually fails at an end. The search therefore uses only the outermost segments, which is
+/// a hundredth of the work, and all segments if the range found in this way cannot be baked.
 pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Option<[f64; 2]> {
     let [from, to] = wanted.range;
     let place = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
-    // Where the last range that was too wide was so.
+    // The place where the last range that was too wide failed.
     let suspect = Cell::new(0.5);
     let possible = |parts: [u32; 2], by: fn(&Fit<'_>, f64) -> Met| {
         let range = parts.map(place);
@@ -43,7 +43,7 @@ pub fn widest(wanted: &Wanted, exact: &dyn Exact) -> Option<[f64; 2]> {
     Some(found.or_else(|| search(by_all))?.map(place))
 }
 
-/// The widest parts that are possible: widened about the middle, then to either side.
+/// The widest possible parts: widened around the middle, then to either side.
 fn search(possible: impl Fn([u32; 2]) -> bool) -> Option<[u32; 2]> {
     let middle = PARTS / 2;
     let half = most(1..middle + 1, |half| {
@@ -58,7 +58,7 @@ fn search(possible: impl Fn([u32; 2]) -> bool) -> Option<[u32; 2]> {
     Some([middle - before, middle + after])
 }
 
-/// The largest number in a range that is possible, where all smaller ones are.
+/// The largest possible number in a range in which all smaller ones are possible.
 fn most(range: Range<u32>, possible: impl Fn(u32) -> bool) -> Option<u32> {
     let (mut good, mut bad) = (range.start - 1, range.end);
     while bad - good > 1 {

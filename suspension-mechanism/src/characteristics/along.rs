@@ -17,38 +17,38 @@ use crate::number::number;
 
 /// The states along a drive, or along several that move together.
 pub struct Along {
-    /// What it is called: the name of the drive, `heave`, `roll`.
+    /// Its name: that of the drive, or `heave`, or `roll`.
     pub title: String,
-    /// What the drives do.
+    /// The effect of the drives.
     pub way: Way,
-    /// What moves, in words.
+    /// A description of what moves.
     pub moved: String,
-    /// The drives, by number, each with the part of the change that it moves by.
+    /// The drives, by number, each with its fraction of the change.
     pub drives: Vec<(usize, f64)>,
-    /// What the change is.
+    /// The kind of the change.
     pub kind: DriveKind,
     /// The changes from the design position.
     pub changes: Vec<f64>,
-    /// Each state, and the same with derivatives with respect to each of the drives.
+    /// Each state, and the state with derivatives with respect to each of the drives.
     pub visited: Visited<(State, Vec<Option<State>>)>,
 }
 
-/// Places of each curve.
+/// The number of places of each curve.
 const PLACES: usize = 61;
 
-/// How far travel and steering go either way without a span, in metres, and as an angle.
+/// The usual spans of travel and steering in either direction, in metres, and as an angle.
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
-/// No drive of a wheel goes further from end to end, in metres.
+/// The longest span of a wheel's drive from end to end, in metres.
 const LONGEST: f64 = 1.0;
 
-/// The states in heave and roll of axles, along travel of single wheels, and along steering where a drive steers; spans are in
-/// `unit`, that of travel is also that of heave and roll.
+/// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
+/// are in `unit`; that of travel also applies to heave and roll.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where no drive is known to move the wheel up and down.
+/// [`Failure::Input`] if no drive is known to move the wheel up and down.
 pub fn ways(
     mechanism: &dyn Kinematics,
     file: &str,
@@ -84,7 +84,7 @@ pub fn ways(
     Ok(ways)
 }
 
-/// What to do where no drive is known to move the wheel up and down.
+/// The remedy if no drive is known to move the wheel up and down.
 fn no_travel(names: &Names) -> String {
     let is_still = names.wheels.iter().all(|wheel| wheel.lifted_by.is_empty());
     match names.wheels.first() {
@@ -106,14 +106,14 @@ fn no_travel(names: &Names) -> String {
     }
 }
 
-/// That an option moves a drive that steers where no drive does.
+/// The failure that an option moves a drive that steers although no drive does.
 pub fn no_steering(file: &str) -> Failure {
     Failure::Input(format!(
         "{file}: no drive steers, so that there is nothing for --steer; where one does, write [vehicle] with steer = \"NAME\""
     ))
 }
 
-/// Says so where a span is in another unit, as it seems.
+/// Prints a note if a span seems to be in another unit.
 fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
     if to - from > LONGEST * unit.metre() {
         let symbol = unit.symbol();
@@ -142,7 +142,7 @@ fn along(
         drives: drives.clone(),
         values: changes.clone(),
     };
-    // So few places are never too many.
+    // This small number of places is always accepted.
     let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).unwrap_or_default();
     let mut read = |place: &dyn Place| {
         let per = drives.iter().map(|(drive, _)| place.per(*drive));

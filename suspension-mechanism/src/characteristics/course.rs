@@ -8,19 +8,19 @@ use crate::characteristics::way::Does;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Names, Pair, Place, Wheel};
 
-/// What there is to move along.
+/// A course to move along.
 pub(super) struct Course {
-    /// What it is called.
+    /// Its name.
     pub(super) title: String,
     pub(super) does: Does,
-    /// What moves, in words.
+    /// A description of what moves.
     pub(super) moved: String,
-    /// The drives, by number, each with its part.
+    /// The drives, by number, each with its fraction.
     pub(super) drives: Vec<(usize, f64)>,
 }
 
 impl Course {
-    /// `way` is the sign of the drive's part.
+    /// `way` is the sign of the drive's fraction.
     fn of_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
         let name = &names.drives[drive].name;
         let (title, moved) = if way < 0.0 {
@@ -39,7 +39,8 @@ impl Course {
         }
     }
 
-    /// Heave and roll of each axle whose wheels have a drive of travel each, travel of all other wheels; steering.
+    /// Heave and roll of each axle whose wheels have a drive of travel each, travel of all other wheels, and
+    /// steering.
     pub(super) fn all(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<Self> {
         let names = &mechanism.names;
         let rises = Rises::of(mechanism, interrupted);
@@ -87,7 +88,7 @@ impl Course {
     }
 }
 
-/// Both wheels of an axle, the left one before the right one whatever the order in which a listing states them.
+/// Both wheels of an axle, the left one first, in whichever order a listing states them.
 fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
     let points_left = |wheel: usize| {
         let axis = mechanism.names.wheels[wheel].design;
@@ -100,7 +101,7 @@ fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
     }
 }
 
-/// How far each wheel rises per drive of travel of each wheel, at the design position.
+/// The rise of each wheel per drive of travel of each wheel, at the design position.
 struct Rises(Vec<Vec<Option<f64>>>);
 
 impl Rises {
@@ -124,12 +125,12 @@ impl Rises {
         *self.0.get(wheel)?.get(drive_of)?
     }
 
-    /// Which way a wheel's drive of travel must change to raise it.
+    /// The sign of the change of a wheel's drive of travel that raises it.
     fn upwards(&self, wheel: usize) -> f64 {
         self.per(wheel, wheel).map_or(1.0, f64::signum)
     }
 
-    /// The parts of both wheels' drives with which the wheels rise as given; the larger is 1.
+    /// The fractions of both wheels' drives that make the wheels rise as given; the larger is 1.
     fn parts(&self, [left, right]: [usize; 2], rise: [f64; 2]) -> [f64; 2] {
         let rises = |of: usize| Some(Vector2::new(self.per(left, of)?, self.per(right, of)?));
         let solved = || {
@@ -144,7 +145,7 @@ impl Rises {
     }
 }
 
-/// The whole number that a part is but for rounding, so that drives go to round values.
+/// A fraction rounded to a whole number if it differs from it only by rounding, so that drives go to round values.
 fn whole(part: f64) -> f64 {
     let whole = part.round();
     if (part - whole).abs() < 1e-9 {

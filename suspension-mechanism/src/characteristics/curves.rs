@@ -13,54 +13,55 @@ use crate::quantities::{
 /// The curves along a drive.
 #[derive(Clone)]
 pub struct Curves {
-    /// What moves: see [`Along`].
+    /// The name of what moves: see [`Along`].
     pub title: String,
-    /// What the drives do.
+    /// The effect of the drives.
     pub way: Way,
-    /// What moves, in words.
+    /// A description of what moves.
     pub moved: String,
-    /// What it is.
+    /// The dimension of the change.
     pub dimension: Dimension,
-    /// Its changes from the design position, for people.
+    /// The changes from the design position, in units for people.
     pub changes: Vec<f64>,
-    /// A quantity each.
+    /// The lines, one per quantity.
     pub lines: Vec<Line>,
 }
 
-/// A quantity along a drive, for people.
+/// A quantity along a drive, in units for people.
 #[derive(Clone)]
 pub struct Line {
-    /// What it is called, and of which wheel.
+    /// Its name, and the wheel to which it belongs.
     pub title: Title,
     /// Its unit.
     pub symbol: String,
-    /// At each of the drive's changes; `None` where the mechanism is out of reach, or there is no such number.
+    /// Its value at each of the drive's changes; `None` if the mechanism is out of reach, or if there is no such
+    /// number.
     pub values: Vec<Option<f64>>,
-    /// The derivatives of these, with respect to the drive in the file's unit; `None` where there is none.
+    /// The derivatives of these values with respect to the drive in the file's unit; `None` if there is none.
     pub rates: Vec<Option<f64>>,
-    /// What kind of number it is.
+    /// The kind of number.
     pub sort: Sort,
 }
 
-/// What a line is of.
+/// The kind of number that a line shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sort {
     /// A quantity.
     Quantity,
-    /// What a measure of the listing reads.
+    /// The value of a measure of the listing.
     Measure,
-    /// The derivative of that with respect to the drive.
+    /// The derivative of a measure with respect to the drive.
     MotionRatio,
 }
 
 impl Curves {
-    /// What stands below an axis of the drive.
+    /// The label of an axis of the drive.
     pub fn across(&self, unit: Unit) -> String {
         let (_, symbol) = self.dimension.for_people(unit);
         format!("{} ({symbol})", self.moved)
     }
 
-    /// The points of a line; where there is none its height is NaN.
+    /// The points of a line; the height of a missing one is NaN.
     pub fn points(&self, line: &Line) -> Vec<(f64, f64)> {
         let places = self.changes.iter().zip(&line.values);
         places
@@ -69,11 +70,12 @@ impl Curves {
     }
 }
 
-/// Reads a number of a state, and of the same with derivatives with respect to each drive.
+/// Reads a number from a state, and from the state with derivatives with respect to each drive.
 type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
 
-/// All quantities along a drive, or along several, with lengths in `unit`; of measures their derivatives too, which are motion ratios. Of
-/// several axles, what stays as it is where another moves is left out.
+/// All quantities along a drive, or along several, with lengths in `unit`; for measures also their derivatives, which
+/// are motion ratios. If there are several axles, quantities of one that do not change when another moves are left
+/// out.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let read = Read {
         mechanism,
@@ -100,7 +102,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     }
 }
 
-/// What curves are read from, and the unit of their lengths.
+/// The source of the curves, and the unit of their lengths.
 struct Read<'a> {
     mechanism: &'a Description,
     along: &'a Along,
@@ -108,7 +110,7 @@ struct Read<'a> {
 }
 
 impl Read<'_> {
-    /// What the drive is.
+    /// The dimension of the drive.
     fn of_drive(&self) -> Dimension {
         Dimension::from(self.along.kind)
     }
@@ -132,7 +134,7 @@ impl Read<'_> {
         places.map(value).collect()
     }
 
-    /// The derivatives of a number, for people, with respect to the drive in the file's unit.
+    /// The derivatives of a number, in units for people, with respect to the drive in the file's unit.
     fn rates(&self, column: &Column, scale: f64) -> Vec<Option<f64>> {
         let of_drive = self.of_drive();
         let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
@@ -140,7 +142,7 @@ impl Read<'_> {
         self.values(&|_, states| Some(rate(column, self.along, states)? * per))
     }
 
-    /// The curve of a number, and before it of a measure its motion ratio.
+    /// The curve of a number; for a measure, preceded by its motion ratio.
     fn lines(&self, column: &Column) -> Vec<Line> {
         let (scale, symbol) = self.converted(column.dimension);
         let title = Title::of(column);
@@ -173,7 +175,7 @@ impl Read<'_> {
     }
 }
 
-/// The derivative of a number with respect to the change, from those with respect to the drives.
+/// The derivative of a number with respect to the change, from the derivatives with respect to the drives.
 fn rate(column: &Column, along: &Along, per: &[Option<State>]) -> Option<f64> {
     let mut drives = along.drives.iter().zip(per);
     drives.try_fold(0.0, |sum, ((_, part), state)| {
@@ -181,7 +183,7 @@ fn rate(column: &Column, along: &Along, per: &[Option<State>]) -> Option<f64> {
     })
 }
 
-/// Whether it is not the same everywhere, as what one axle has is where another moves.
+/// Whether it varies, unlike a quantity of one axle when another moves.
 fn varies(line: &Line) -> bool {
     const ROUNDING: f64 = 1e-9;
     let mut values = line.values.iter().flatten();
@@ -191,7 +193,8 @@ fn varies(line: &Line) -> bool {
     values.any(|value| (value - first).abs() > ROUNDING * first.abs().max(1.0))
 }
 
-/// Whether a curve goes from one side of a pole to the other: between two places by much of all that it spans.
+/// Whether a curve changes from one side of a pole to the other: between two places by a large fraction of its whole
+/// range.
 fn jumps(values: &[Option<f64>]) -> bool {
     const MUCH: f64 = 0.25;
     let there: Vec<f64> = values.iter().copied().flatten().collect();
@@ -204,8 +207,8 @@ fn jumps(values: &[Option<f64>]) -> bool {
     !is_constant && there.windows(2).any(|pair| span(pair) > MUCH * whole)
 }
 
-/// Whether it may have poles: instant centres lie at infinity where the carrier moves parallel, the roll centre where the
-/// normals of both wheels do.
+/// Whether it may have poles: instant centres are at infinity if the carrier moves parallel, the roll centre is if
+/// the normals of both wheels are parallel.
 fn has_poles(column: &Column) -> bool {
     const WITH_POLES: [&Quantity; 5] = [
         &FRONT_CENTRE,

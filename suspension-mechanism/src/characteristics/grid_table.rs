@@ -8,26 +8,27 @@ use crate::quantities::{
     Column, Compiled, DRIVES, Reader, Shown, catalogue, columns_in, is_driven_angle,
 };
 
-/// What is read off each place of a grid: all quantities that positions determine, with derivatives up to an order.
+/// The numbers read at each place of a grid: all quantities that positions determine, with derivatives up to an
+/// order.
 pub struct GridTable {
-    /// Each with what its number inside is multiplied with.
+    /// Each quantity with the factor to its value in the file.
     quantities: Vec<(Column, f64)>,
-    /// The same quantities with the first derivatives with respect to several drives at once, and where these start in
-    /// a row; `None` of what has none.
+    /// The same quantities with the first derivatives with respect to several drives at once, and the place in a row
+    /// where these start; `None` for a quantity without derivatives.
     gradients: Vec<(Column<Gradient>, Option<usize>)>,
-    /// How many numbers a row has.
+    /// The count of numbers in a row.
     width: usize,
-    /// The columns of drives that are angles, and the unit in which they are stated.
+    /// The columns of drives that are angles, which are stated in the unit `angle`.
     driven_angles: Vec<usize>,
     angle: Angle,
-    /// What a number inside is divided by, of each drive that there are derivatives with respect to.
+    /// For each drive with derivatives, the divisor of a number.
     drives: Vec<f64>,
-    /// Up to which order.
+    /// The highest order of derivatives.
     derivatives: usize,
 }
 
 impl GridTable {
-    /// Of a mechanism; without derivatives, with the first, or with the second too.
+    /// The table of a mechanism: without derivatives, with the first ones, or with the second ones too.
     pub fn of(mechanism: &Description, derivatives: usize) -> Self {
         let Description { names, unit, .. } = mechanism;
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
@@ -78,7 +79,7 @@ impl GridTable {
         values.chain(derivatives).collect()
     }
 
-    /// The numbers of a place; derivatives are NaN where the mechanism locks.
+    /// The numbers of a place; derivatives are NaN if the mechanism locks.
     pub fn row(&self, place: &dyn Place) -> Vec<f64> {
         let mut row = if self.derivatives == 1 {
             self.with_gradients(place)

@@ -8,8 +8,8 @@ use crate::quantities::{
     from_design, of_axles,
 };
 
-/// The sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that can be named in
-/// its place; `None` of any other name, and where there are none.
+/// A sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that
+/// can be named instead; `None` for any other name, and if there are none.
 pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
     let is_called = |quantity: &&Quantity| {
         let wheel = wanted.strip_suffix(quantity.name);
@@ -33,8 +33,8 @@ pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
     ))
 }
 
-/// The sentence about a quantity that mechanisms may have and this one has not: what it needs, by the line of `[vehicle]` where that is
-/// it; or about a derivative by a name of its own. `None` of any other name.
+/// A sentence about a quantity that mechanisms may have and this one lacks: what it needs, by the line of `[vehicle]`
+/// if it is one; or about a derivative that has a name of its own. `None` for any other name.
 pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
     if let Some((_, of)) = DERIVATIVES.iter().find(|(name, _)| *name == wanted) {
         let columns = columns(mechanism).into_iter();
@@ -63,14 +63,16 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
     Some(format!("there is no `{wanted}` of this mechanism: {needs}"))
 }
 
-/// The name of a quantity behind that of a wheel of the mechanism: `camber` of `left_camber`; any other name as it is.
+/// The name of a quantity without that of a wheel of the mechanism: `camber` for `left_camber`; any other name
+/// unchanged.
 fn without_wheel<'a>(wanted: &'a str, names: &Names) -> &'a str {
     let mut wheels = names.wheels.iter();
     let of_wheel = wheels.find_map(|wheel| wanted.strip_prefix(&*wheel.name)?.strip_prefix('_'));
     of_wheel.unwrap_or(wanted)
 }
 
-/// The lines of `[vehicle]` that a quantity needs: of the steering wheel that of the drives that steer, a rack's or a steering box's.
+/// The lines of `[vehicle]` that a quantity needs. For the steering wheel this is the line for the drives that steer:
+/// a rack's or a steering box's.
 fn lines_needed(quantity: &Quantity, names: &Names) -> &'static str {
     let mut of_steering_wheel = [&STEERING_RATIO, &STEERING_WHEEL_ANGLE].into_iter();
     if of_steering_wheel.all(|other| !std::ptr::eq(other, quantity)) {
@@ -88,14 +90,14 @@ fn lines_needed(quantity: &Quantity, names: &Names) -> &'static str {
     }
 }
 
-/// What engineers call the derivative of a quantity with respect to the travel of the wheel.
+/// The usual names of derivatives of quantities with respect to the wheel's travel.
 const DERIVATIVES: [(&str, &str); 3] = [
     ("bump_steer", "toe"),
     ("bump_camber", "camber"),
     ("camber_gain", "camber"),
 ];
 
-/// Names of known quantities of wheels or of the axle that end with the wanted one, in words.
+/// A list of known quantities of wheels or of the axle whose names end with the wanted one.
 pub fn of_wheels<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let ending = format!("_{wanted}");
     let known = known.into_iter().filter(|name| name.ends_with(&ending));
@@ -111,7 +113,7 @@ fn listed(names: impl Iterator<Item = String>) -> Option<String> {
     })
 }
 
-/// What changes as a quantity does that counts from the design position.
+/// The quantity that changes in the same way as one that counts from the design position.
 fn instead_of(quantity: &Quantity) -> Option<(&'static Quantity, Option<Axis>)> {
     let pairs: [(&Quantity, &Quantity, Option<Axis>); 6] = [
         (&STEERING_WHEEL_ANGLE, &STEERING_RATIO, None),

@@ -8,7 +8,7 @@ use crate::mechanism::Unit;
 use crate::quantities::WHEEL_TRAVEL;
 
 impl Line {
-    /// Whether it is how far a wheel has risen.
+    /// Whether it is the rise of a wheel.
     pub fn is_wheel_travel(&self) -> bool {
         self.title.of_wheel == WHEEL_TRAVEL.title
     }
@@ -27,8 +27,9 @@ impl Line {
 }
 
 impl Curves {
-    /// The same over the `travels` of a wheel that rises all along, with lengths in `unit`: read between the changes of the drive by the
-    /// cubic through the four nearest. Motion ratios are per travel of the wheel.
+    /// The same curves over the `travels` of a wheel that rises all along, with lengths in `unit`: interpolated
+    /// between the changes of the drive by the cubic through the four nearest. Motion ratios are per travel of the
+    /// wheel.
     pub fn over_travel_of(&self, wheel: &Line, travels: Vec<f64>, unit: Unit) -> Self {
         let lines = self.lines.iter();
         let over = lines.flat_map(|line| lines_over(line, wheel, unit));
@@ -48,7 +49,7 @@ impl Curves {
     }
 }
 
-/// What a line is over the travel of a wheel: motion ratios are per this travel in place of the drive.
+/// A line over the travel of a wheel: motion ratios are per this travel instead of the drive.
 fn lines_over(line: &Line, travel: &Line, unit: Unit) -> Vec<Line> {
     match line.sort {
         Sort::Quantity => vec![line.clone()],
@@ -73,7 +74,7 @@ fn lines_over(line: &Line, travel: &Line, unit: Unit) -> Vec<Line> {
     }
 }
 
-/// What is known at rising places, read between them: of four neighbours the cubic through them.
+/// Values known at rising places, interpolated by the cubic through four neighbours.
 fn read_at(places: &[Option<f64>], values: &[Option<f64>], wanted: &[f64]) -> Vec<Option<f64>> {
     const NEIGHBOURS: usize = 4;
     let both = places.iter().zip(values).enumerate();

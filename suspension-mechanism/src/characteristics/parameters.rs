@@ -12,19 +12,19 @@ use crate::quantities::{
     VELOCITIES, catalogue,
 };
 
-/// A quantity at the design position, for people.
+/// A quantity at the design position, in units for people.
 pub struct Parameter {
-    /// What it is called, and of which wheel.
+    /// Its name, and the wheel to which it belongs.
     pub title: Title,
     /// Its unit.
     pub symbol: String,
     /// Its value.
     pub value: f64,
-    /// Its derivatives with respect to the drives of [`Way::of_drives`]; `None` where there is none.
+    /// Its derivatives with respect to the drives of [`Way::of_drives`]; `None` for a missing one.
     pub per: Vec<Option<Derivative>>,
     /// The row of the catalogue.
     pub quantity: &'static Quantity,
-    /// Of a coordinate, along which axis.
+    /// The axis, for a coordinate.
     pub axis: Option<Axis>,
 }
 
@@ -49,14 +49,14 @@ pub fn columns(mechanism: &Description) -> Vec<Column> {
     columns_in(mechanism)
 }
 
-/// The same that are read in other numbers.
+/// The same columns, read in another number type.
 pub fn columns_in<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
     let mut columns = columns_of_curves(mechanism);
     columns.retain(|column| !quantities::from_design().any(|quantity| column.is(quantity)));
     columns
 }
 
-/// The same with what is zero at the design position.
+/// The same columns with those that are zero at the design position.
 pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
     const LEFT_OUT: [&Quantity; 6] = [
         &DRIVES,
@@ -72,7 +72,7 @@ pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Col
     columns
 }
 
-/// All that the mechanism has where it starts, with lengths in `unit`: a grid without a drive is that place alone.
+/// All quantities of the mechanism at its start, with lengths in `unit`: a grid without a drive is that place alone.
 pub fn parameters(
     mechanism: &dyn Kinematics,
     unit: Unit,
@@ -96,7 +96,7 @@ pub fn parameters(
     parameters.unwrap_or_default()
 }
 
-/// What a drive measures, and the state with derivatives with respect to it; `None` where the mechanism locks.
+/// The dimension of a drive, and the state with derivatives with respect to it; `None` if the mechanism locks.
 type PerDrive = Option<(Dimension, State)>;
 
 fn parameter(

@@ -7,21 +7,21 @@ use crate::characteristics::rise::height_of;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
 
-/// How far the wheels of the drives of travel rise at the design position; the drives are the first ones of
+/// The rise of the wheels per drive of travel at the design position; the drives are the first ones of
 /// [`Way::of_drives`](crate::characteristics::Way::of_drives).
 #[derive(Clone, Debug)]
 pub struct Rises {
-    /// Of the wheel of each drive, a row, per unit of each drive, upwards.
+    /// The rise of the wheel of each drive (a row) per unit of each drive, upwards.
     heights: DMatrix<f64>,
-    /// Of each drive, a row, per rise of the wheel of each drive, the other wheels held.
+    /// The change of each drive (a row) per rise of the wheel of each drive, with the other wheels held.
     drives: DMatrix<f64>,
     /// The unit of the heights per unit of each drive.
     symbols: Vec<String>,
 }
 
 impl Rises {
-    /// From parameters; `None` where the drives do not move the wheels on their own, two alike say, or derivatives
-    /// are missing.
+    /// Computes the rises from parameters; `None` if the drives do not move the wheels independently, for example if
+    /// two are alike, or if derivatives are missing.
     pub fn of(mechanism: &Description, parameters: &[Parameter]) -> Option<Self> {
         let [.., up] = mechanism.axes.signs();
         let travel = &mechanism.names.vehicle.travel;
@@ -43,12 +43,12 @@ impl Rises {
         })
     }
 
-    /// How many drives there are, and wheels.
+    /// The number of drives, and of wheels.
     pub fn count(&self) -> usize {
         self.symbols.len()
     }
 
-    /// How far the wheel of one drive rises per unit of another.
+    /// The rise of the wheel of one drive per unit of another drive.
     pub fn rise(&self, wheel: usize, way: usize) -> f64 {
         self.heights[(wheel, way)]
     }
@@ -60,7 +60,7 @@ impl Rises {
 }
 
 impl Parameter {
-    /// The derivative with respect to the height of the wheel of a drive, the other wheels held at theirs.
+    /// The derivative with respect to the height of the wheel of a drive, with the other wheels held at theirs.
     pub fn per_wheel(&self, wheel: usize, rises: &Rises, unit: Unit) -> Option<Derivative> {
         let by_drives = self.per.iter().zip(rises.drives.column(wheel));
         let parts = by_drives.map(|(per, drive)| Some(per.as_ref()?.value * drive));

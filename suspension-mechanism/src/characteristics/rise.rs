@@ -6,7 +6,7 @@ use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
 use crate::quantities::{Axis, CENTRE};
 
-/// How far the wheel of a drive of travel rises per unit of the drive, at the design position.
+/// The rise of the wheel of a drive of travel per unit of the drive, at the design position.
 #[derive(Clone, Debug)]
 pub struct Rise {
     /// The number of the drive.
@@ -15,13 +15,13 @@ pub struct Rise {
     pub value: f64,
     /// Its unit.
     pub symbol: String,
-    /// Whether the drive is a height of the wheel already, upwards or downwards.
+    /// Whether the drive is itself a height of the wheel, upwards or downwards.
     pub is_height: bool,
 }
 
 impl Rise {
-    /// That of each of the drives of [`Way::of_drives`], from parameters with lengths in `unit`; `None` of drives that move no wheel up and
-    /// down.
+    /// The rise for each of the drives of [`Way::of_drives`], from parameters with lengths in `unit`; `None` for
+    /// drives that move no wheel up and down.
     pub fn of_drives(
         mechanism: &Description,
         parameters: &[Parameter],

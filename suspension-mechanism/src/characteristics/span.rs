@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-/// From where to where, from the design position, as `-0.06:0.06`.
+/// A span from the design position, such as `-0.06:0.06`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span(pub [f64; 2]);
 

@@ -4,17 +4,17 @@ use std::fmt;
 
 use crate::quantities::{Column, Compiled};
 
-/// What a number is called, and of which wheel.
+/// The name of a number, and the wheel to which it belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Title {
-    /// The wheel's name, where it has one.
+    /// The wheel's name, if it has one.
     pub wheel: Option<String>,
-    /// What it is of that wheel, the same of each.
+    /// The name of the number for this wheel, the same for each wheel.
     pub of_wheel: String,
 }
 
 impl Title {
-    /// That of a column, with its axis.
+    /// The title of a column, with its axis.
     pub(super) fn of<N: Compiled>(column: &Column<N>) -> Self {
         let axis = column
             .axis

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::mechanism::Names;
 
-/// What a drive does, in any listing.
+/// The effect of a drive, in any listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Does {
     /// It moves wheels up and down.
@@ -15,17 +15,17 @@ pub enum Does {
     Steer,
 }
 
-/// What a drive does, or several that move together.
+/// The effect of a drive, or of several that move together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    /// What they do.
+    /// Their effect.
     pub does: Does,
-    /// Which of those that do it, from 1.
+    /// The number among those with the same effect, from 1.
     pub number: usize,
 }
 
 impl Way {
-    /// The drives of a mechanism that do something, by number, those of travel first.
+    /// The drives of a mechanism that have an effect, by number, those of travel first.
     pub fn of_drives(names: &Names) -> Vec<(Self, usize)> {
         let vehicle = &names.vehicle;
         let each = [
@@ -41,7 +41,7 @@ impl Way {
 }
 
 impl fmt::Display for Way {
-    /// `travel`; of a second axle or wheel `travel 2`.
+    /// `travel`; `travel 2` for a second axle or wheel.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.does {
             Does::Travel => "travel",

@@ -167,8 +167,9 @@ where
         self.factored.factors().solve(right)
     }
 
-    /// The change of the measures, and of their derivatives with respect to each drive, for points with these
-    /// changes. Mixed derivatives are half the difference of the second derivative along both from those along each.
+    /// The change of the measures, and of their derivatives with respect to each drive, for points with these changes.
+    /// Mixed derivatives are half of the difference between the second derivative along both and the sum of those along
+    /// each.
     fn changed_measures(&self, changed: &[Vector3<f64>]) -> Vec<f64> {
         let (model, start) = (self.start.model, &self.expansion.points);
         let count = self.mechanism.names.points.len();

@@ -16,33 +16,33 @@ use crate::load::task::Task;
 use crate::load::vehicle::with_vehicle;
 use crate::mechanism::{Names, Suspension};
 
-/// A mechanism at its design position, and the file that it comes of.
+/// A mechanism at its design position, and the file that it comes from.
 pub(super) struct Assembled<'a, L: Suspension<N>, const N: usize> {
     source: &'a Source,
-    /// In local coordinates, angles in radians.
+    /// The file in local coordinates, angles in radians.
     file: MotionFile,
     names: Names,
     first: f64,
     /// The points as the file has them.
     pub(super) given: L::Points,
     pub(super) design: Design<L, N>,
-    /// What to add to drives for the file's coordinates.
+    /// The offsets to be added to drives to get the file's coordinates.
     pub(super) drive_offsets: L::Drives,
-    /// What leads in place of a drive.
+    /// The measure that leads instead of a drive.
     pub(super) stand_in: Option<StandIn>,
     pub(super) outlier: Option<Outlier>,
 }
 
-/// What the linkage measures at the design position.
+/// The measures at the design position.
 pub(super) struct Measured {
-    /// In the file's coordinates.
+    /// The measures in the file's coordinates.
     pub(super) in_file: Vec<f64>,
-    /// What these are more than in local ones.
+    /// The differences of these from the measures in local coordinates.
     pub(super) offsets: Vec<f64>,
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
-    /// Of a file, and of a listing.
+    /// The mechanism of a file, and of a listing.
     pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
         let names = names(request, &listing);
         let task = Task {
@@ -129,7 +129,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
         }
     }
 
-    /// A failure, behind the point that lies far from all others, of which it may be a consequence.
+    /// A failure, preceded by the point that lies far from all others, of which it may be a consequence.
     pub(super) fn outlier_first(&self, failure: Failure) -> Failure {
         before(self.outlier.as_ref(), failure, self.source)
     }
@@ -142,7 +142,7 @@ fn before(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failu
     }
 }
 
-/// What things are called, with the parts of a listing that was read while the program runs.
+/// The names of all parts, with the parts of a listing that was read at run time.
 fn names(request: &Request<'_>, listing: &impl Parts) -> Names {
     let names = Names::of(listing);
     match request.listing {
@@ -175,7 +175,7 @@ fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<Stan
     Ok(stand_in)
 }
 
-/// The points as the file has them, relative ones off the others as they stand.
+/// The points as the file has them; relative ones are placed off the others as given.
 fn given<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
     let points = task.file.points.get_ref();
     let each = task
@@ -209,7 +209,7 @@ fn model<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// A model with the lengths that the file states, where it states any.
+/// A model with the lengths that the file states, if it states any.
 fn with_lengths<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,

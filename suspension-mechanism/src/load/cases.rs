@@ -12,7 +12,7 @@ use crate::file::{Load, LoadCase, MotionFile, Source, Wrench, in_order};
 use crate::loads::{Case, Site, contact_of};
 use crate::mechanism::Description;
 
-/// What acts on all masses.
+/// The load that acts on all masses.
 const GRAVITY: &str = "gravity";
 const ACCELERATION: &str = "acceleration";
 
@@ -20,8 +20,8 @@ const ACCELERATION: &str = "acceleration";
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first name that is no place of the mechanism, at a number that is not finite, and where
-/// a load cannot act.
+/// [`Failure::Input`] at the first name that is not a place of the mechanism, at a number that is not finite, and
+/// where a load cannot act.
 pub(super) fn cases(
     source: &Source,
     file: &MotionFile,
@@ -115,7 +115,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// What a field that the case states adds: gravity in place of the usual one, and the chassis' acceleration, m/s^2.
+    /// The contribution of a field that the case states, m/s^2: gravity instead of the usual one, and the
+    /// acceleration of the chassis.
     fn field(&self, name: &str, load: &Spanned<Load>) -> Result<Option<Vector3<f64>>, Failure> {
         if ![GRAVITY, ACCELERATION].contains(&name) {
             return Ok(None);
@@ -149,7 +150,7 @@ impl Reader<'_> {
         down * STANDARD
     }
 
-    /// The place of a name; `turned` where a moment acts there.
+    /// The place of a name; `turned` if a moment acts there.
     fn site(&self, place: &Spanned<String>, turned: bool) -> Result<Site, Failure> {
         let name = place.get_ref().as_str();
         let refuse = |message: String| Err(self.source.refuse(&place.span(), message));
@@ -183,7 +184,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `contact`, or of a named wheel `left_contact`.
+    /// `contact`, or `left_contact` for a named wheel.
     fn contact(&self, place: &Spanned<String>) -> Result<Site, Failure> {
         let names = &self.mechanism.names;
         let contacts: Vec<String> = names.wheels.iter().map(contact_of).collect();

@@ -7,7 +7,7 @@ use crate::file::Source;
 use crate::mechanism::{Names, Unit};
 use crate::quantities::{Column, catalogue, columns};
 
-/// Refuses a name of the listing by which a column would be called as another one is.
+/// Refuses a name of the listing that would give a column the name of another one.
 pub(super) fn check(source: &Source, names: &Names, unit: Unit) -> Result<(), Failure> {
     let mut seen: BTreeMap<String, Column> = BTreeMap::new();
     for column in columns(catalogue(), names) {

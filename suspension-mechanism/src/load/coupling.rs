@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 use crate::load::design::Design;
 use crate::mechanism::{Coupling, Names, Pair, Suspension};
 
-/// How fast a point moves that rounding alone moves, for a unit of travel.
+/// The speed of a point per unit of travel up to which rounding alone may cause its motion.
 const ROUNDING: f64 = 1e-9;
 
 /// The coupling of each wheel at the design position.
@@ -25,7 +25,7 @@ pub(super) fn couplings<L: Suspension<N>, const N: usize>(
         let rates = all[mover].as_ref().map(|travel| &travel.rates);
         let [one, other] = [mover, moved].map(|wheel| &wheels[wheel]);
         let mut carrier = other.points.carrier.into_iter();
-        // Dual wheels are one: neither moves the other.
+        // Dual wheels count as one: neither moves the other.
         let are_dual = one.points.carrier == other.points.carrier && one.is_on_the_side_of(other);
         !are_dual
             && mover != moved
@@ -39,7 +39,7 @@ pub(super) fn couplings<L: Suspension<N>, const N: usize>(
     (0..wheels.len()).map(of_one).collect()
 }
 
-/// What each wheel's drive of travel does to all points.
+/// The effect of each wheel's drive of travel on all points.
 struct Travels<'a> {
     names: &'a Names,
     pairs: Vec<Pair>,
@@ -54,7 +54,7 @@ struct Travel {
 }
 
 impl Travels<'_> {
-    /// The travel of a wheel, the other wheel of its axle held at its height where a drive of its own moves that one.
+    /// The travel of a wheel, with the other wheel of its axle held at its height if that has a drive of its own.
     fn of(&self, wheel: usize) -> Option<Travel> {
         let own = self.per[wheel].as_ref()?;
         let alone = Travel {
@@ -87,7 +87,7 @@ impl Travels<'_> {
         })
     }
 
-    /// The other wheel of an axle, where it has another drive of travel, with what that does.
+    /// The other wheel of an axle, if it has another drive of travel, with the effect of that drive.
     fn beside(&self, wheel: usize) -> Option<(usize, &[Vector3<f64>])> {
         let mut pairs = self.pairs.iter();
         let other = pairs.find_map(|pair| pair.other(wheel))?;

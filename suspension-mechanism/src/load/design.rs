@@ -22,9 +22,9 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
     pub(super) model: L,
     pub(super) q: SVector<f64, N>,
     pub(super) drives: L::Drives,
-    /// All points there.
+    /// All points in this configuration.
     pub(super) points: L::Points,
-    /// What the file's points do not satisfy.
+    /// The equation that the file's points do not satisfy, if any.
     pub(super) off: Option<Unsatisfied>,
 }
 
@@ -34,7 +34,7 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
         given(&self.origin, &self.model, local)
     }
 
-    /// How the points move for a unit of a drive; `None` where the mechanism locks.
+    /// The derivatives of the points with respect to a drive; `None` if the mechanism locks.
     pub(super) fn per(&self, drive: usize) -> Option<Vec<Vector3<f64>>> {
         let change = L::Drives::from_values([]).with(drive, 1.0);
         let moved = Directions::at(&self.model, self.drives, &self.q, |directions| {
@@ -43,7 +43,7 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
         Some(moved.ok()?.rate.values().collect())
     }
 
-    /// What the linkage measures, in local coordinates.
+    /// The measures of the linkage, in local coordinates.
     pub(super) fn measures(&self) -> L::Measures {
         let still = L::Points::from_values([]);
         let design = Signal {
@@ -102,7 +102,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// What the points do not satisfy where they stand; nothing where lengths make them a guess.
+/// The equation that the points do not satisfy; `None` if lengths make the points a guess.
 fn unsatisfied<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: &L,
@@ -118,10 +118,10 @@ fn unsatisfied<L: Suspension<N>, const N: usize>(
     Unsatisfied::of(&residual, model.size())
 }
 
-/// The part of the mechanism's size from which on a misfit is a mistake, and no rounding.
+/// The fraction of the mechanism's size above which a misfit is a mistake, and not rounding.
 const MISTAKE: f64 = 0.1;
 
-/// Refuses points that another mechanism than the one stated would be assembled of.
+/// Refuses points from which a mechanism other than the stated one would be assembled.
 fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Result<(), Failure> {
     let Some(off) = off.filter(|off| off.by > MISTAKE * size) else {
         return Ok(());
@@ -135,7 +135,7 @@ fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Resul
     Err(task.source.refuse(&task.file.points.span(), message))
 }
 
-/// The equation that a solver ends at says little about the number that was mistyped.
+/// The failure to assemble: the equation at which a solver ends tells little about the number that was mistyped.
 fn unassembled(
     task: &Task<'_>,
     at: &str,
@@ -162,8 +162,8 @@ fn unassembled(
     ))
 }
 
-/// The first angle about an axis that `[design]` states more than half a turn from where the points have it, in words; of each
-/// drive its stated value and that of the points.
+/// A sentence about the first angle about an axis that `[design]` states more than half a turn from the points'
+/// value, if there is one. `stated` has the stated value and that of the points for each drive.
 fn on_another_turn(task: &Task<'_>, stated: impl Iterator<Item = (f64, f64)>) -> Option<String> {
     let Task { file, names, .. } = task;
     let mut drives = names.drives.iter().zip(stated);
@@ -176,8 +176,8 @@ fn on_another_turn(task: &Task<'_>, stated: impl Iterator<Item = (f64, f64)>) ->
     ))
 }
 
-/// Puts markers where the file wants them in the configuration `points`: one with an offset there, while one with
-/// coordinates is attached to its body as the file's points stand.
+/// Places markers where the file wants them in the configuration `points`. A marker with an offset is placed there;
+/// one with coordinates is attached to its body at the file's points.
 fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     let Task { file, names, .. } = task;
     let placed: Vec<Vector3<f64>> = points.values().collect();
@@ -196,10 +196,10 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     ))
 }
 
-/// A spin axis that is shorter, in metres, has a direction of rounding.
+/// The length, in metres, below which the direction of a spin axis is rounding.
 const SHORTEST: f64 = 1e-6;
 
-/// Each spin axis must have a direction.
+/// Checks that each spin axis has a direction.
 fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Result<(), Failure> {
     let Task { file, names, .. } = task;
     let placed: Vec<Vector3<f64>> = points.values().collect();

@@ -9,7 +9,7 @@ use suspension_runtime::{FlatBody, Listing};
 use crate::failure::Failure;
 use crate::load::task::Task;
 
-/// The refusal where that is why there is no model, with the order in which the points of the body carry the others.
+/// The refusal, if this is why there is no model, with an order in which the points of the body can carry the others.
 pub(super) fn refused(
     task: &Task<'_>,
     listing: Option<&Listing>,
@@ -33,7 +33,7 @@ pub(super) fn refused(
     Some(source.refuse(&place, in_words(&body, is_of_catalogue)))
 }
 
-/// The statements of the catalogue are not the user's to order.
+/// A description of the mistake. The user cannot reorder the statements of the catalogue.
 fn in_words(body: &FlatBody<'_>, is_of_catalogue: bool) -> String {
     let FlatBody {
         name,

@@ -11,9 +11,9 @@ use crate::file::{MotionFile, Source, inputs};
 use crate::load::points::points;
 use crate::mechanism::{Axes, Length};
 
-/// The listings that one may include, and the first of the catalogue that it does.
+/// The listings that may be included, and the first layout of the catalogue that is.
 struct Included<'a> {
-    /// The file that includes.
+    /// The including file.
     by: &'a Path,
     files: CatalogueAndFiles,
     of_catalogue: RefCell<Option<String>>,
@@ -43,8 +43,8 @@ pub(super) fn parsed(text: &str, file: &str) -> Result<(Listing, Option<String>)
     Ok((listing, includes.of_catalogue.into_inner()))
 }
 
-/// Checks that the motion file is in metres and in the axes of the catalogue, where its listing includes a layout of it, or
-/// states all points itself.
+/// Checks that the motion file is in metres and in the axes of the catalogue if its listing includes a layout of it,
+/// unless the file states all points itself.
 pub(super) fn check_unit(
     source: &Source,
     file: &MotionFile,

@@ -10,8 +10,8 @@ use crate::load::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
 use crate::load::task::Task;
 use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
 
-/// Leads the mechanism from its design to the first instant: the measure and the drives that are
-/// left on a straight line.
+/// Leads the mechanism from its design to the first instant, with the measure and the remaining drives on a straight
+/// line.
 pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -56,7 +56,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     }
 }
 
-/// At rest in the design position, one drive free.
+/// The mechanism at rest in the design position, with one drive free.
 fn at_rest<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -75,7 +75,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// The measure over time, as the file has it, of points in local coordinates.
+/// The measure over time according to the file, for points in local coordinates.
 fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
     let mut coefficients = task.file.drives.get_ref()[stand_in.key.get_ref().as_str()]
         .get_ref()

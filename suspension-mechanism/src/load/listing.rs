@@ -21,16 +21,17 @@ use crate::mechanism::{Axes, Length, Mechanism};
 /// The listing of a motion file.
 #[derive(Clone, Debug)]
 pub(super) struct Chosen {
-    /// What it is called in results.
+    /// Its name in results.
     pub(super) name: String,
     /// Its statements.
     pub(super) listing: Listing,
-    /// What is said of points that the file does not state.
+    /// Remarks on points that the file does not state.
     said: Vec<String>,
 }
 
 impl Chosen {
-    /// What the file names, or states. Points that the listing states and the file does not are taken over.
+    /// The listing that the file names or states. Points that the listing states and the file does not are taken
+    /// over.
     pub(super) fn of(source: &Source, file: &mut MotionFile) -> Result<Self, Failure> {
         let stated = [&file.linkage, &file.listing, &file.statements];
         let places: Vec<_> = stated.into_iter().flatten().map(Spanned::span).collect();
@@ -61,8 +62,8 @@ impl Chosen {
         })
     }
 
-    /// The mechanism, in one of two sizes: a third between them would walk listings of 16 to 30 unknowns a sixth faster, and
-    /// take a fifth of what this crate takes to build.
+    /// The mechanism, in one of two sizes. A third size between them would walk listings of 16 to 30 unknowns a sixth
+    /// faster, and take a fifth of the build time of this crate.
     pub(super) fn kinematics(
         &self,
         request: Request<'_>,
@@ -147,13 +148,14 @@ fn of_file(
     Ok((stem(&path), listing))
 }
 
-/// What a listing is called that is in a file, or in a motion file.
+/// The name of a listing in a file, or in a motion file.
 fn stem(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
 }
 
-/// Two points in one place are the listing's mistake where the motion file states neither, but for a direction from which an angle counts.
+/// Refuses two points in one place if the motion file states neither, because the mistake is then in the listing. A
+/// direction from which an angle counts is an exception.
 fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(), Failure> {
     let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
     let points = file.points.get_ref();
@@ -174,7 +176,7 @@ fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(
     Ok(())
 }
 
-/// Where a listing states a point: the name with `at` behind it.
+/// The place where a listing states a point: the name followed by `at`.
 fn statement_of(text: &str, name: &str) -> Option<Range<usize>> {
     let mut places = text.match_indices(name).filter(|(place, _)| {
         let before = text[..*place].chars().next_back();
@@ -191,7 +193,7 @@ fn of_text(source: &Source, file: &MotionFile, text: &Spanned<String>) -> Result
     let parsed = included::parsed(text.get_ref(), source.name()).map_err(|mut mistakes| {
         let before = source.text().get(..text.span().start).unwrap_or_default();
         let quoted = source.text().get(text.span()).unwrap_or_default();
-        // A line break right behind the quotes is not of the text.
+        // A line break directly after the quotes does not belong to the text.
         let is_below = quoted
             .trim_start_matches(['\'', '"'])
             .starts_with(['\n', '\r']);
@@ -219,8 +221,9 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
     }))
 }
 
-/// Adds to the file the points that the listing alone states, those of the catalogue turned to the file's axes, and
-/// orders the elimination by the file's where the listing states none. The file names the listing, or has it, at `place`.
+/// Adds to the file the points that only the listing states (those of the catalogue turned to the file's axes), and
+/// orders the elimination by the file's points if the listing states none. The file names the listing, or contains
+/// it, at `place`.
 fn with_points(
     source: &Source,
     listing: Listing,

@@ -11,7 +11,7 @@ use crate::load::prepare::prepare;
 use crate::load::request::{Request, Start};
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 
-/// A motion file that was read. Its mechanism is prepared when it is asked for.
+/// A motion file that was read. Its mechanism is prepared on demand.
 #[derive(Clone, Debug)]
 pub struct Loaded<'a> {
     pub(super) source: &'a Source,
@@ -20,11 +20,11 @@ pub struct Loaded<'a> {
     instants: Instants,
 }
 
-/// Reads a motion file and its listing: of the catalogue, of a file beside it, or stated in it.
+/// Reads a motion file and its listing, which is in the catalogue, in a file beside it, or in the motion file itself.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] with a place where the file or the listing is wrong.
+/// [`Failure::Input`] with a place if the file or the listing is wrong.
 pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
     let mut file = MotionFile::parse(source)?;
     let listing = Chosen::of(source, &mut file)?;
@@ -37,10 +37,10 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
     })
 }
 
-/// Reads a motion file for a linkage of one's own, under the name that the file must give, and brings its
-/// mechanism to the first instant. The file states all points and drives, as `suspension motion --help`
-/// explains; without `wheel` or `kingpin` in the listing there are no quantities of these. Such a program depends on
-/// `suspension-mechanism` and `suspension-core`.
+/// Reads a motion file for your own linkage, under the name that the file must give, and brings its mechanism to the
+/// first instant. The file states all points and drives, as `suspension motion --help` explains; without `wheel` or
+/// `kingpin` in the listing there are no quantities of these. Such a program depends on `suspension-mechanism` and
+/// `suspension-core`.
 ///
 /// ```no_run
 /// use std::ops::ControlFlow;
@@ -81,8 +81,8 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the mechanism does not
-/// assemble or does not reach the first instant.
+/// [`Failure::Input`] with a place if the file is wrong, [`Failure::Solver`] if the mechanism does not assemble or
+/// does not reach the first instant.
 pub fn load_own<L, const N: usize>(
     linkage: &str,
     source: &Source,
@@ -119,7 +119,7 @@ impl Loaded<'_> {
         &self.listing.name
     }
 
-    /// The name in the catalogue, where the listing is of it.
+    /// The name in the catalogue, if the listing is in it.
     pub fn of_catalogue(&self) -> Option<&str> {
         let name = self.file.linkage.as_ref();
         name.map(|name| name.get_ref().as_str())
@@ -135,7 +135,8 @@ impl Loaded<'_> {
         self.file.axes
     }
 
-    /// The coordinates of a point that the file states, or else its listing; `None` of a marker off another point.
+    /// The coordinates of a point that the file states, or otherwise its listing; `None` for a marker off another
+    /// point.
     pub fn stated_coordinates(&self, point: &str) -> Option<Vector3<f64>> {
         match self.file.points.get_ref().get(point)?.get_ref() {
             Position::At(at) => Some(Vector3::from(*at)),
@@ -153,12 +154,12 @@ impl Loaded<'_> {
         &self.instants
     }
 
-    /// Brings the mechanism of the same linkage, as it is compiled in, to the first instant.
+    /// Brings the mechanism of the same linkage, compiled in, to the first instant.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with a place where the file is wrong, [`Failure::Solver`] where the mechanism
-    /// does not assemble or does not reach the first instant.
+    /// [`Failure::Input`] with a place if the file is wrong, [`Failure::Solver`] if the mechanism does not assemble
+    /// or does not reach the first instant.
     pub fn mechanism<L, const N: usize>(&self) -> Result<Mechanism<L, N>, Failure>
     where
         L: Suspension<N, Listing: Default>,
@@ -174,35 +175,36 @@ impl Loaded<'_> {
     ///
     /// # Errors
     ///
-    /// Those of [`mechanism`](Self::mechanism).
+    /// As [`mechanism`](Self::mechanism).
     pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.noted(self.request(Start::FirstInstant))
     }
 
-    /// The same for a command that has an answer where the first instant is out of reach too: the mechanism then
-    /// stays at its design position, and a note says so.
+    /// As [`at_first_instant`](Self::at_first_instant), for a command that also has an answer if the first instant is
+    /// out of reach: the mechanism then stays at its design position, and a note says so.
     ///
     /// # Errors
     ///
-    /// Those of [`at_first_instant`](Self::at_first_instant), but for the way there.
+    /// As [`at_first_instant`](Self::at_first_instant), except for the way there.
     pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.noted(self.request(Start::WithinReach))
     }
 
-    /// The same for a command that works from the design position, whatever the file's motion.
+    /// As [`within_reach`](Self::within_reach), for a command that works from the design position, whatever the
+    /// file's motion.
     ///
     /// # Errors
     ///
-    /// Those of [`within_reach`](Self::within_reach).
+    /// As [`within_reach`](Self::within_reach).
     pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.noted(self.request(Start::Design))
     }
 
-    /// The same for a command that tells the mechanism's notes itself.
+    /// As [`at_design`](Self::at_design), for a command that reports the mechanism's notes itself.
     ///
     /// # Errors
     ///
-    /// Those of [`at_design`](Self::at_design).
+    /// As [`at_design`](Self::at_design).
     pub fn at_design_without_notes(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.kinematics(self.request(Start::Design))
     }
@@ -211,18 +213,18 @@ impl Loaded<'_> {
     ///
     /// # Errors
     ///
-    /// Those of [`at_first_instant`](Self::at_first_instant), and [`Failure::Input`] where a measure stands in for a drive.
+    /// As [`at_first_instant`](Self::at_first_instant), and [`Failure::Input`] if a measure stands in for a drive.
     pub fn driven(&self, command: &str) -> Result<Box<dyn Kinematics + '_>, Failure> {
         let mechanism = self.at_first_instant()?;
         self.check_driven(command, &mechanism)?;
         Ok(mechanism)
     }
 
-    /// Whether drives lead the motion, as a command needs it.
+    /// Checks that drives lead the motion, which a command requires.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where a measure stands in for a drive.
+    /// [`Failure::Input`] if a measure stands in for a drive.
     pub fn check_driven(&self, command: &str, mechanism: &Description) -> Result<(), Failure> {
         let Some(measure) = mechanism.led_by else {
             return Ok(());

@@ -12,12 +12,13 @@ use crate::file::{BodyMass, Centre, MassTable};
 use crate::load::task::Task;
 use crate::mechanism::Mass;
 
-/// The masses of a file; `design` are its points at the design position, in the file's coordinates, and `origin` is what local
-/// ones are off them.
+/// The masses of a file. `design` are its points at the design position, in the file's coordinates, and `origin` is
+/// the offset of local coordinates from them.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at what is no part of the mechanism, and at a number that is no mass and no inertia.
+/// [`Failure::Input`] at a name that is not a part of the mechanism, and at a number that is not a mass or an
+/// inertia.
 pub(super) fn masses(
     task: &Task<'_>,
     listing: &Listing,
@@ -82,7 +83,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A point that moves: free, a marker, or on the chassis and moved by a drive.
+    /// A point that moves: a free point, a marker, or a chassis point that a drive moves.
     fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
         let mut moving = self.moving_points();
         let point = moving.find(|point| self.task.names.points[*point] == *name.get_ref());
@@ -162,7 +163,7 @@ fn is_body(statement: &Statement<'_>) -> bool {
     [Kind::BODY, Kind::HINGE].contains(&statement.kind)
 }
 
-/// Whether some distribution of mass has it.
+/// Whether a distribution of mass with this inertia exists.
 fn is_inertia(inertia: &Matrix3<f64>) -> bool {
     const ROUNDING: f64 = 1e-9;
     if !inertia.iter().all(|entry| entry.is_finite()) {

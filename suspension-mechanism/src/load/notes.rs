@@ -24,18 +24,18 @@ use of_numbers::lengths;
 pub(super) use of_numbers::{length, short_of_stop};
 use of_wheels::of_wheel;
 
-/// No suspension is so large, in metres, nor so small.
+/// The limits of a suspension's size, in metres: the largest, and after it the smallest.
 const LARGEST: f64 = 10.0;
 const SMALLEST: f64 = 0.03;
 
-/// How far a guess may be off the assembled position before it looks like a change that was meant, in metres: the
+/// The distance of a guess from the assembled position, in metres, above which it looks like an intended change: the
 /// coordinates that Attia 2003 prints beside its lengths are 23 mm off.
 const ROUGH: f64 = 0.025;
 
-/// How far assembling must move a point to be told, in metres.
+/// The distance that assembling must move a point for a note, in metres.
 const TOLD: f64 = 1e-4;
 
-/// Notes on points that were given, and then assembled; `off` is what they did not satisfy.
+/// Notes on points as given and as assembled; `off` is the equation that they did not satisfy.
 pub(super) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,
@@ -49,7 +49,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
         moved(task, given, placed),
         assembled(task, given, placed, off),
     ];
-    // A point that is in the wrong place takes axes with it.
+    // A point in the wrong place misplaces axes too.
     let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
     let of_wheels = wheels.flat_map(|wheel| of_wheel(task, wheel, &placed_points));
     let name = task.source.name();
@@ -60,7 +60,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     of_outlier.into_iter().chain(notes).collect()
 }
 
-/// Notes on markers that are no points of a body.
+/// Notes on markers that do not belong to a body.
 pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -73,11 +73,11 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     let points: Vec<_> = design.points.values().collect();
     let drives = 0..task.names.drives.len();
     let rates: Vec<_> = drives.filter_map(|drive| design.per(drive)).collect();
-    // Several links together may keep them apart.
+    // Several links together may keep the points apart.
     let is_loose = |[_, from, to]: &[&str; 3]| {
         let [from, to] = [from, to].map(|name| listing.point(name).unwrap_or_default());
         let line = points[to] - points[from];
-        // How fast a distance changes that rounding alone changes, for a unit of a drive.
+        // The bound of how fast rounding alone changes a distance per unit of a drive.
         let grows = |rates: &Vec<Vector3<f64>>| {
             (rates[to] - rates[from]).dot(&line).abs() > 1e-9 * line.norm()
         };
@@ -95,7 +95,7 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     notes.collect()
 }
 
-/// The points are in another unit, as it seems.
+/// A note that the points seem to be in another unit.
 fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let points: Vec<_> = given.values().take(task.names.points.len()).collect();
     let first = points.first()?;
@@ -113,7 +113,7 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     ))
 }
 
-/// The point that assembling moves furthest, and how far, where that is more than some metres.
+/// The point that assembling moves farthest, and how far, if that is more than some metres.
 fn furthest<'a, P: Values<Vector3<f64>>>(
     task: &Task<'a>,
     [given, placed]: [&P; 2],
@@ -132,7 +132,7 @@ fn furthest<'a, P: Values<Vector3<f64>>>(
     })
 }
 
-/// A free point was moved where lengths are stated, which changes nothing.
+/// A note that a free point was moved although lengths are stated, which changes nothing.
 fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Option<String> {
     task.file.lengths.as_ref()?;
     let (point, off) = furthest(task, [given, placed], ROUGH)?;
@@ -142,7 +142,8 @@ fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Opt
     ))
 }
 
-/// Points that should lie on a line, or in a plane, and do not. Where drives are stated for the design, they move points too.
+/// A note on points that should lie on a line or in a plane and do not. If drives are stated for the design, they
+/// move points too.
 fn assembled<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     given: &P,

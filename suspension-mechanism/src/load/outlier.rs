@@ -12,32 +12,32 @@ use crate::load::task::Task;
 use crate::mechanism::Length;
 use crate::number::{exact, rounded};
 
-/// How many times as far from the others as these are from each other. Between metres, inches and millimetres lie
-/// factors of 25 and more.
+/// The distance of a point from the others above which it is an outlier, as a multiple of the extent of the others.
+/// Metres, inches and millimetres differ by factors of 25 and more.
 const FAR: f64 = 10.0;
 
-/// The same, where one coordinate would lie among the others' if it were a tenth.
+/// The same multiple if one coordinate would lie among those of the others if it were a tenth.
 const FAR_BY_ONE_DIGIT: f64 = 1.5;
 
-/// How far beyond the others' coordinates a tenth may lie, as a part of how far these are apart.
+/// How far beyond the others' coordinates a tenth may lie, as a fraction of their extent.
 const BESIDE: f64 = 0.1;
 
-/// How many times as far from the others as these are from each other a point may lie once its unit is put right.
+/// The distance of a point from the others once its unit is corrected, as a multiple of the extent of the others.
 const IN_UNIT: f64 = 1.5;
 
-/// Fewer other points say too little of a mechanism's size.
+/// The smallest number of other points: fewer tell too little of a mechanism's size.
 const FEWEST: usize = 3;
 
 /// A point that lies far from all others.
 #[derive(Clone, Debug)]
 pub(super) struct Outlier {
-    /// Where the file has it.
+    /// Its place in the file.
     place: Range<usize>,
     in_words: String,
 }
 
 impl Outlier {
-    /// Among the points that the file has by coordinates, as they are given.
+    /// The outlier among the points that the file states by coordinates, as given.
     pub(super) fn among<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<Self> {
         let stated = task.file.points.get_ref();
         let named = task.names.points.iter().zip(given.values());
@@ -57,12 +57,12 @@ impl Outlier {
         })
     }
 
-    /// What this says, with its place.
+    /// The note on it, with its place.
     pub(super) fn note(&self, source: &Source) -> String {
         format!("{}: {}", source.place(&self.place), self.in_words)
     }
 
-    /// What is wrong, perhaps in consequence, behind what this says.
+    /// A failure that may be a consequence, preceded by this note.
     pub(super) fn before(&self, failure: Failure, source: &Source) -> Failure {
         let first = source.refuse(&self.place, &self.in_words);
         let both = |text: String| format!("{first}\n{text}");
@@ -79,7 +79,7 @@ struct Around {
     at: Vector3<f64>,
     low: Vector3<f64>,
     high: Vector3<f64>,
-    /// How far the point is from the nearest of the others, and how far these are apart.
+    /// The distance of the point from the nearest of the others, and the extent of the others.
     away: f64,
     apart: f64,
 }
@@ -109,7 +109,7 @@ impl Around {
         times > FAR || (times > FAR_BY_ONE_DIGIT && self.slipped().is_some())
     }
 
-    /// The axis of the only coordinate that does not lie among the others', where a tenth of it does.
+    /// The axis of the only coordinate that is not among the others', if a tenth of it is.
     fn slipped(&self) -> Option<usize> {
         let room = BESIDE * self.apart;
         let is_among = |axis: usize, value: f64| {
@@ -138,7 +138,7 @@ impl Around {
     }
 }
 
-/// The unit in which it would lie among or near the others; of several the largest.
+/// The unit in which it would be among or near the others; if there are several, the largest.
 fn unit_within(unit: Length, [away, apart]: [f64; 2]) -> Option<Length> {
     let factor = |other: &Length| other.metre() / unit.metre();
     let others = Length::ALL.into_iter();

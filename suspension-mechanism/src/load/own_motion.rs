@@ -8,16 +8,16 @@ use crate::load::loaded::Loaded;
 use crate::load::request::Start;
 use crate::mechanism::{End, Instants};
 
-/// Instants at which an interrupt is looked for on the way.
+/// The number of instants at which an interrupt is checked on the way.
 const LOOKS: usize = 101;
 
 impl Loaded<'_> {
-    /// Where and why the file's own motion ends before its last instant, in words; `None` where it does not, or where the
-    /// user interrupts.
+    /// A description of where and why the file's own motion ends before its last instant; `None` if it does not, or
+    /// if the user interrupts.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with a place where the file is wrong.
+    /// [`Failure::Input`] with a place if the file is wrong.
     pub fn own_motion_ends(&self, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
         let mechanism = match self.kinematics(self.request(Start::WithinReach)) {
             Ok(mechanism) => mechanism,
@@ -41,7 +41,7 @@ impl Loaded<'_> {
         let End::Stopped(seen) = moved(&Instants::dense(first, last, LOOKS))? else {
             return Ok(None);
         };
-        // The instant that `motion` stops at; steps between the file's instants may pass what was seen.
+        // The instant at which `motion` stops; steps between the file's instants may pass what was seen.
         let stop = match moved(&mechanism.instants)? {
             End::Stopped(stop) => stop,
             End::Complete => seen,

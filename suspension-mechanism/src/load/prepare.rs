@@ -20,7 +20,7 @@ use crate::mechanism::{
     Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
 };
 
-/// The mechanism of a file, of a listing.
+/// The mechanism of a file and a listing.
 pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     request: Request<'_>,
     linkage: &str,
@@ -78,7 +78,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     })
 }
 
-/// What is probably meant otherwise; with a point that is probably mistaken that alone is said.
+/// Descriptions of what is probably a mistake; if a point is probably wrong, only that.
 fn doubts<L: Suspension<N>, const N: usize>(
     assembled: &Assembled<'_, L, N>,
     drives: &DriveLaws,
@@ -93,7 +93,7 @@ fn doubts<L: Suspension<N>, const N: usize>(
     doubts
 }
 
-/// What is remarked of a file whose mechanism has the given names and couplings.
+/// Remarks on a file whose mechanism has the given names and couplings.
 fn remarks<L: Suspension<N>, const N: usize>(
     assembled: &Assembled<'_, L, N>,
     request: &Request<'_>,
@@ -115,7 +115,7 @@ fn remarks<L: Suspension<N>, const N: usize>(
     notes
 }
 
-/// Where work on a mechanism begins.
+/// The place where work on a mechanism begins.
 struct Begin<const N: usize> {
     start: Motion<f64, N>,
     drives: DriveLaws,
@@ -124,7 +124,8 @@ struct Begin<const N: usize> {
 }
 
 impl<const N: usize> Begin<N> {
-    /// Of a motion by `drives`, which what `doubts` say may be mistaken; what is out of reach and may be is one more note.
+    /// The start of a motion by `drives`, which may be mistaken according to `doubts`; if it is out of reach and may
+    /// be so, that is one more note.
     fn of<L: Suspension<N>>(
         assembled: &Assembled<'_, L, N>,
         to: Start,
@@ -156,7 +157,7 @@ impl<const N: usize> Begin<N> {
             },
             Some(stand_in) => {
                 let lead = led::to_first_instant(&task, design, &drives, stand_in);
-                // For others than the first instant, they are told as notes.
+                // For starts other than the first instant, they become notes.
                 let doubts = if to == Start::FirstInstant {
                     doubts
                 } else {
@@ -187,7 +188,7 @@ impl<const N: usize> Begin<N> {
     }
 }
 
-/// What is out of reach, and below it what may be mistaken.
+/// The failure that something is out of reach, followed by what may be mistaken.
 fn doubted(unreached: Failure, doubt: &String) -> Failure {
     match unreached {
         Failure::Solver(text) => Failure::Solver(format!("{text}\n{doubt}")),

@@ -12,7 +12,7 @@ use crate::mechanism::Spring;
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at what is no measure, and at a rate or load that is not finite.
+/// [`Failure::Input`] at a name that is not a measure, and at a rate or load that is not finite.
 pub(super) fn springs(
     task: &Task<'_>,
     listing: Option<&Listing>,
@@ -56,7 +56,7 @@ pub(super) fn springs(
     each.collect()
 }
 
-/// What to write where a spring is said to act along a drive.
+/// The remedy if a spring is stated along a drive.
 fn of_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
     let mut drives = task.names.drives.iter();
     let drive = drives.position(|drive| drive.name == name)?;

@@ -46,7 +46,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     }
 }
 
-/// The first instant, in words, cannot be reached, and why.
+/// The failure that the first instant, in words, cannot be reached, with the reason.
 pub(super) fn out_of_reach(task: &Task<'_>, first: &str, cause: &str) -> Failure {
     Failure::Solver(format!(
         "{}: the first instant, t = {} s with {first}, is out of reach from the design position: {cause}",

@@ -15,10 +15,10 @@ use crate::sensitivities::{self, Change, coordinates};
 use crate::tolerances::Tolerance;
 use crate::tune::{Move, Target};
 
-/// How wide the boxes of moves usually are, in metres.
+/// The usual widths of the boxes of moves, in metres.
 const BOX: Range<f64> = 5e-4..1.0;
 
-/// How large standard deviations of hardpoints usually are, in metres.
+/// The usual standard deviations of hardpoints, in metres.
 const TOLERANCE: Range<f64> = 1e-6..0.02;
 
 impl Loaded<'_> {
@@ -26,7 +26,7 @@ impl Loaded<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with the place of what is no load of the mechanism.
+    /// [`Failure::Input`] at an entry that is not a load of the mechanism.
     pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
         cases(self.source, &self.file, self.listing(), mechanism)
     }
@@ -35,12 +35,12 @@ impl Loaded<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with the place of what is no tolerance, or of nothing in the mechanism.
+    /// [`Failure::Input`] at an entry that is not a tolerance, or not of a part of the mechanism.
     pub fn tolerances(&self, mechanism: &Description) -> Result<Vec<Tolerance>, Failure> {
         tolerances(self.source, &self.file, mechanism)
     }
 
-    /// A note on the first tolerance that is in another unit, as it seems.
+    /// A note on the first tolerance that seems to be in another unit.
     pub fn doubtful_tolerance(&self) -> Option<String> {
         let stated = self.file.tolerances.as_ref()?.get_ref();
         let note = stated.iter().find_map(|(name, deviation)| {
@@ -52,8 +52,8 @@ impl Loaded<'_> {
         Some(format!("{}: {note}", self.source.name()))
     }
 
-    /// What `suspension sensitivities` changes: the coordinates of all points, the lengths of links, and the moves of
-    /// `[tune]`.
+    /// The changes of `suspension sensitivities`: the coordinates of all points, the lengths of links, and the moves
+    /// of `[tune]`.
     ///
     /// # Errors
     ///
@@ -76,16 +76,16 @@ impl Loaded<'_> {
         Ok(changes)
     }
 
-    /// What the file has for `suspension tune`: what may be moved, and the targets, in its order.
+    /// The moves and targets in the file for `suspension tune`, in its order.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] with the place of what is none of the mechanism's, and where nothing is stated.
+    /// [`Failure::Input`] at a name that is not in the mechanism, and if nothing is stated.
     pub fn tuning(&self, mechanism: &dyn Kinematics) -> Result<(Vec<Move>, Vec<Target>), Failure> {
         tuning(self.source, &self.file, mechanism)
     }
 
-    /// Notes on boxes of moves that are in another unit, as it seems.
+    /// Notes on boxes of moves that seem to be in another unit.
     pub fn doubtful_boxes(&self, moves: &[Move]) -> Vec<String> {
         let name = self.source.name();
         let boxes = moves.iter().filter_map(|each| {

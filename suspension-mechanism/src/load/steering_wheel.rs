@@ -16,10 +16,10 @@ use crate::mechanism::{Names, SteeringWheel, Suspension, listed};
 const RACK: &str = SteeringWheel::RACK;
 const BOX: &str = SteeringWheel::BOX;
 
-/// What a file states of a steering wheel.
+/// A file's statement about a steering wheel.
 struct Gear<'a> {
     key: &'static str,
-    /// Whether it is of a drive that is an angle.
+    /// Whether it belongs to a drive that is an angle.
     is_of_angle: bool,
     stated: &'a Spanned<f64>,
 }
@@ -28,7 +28,8 @@ struct Gear<'a> {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where what is stated is not positive and finite, and where not one drive of its kind steers.
+/// [`Failure::Input`] if the statement is not positive and finite, and if the number of drives of its kind that steer
+/// is not one.
 pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     names: &Names,
@@ -40,7 +41,7 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     }
     let turned = Turned::all(names, design);
     let about_z: f64 = turned.iter().map(|turned| turned.about_z).sum();
-    // In SAE axes z points down, and a turn about it is one to the right.
+    // In SAE axes z points down, and a positive turn about it is to the right.
     let up = task.file.axes.turned(Vector3::<f64>::z()).z;
     let drives = design.given(&design.drives);
     let wheels = gears.into_iter().map(|gear| {
@@ -54,11 +55,12 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
             design: drives[drive],
         }))
     });
-    // Of two gears one is not of the kind of the drive.
+    // One of two gears is not of the drive's kind.
     Ok(wheels.collect::<Result<Vec<_>, Failure>>()?.pop().flatten())
 }
 
-/// Whether a drive of steering has no rates at the design position: that is reported there, and no other drive would help.
+/// Whether a drive of steering has no rates at the design position: this is reported elsewhere, and no other drive
+/// would help.
 fn is_singular<L: Suspension<N>, const N: usize>(names: &Names, design: &Design<L, N>) -> bool {
     let drives = names.wheels.iter().filter_map(|wheel| wheel.steer);
     drives
@@ -66,7 +68,7 @@ fn is_singular<L: Suspension<N>, const N: usize>(names: &Names, design: &Design<
         .any(|rates| rates.is_none())
 }
 
-/// What a file states, by either key.
+/// The statements of a file, by either key.
 fn gears<'a>(task: &'a Task<'_>) -> Vec<Gear<'a>> {
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let keys = vehicle.map(|vehicle| {
@@ -86,7 +88,7 @@ fn gears<'a>(task: &'a Task<'_>) -> Vec<Gear<'a>> {
 }
 
 impl Gear<'_> {
-    /// How far the drive moves in a turn, in the unit of lengths or in radians.
+    /// The change of the drive per turn, in the unit of lengths or in radians.
     fn per_turn(&self, task: &Task<'_>) -> Result<Option<f64>, Failure> {
         if !self.is_of_angle {
             return length(task, self.key, Some(self.stated));
@@ -100,7 +102,7 @@ impl Gear<'_> {
         Ok(ratio.map(|ratio| TAU / ratio))
     }
 
-    /// The drive that the steering wheel moves, or why there is none, in words.
+    /// The drive that the steering wheel moves, or a sentence that says why there is none.
     fn drive(&self, names: &Names, turned: &[Turned]) -> Result<usize, String> {
         let mut drives: Vec<usize> = turned.iter().map(|turned| turned.drive).collect();
         drives.sort_unstable();
@@ -144,7 +146,7 @@ impl Gear<'_> {
 struct Turned {
     wheel: usize,
     drive: usize,
-    /// How fast, about the file's z axis.
+    /// The rate of turning about the file's z axis.
     about_z: f64,
 }
 

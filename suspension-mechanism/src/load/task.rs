@@ -18,12 +18,12 @@ pub(super) struct Task<'a> {
     /// The first instant, s.
     pub(super) first: f64,
     pub(super) names: &'a Names,
-    /// What to add to y for the file's coordinates.
+    /// The offset to be added to y to get the file's coordinates.
     pub(super) middle: f64,
 }
 
 impl Task<'_> {
-    /// Points out, in the file, what makes a linkage impossible to build.
+    /// Points out, in the file, the cause why a linkage cannot be built.
     pub(super) fn refuse_geometry(&self, error: &GeometryError) -> Failure {
         let Self {
             source,
@@ -51,7 +51,7 @@ impl Task<'_> {
         )
     }
 
-    /// An equation that points do not satisfy, and by how much.
+    /// A description of an equation that points do not satisfy, with the error.
     pub(super) fn unsatisfied_in_words(&self, Unsatisfied { equation, by }: Unsatisfied) -> String {
         const DIGITS: usize = 3;
         let (by, unit) = (rounded(by, DIGITS), self.file.unit().symbol());
@@ -59,7 +59,7 @@ impl Task<'_> {
         format!("equation `{equation}`, by {by} {unit}")
     }
 
-    /// The drives over time; those that the file does not lead stay as they are in `held`.
+    /// The drives over time; drives that the file does not lead keep their values in `held`.
     pub(super) fn drive_laws(&self, held: impl Iterator<Item = f64>) -> DriveLaws {
         let table = self.file.drives.get_ref();
         let each = self.names.drives.iter().zip(held);
@@ -71,7 +71,7 @@ impl Task<'_> {
         }))
     }
 
-    /// Checks that driving angles lie where they can lie. `table` has the drives' places.
+    /// Checks that driving angles are in their ranges. `table` has the drives' places.
     pub(super) fn check_angles<V>(
         &self,
         values: impl Iterator<Item = f64>,

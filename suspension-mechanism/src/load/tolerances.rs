@@ -8,11 +8,11 @@ use crate::mechanism::Description;
 use crate::sensitivities::{Change, coordinates, length};
 use crate::tolerances::Tolerance;
 
-/// The tolerances that a file states: of a point those of its three coordinates, of a link that of its length.
+/// The tolerances that a file states: of a point's three coordinates, and of a link's length.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at what is no point and no link, and at a standard deviation that is none.
+/// [`Failure::Input`] at a name that is neither a point nor a link, and at a number that is not a standard deviation.
 pub(super) fn tolerances(
     source: &Source,
     file: &MotionFile,

@@ -16,8 +16,8 @@ use targets::Targets;
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first name that is none of the mechanism's, at what is missing, at a box without room, and at a mirrored
-/// point of the same side.
+/// [`Failure::Input`] at the first name that is not in the mechanism, at a missing entry, at a box without room, and
+/// at a mirrored point of the same side.
 pub(super) fn tuning(
     source: &Source,
     file: &MotionFile,

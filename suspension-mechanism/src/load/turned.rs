@@ -9,13 +9,13 @@ use crate::load::request::{Request, Start};
 use crate::mechanism::Axes;
 
 impl Loaded<'_> {
-    /// The same as [`at_design`](Self::at_design) in other axes: points and masses are turned to them, and the statements mean their
-    /// coordinates.
+    /// As [`at_design`](Self::at_design) in other axes: points and masses are turned to them, and the statements
+    /// refer to coordinates in them.
     ///
     /// # Errors
     ///
-    /// Those of [`at_design`](Self::at_design), and [`Failure::Input`] where a statement or `[design]` means something else
-    /// in other axes.
+    /// As [`at_design`](Self::at_design), and [`Failure::Input`] if a statement or `[design]` means something else in
+    /// other axes.
     pub fn at_design_in(&self, axes: Axes) -> Result<Box<dyn Kinematics + '_>, Failure> {
         let [from, to] = [self.axes(), axes].map(Axes::signs);
         let signs = [0, 1, 2].map(|axis| from[axis] * to[axis]);

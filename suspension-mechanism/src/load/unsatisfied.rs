@@ -10,21 +10,22 @@ pub(super) struct Unsatisfied {
     pub(super) by: f64,
 }
 
-/// Below this part of the mechanism's size points satisfy an equation.
+/// The fraction of the mechanism's size below which points satisfy an equation.
 const ROUNDING: f64 = 1e-9;
 
-/// Sizes that differ by less, as a part of the largest, are equal.
+/// The difference below which sizes are equal, as a fraction of the largest.
 const EQUAL: f64 = 1e-6;
 
 impl Unsatisfied {
-    /// The equation with the largest residual; `None` where points satisfy all.
+    /// The equation with the largest residual; `None` if the points satisfy all.
     pub(super) fn of<const N: usize>(residual: &SVector<f64, N>, size: f64) -> Option<Self> {
         let (equation, by) = largest(residual.abs().as_slice())?;
         (by > ROUNDING * size).then_some(Self { equation, by })
     }
 }
 
-/// The number of the largest size, and how large it is: of those that are equal but for rounding, as of two sides, the first.
+/// The number of the largest size, and the size; if several are equal to rounding, such as those of two sides, the
+/// first.
 pub(super) fn largest(sizes: &[f64]) -> Option<(usize, f64)> {
     let most = sizes.iter().copied().fold(0.0, f64::max);
     let mut numbered = sizes.iter().copied().enumerate();

@@ -10,11 +10,12 @@ use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::mechanism::{Names, Suspension, Wheel};
 
-/// The least that a wheel moves up or down, or is turned times the suspension's size, against the fastest point.
+/// The smallest motion of a wheel up or down, or turn multiplied by the suspension's size, relative to the fastest
+/// point.
 const MOVES: f64 = 1e-6;
 
-/// The names without drives of travel that do not move the wheel up or down, and without the usual ones of steering that do not turn
-/// it; with notes on usual drives of travel.
+/// The names without drives of travel that do not move the wheel up or down, and without the usual drives of steering
+/// that do not turn it; with notes on usual drives of travel.
 pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -60,10 +61,10 @@ pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
     (names, notes.collect())
 }
 
-/// The drives of the vehicle without those of travel and steering that no wheel has.
+/// Removes from the vehicle the drives of travel and steering that no wheel has.
 fn drop_idle(names: &mut Names) {
     let (wheels, vehicle) = (&names.wheels, &mut names.vehicle);
-    // A listing without a wheel has drives all the same.
+    // A listing without a wheel has drives nevertheless.
     if wheels.is_empty() {
         return;
     }
@@ -78,7 +79,7 @@ fn drop_idle(names: &mut Names) {
         .retain(|drive| has(|wheel| wheel.steer, drive));
 }
 
-/// The drives that move a wheel up or down and do not steer it, of the rates of all points per each.
+/// The drives that move a wheel up or down and do not steer it, from the rates of all points per drive.
 fn lifting(wheel: &Wheel, rates: &[Option<Vec<Vector3<f64>>>]) -> Vec<usize> {
     let lifts = |rates: &Option<Vec<_>>| rates.as_ref().is_some_and(|rates| rises(wheel, rates));
     let drives = rates.iter().enumerate();
@@ -105,7 +106,7 @@ pub(super) fn turns(
     turn_rate(wheel, points, rates).abs() * size > MOVES * fastest(rates)
 }
 
-/// How fast a wheel turns about the z axis of its points.
+/// The rate at which a wheel turns about the z axis of its points.
 pub(super) fn turn_rate(wheel: &Wheel, points: &[Vector3<f64>], rates: &[Vector3<f64>]) -> f64 {
     let [inner, centre] = wheel.points.axis;
     let along = (points[centre] - points[inner]).xy();
@@ -113,7 +114,7 @@ pub(super) fn turn_rate(wheel: &Wheel, points: &[Vector3<f64>], rates: &[Vector3
     along.perp(&rate) / along.norm_squared()
 }
 
-/// What to write where other drives move the wheels up and down.
+/// A note with what to write if other drives move the wheels up and down.
 fn note(task: &Task<'_>, drive: usize, wheels: &[&Wheel]) -> String {
     let (file, drive) = (task.source.name(), &task.names.drives[drive].name);
     let titles: Vec<String> = wheels.iter().map(|wheel| wheel.title("wheel")).collect();

@@ -14,22 +14,23 @@ use forces::{car, torques};
 pub(super) use per_wheel::{checked, is_positive, length};
 use per_wheel::{checked_length, of_each, optional};
 
-/// The drives of travel and of steering where the file does not name them.
+/// The names of the drives of travel and of steering if the file does not name them.
 const TRAVEL: &str = "bump";
 const STEER: &str = "steer";
 
-/// The names with what the file says, the drives by number; without a word those of the usual names.
+/// The names with the statements of the file, drives by number; drives that it does not state are those with the
+/// usual names.
 ///
 /// # Errors
 ///
-/// At a length that is not positive and finite, at a share that is none, at a name that is no drive's or no wheel's,
-/// and where a car is described in part.
+/// At a length that is not positive and finite, at a number that is not a share, at a name that is not that of a
+/// drive or a wheel, and if a car is described in part only.
 pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     let table = task.file.vehicle.clone();
     let table = table.unwrap_or_else(|| Spanned::new(0..0, VehicleTable::default()));
     let stated = table.get_ref();
     let mut names = task.names.clone();
-    // Of a linkage without a wheel as of one without a name.
+    // A linkage without a wheel is treated as one with an unnamed wheel.
     let mut unnamed = [Wheel::default()];
     let wheels = match names.wheels.as_mut_slice() {
         [] => &mut unnamed,
@@ -101,7 +102,7 @@ fn drives(
     Ok(())
 }
 
-/// The drive whose name has the usual word, and of the wheel's name the most words, and no others.
+/// The drive whose name has the usual word, the most words of the wheel's name, and no others.
 fn usual_drive(known: &[&str], usual: &str, wheel: &str) -> Option<usize> {
     let is_of_wheel = |drive: &str| {
         let mut words = drive.split('_');

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::loads::forces::{Force, Here, ROUNDING, summed};
 
-/// Whether columns depend on each other but for rounding, whatever the units of columns and rows.
+/// Whether columns are linearly dependent to rounding, whatever the units of columns and rows.
 fn is_singular(mut matrix: DMatrix<f64>) -> bool {
     for mut column in matrix.column_iter_mut() {
         column.unscale_mut(column.amax());
@@ -16,7 +16,7 @@ fn is_singular(mut matrix: DMatrix<f64>) -> bool {
     !is_finite || matrix.singular_values().min() < ROUNDING
 }
 
-/// What measures must bear so that their drives bear nothing; `None` where they cannot.
+/// The loads that measures must bear so that their drives bear nothing; `None` if they cannot.
 pub(super) fn bearing(
     here: &Here<'_>,
     borne_by: &[(usize, usize)],

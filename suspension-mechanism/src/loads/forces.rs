@@ -10,23 +10,24 @@ use crate::kinematics::Kinematics;
 use crate::loads::site::Site;
 use crate::mechanism::{Borne, Mass, State};
 
-/// Work of a force per unit of a drive that is rounding alone, as a part of the force; the same of singular values.
+/// The work of a force per unit of a drive below which it is rounding, as a fraction of the force; also for singular
+/// values.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// A force at a point, and what it acts on there.
+/// A force at a point, and the part on which it acts there.
 pub(super) struct Force {
     pub(super) point: usize,
     pub(super) force: Vector3<f64>,
     on: On,
 }
 
-/// What a force acts on.
+/// The object on which a force acts.
 enum On {
     /// The point itself.
     Point,
     /// The part with these points.
     Having(Vec<usize>),
-    /// The part of this number, which has a share in what acts along an angle.
+    /// The part with this number, which has a share in the load along an angle.
     Angle(usize),
 }
 
@@ -40,7 +41,7 @@ impl Force {
         }
     }
 
-    /// Whether it is a share in what acts along an angle.
+    /// Whether it is a share in the load along an angle.
     pub(super) fn is_of_angle(&self) -> bool {
         matches!(self.on, On::Angle(_))
     }
@@ -57,7 +58,7 @@ fn on<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<For
     .collect()
 }
 
-/// The forces at each point together.
+/// The sum of the forces at each point.
 pub(super) fn summed(forces: &[Force], points: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut sums = vec![Vector3::zeros(); points.len()];
     for Force { point, force, .. } in forces {
@@ -71,13 +72,13 @@ pub(super) struct Here<'a> {
     pub(super) mechanism: &'a dyn Kinematics,
     /// Markers with three points of the body that carries each.
     pub(super) carriers: &'a [(usize, [usize; 3])],
-    /// Of each measure the shares of parts in what acts along it.
+    /// For each measure, the shares of parts in the load along it.
     pub(super) measured: &'a [Vec<AngleShare>],
     pub(super) state: &'a State,
 }
 
 impl Here<'_> {
-    /// What forces at the points do, and parts to the points; `None` where the mechanism locks.
+    /// The effect of forces at the points, and the forces of parts on the points; `None` if the mechanism locks.
     pub(super) fn under(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
         self.mechanism.under(self.state, forces, parts)
     }
@@ -87,7 +88,7 @@ impl Here<'_> {
         &self.state.points.value
     }
 
-    /// Where a site is, in local coordinates.
+    /// The position of a site, in local coordinates.
     pub(super) fn place_of(&self, site: Site) -> Vector3<f64> {
         match site {
             Site::Point(point) | Site::Body(point, _) => self.points()[point],
@@ -112,18 +113,18 @@ impl Here<'_> {
         each.flatten().collect()
     }
 
-    /// The forces of what acts in measures, by number: N, or N m of an angle.
+    /// The forces of loads in measures, by number: N, or N m for an angle.
     pub(super) fn in_measures(&self, loads: &[(usize, f64)]) -> Vec<Force> {
         let each = loads.iter();
         each.flat_map(|(measure, along)| self.in_measure(*measure, *along))
             .collect()
     }
 
-    /// The same of one: along its derivative with respect to each point.
+    /// The forces of a load in one measure: along its derivative with respect to each point.
     pub(super) fn in_measure(&self, measure: usize, along: f64) -> Vec<Force> {
         let mut acting = self.at_points(measure, along);
         let mut forces = Vec::new();
-        // What acts at a marker acts on its body in any case.
+        // A load at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
         let at = |point: usize| self.points()[point];
         let shares = self.measured[measure].iter();
@@ -152,7 +153,7 @@ impl Here<'_> {
         forces
     }
 
-    /// The forces at the points of what acts in a measure: along its derivative with respect to each.
+    /// The forces at the points of a load in a measure: along its derivative with respect to each.
     fn at_points(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
         let along = match self.mechanism.names.measures[measure].kind {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
@@ -162,7 +163,7 @@ impl Here<'_> {
         gradient.map(|gradient| gradient * along).collect()
     }
 
-    /// The moments, N m, of what acts in an angle on each part, by number, that carries a line of it or its axis.
+    /// The moments, N m, of a load in an angle on each part, by number, that carries a line of the angle or its axis.
     pub(super) fn moments_in(&self, angle: usize, along: f64) -> Vec<(usize, Vector3<f64>)> {
         let acting = self.at_points(angle, along);
         let at = |point: usize| self.points()[point];
@@ -179,8 +180,8 @@ impl Here<'_> {
         moments
     }
 
-    /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` where three points that hold a
-    /// body are in line.
+    /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` if three points that
+    /// hold a body are collinear.
     pub(super) fn of_masses(&self, field: &Vector3<f64>) -> Option<Vec<Force>> {
         let metre = self.mechanism.unit.metre();
         let mut all = Vec::new();
@@ -205,7 +206,7 @@ impl Here<'_> {
         carrier.map_or(Site::Point(point), |(_, body)| Site::Body(point, *body))
     }
 
-    /// A force and a moment at a place of a body, over three points of it.
+    /// A force and a moment at a place of a body, spread over three points of it.
     fn spread(
         &self,
         body: [usize; 3],
@@ -218,7 +219,7 @@ impl Here<'_> {
         on(&body, spread(points, force, place, moment))
     }
 
-    /// Where a wheel touches the ground.
+    /// The point where a wheel touches the ground.
     fn contact(&self, wheel: usize) -> Vector3<f64> {
         let (wheel, axes) = (&self.mechanism.names.wheels[wheel], self.state.axes);
         let [inner, centre] = wheel

@@ -6,7 +6,7 @@ use super::forces::Here;
 use super::{By, Outcome, Structure};
 
 impl Structure<'_> {
-    /// The measures in which something acts, by number and in their order: what acts in one in several ways together.
+    /// The measures in which loads act, by number and in their order, with the loads in each added together.
     pub(super) fn in_each(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
         let measures = 0..self.measured_points.len();
         let each = measures.filter_map(|measure| {
@@ -17,7 +17,7 @@ impl Structure<'_> {
         each.collect()
     }
 
-    /// The forces of what acts in measures, by number, on the points of each.
+    /// The forces of loads in measures, by number, on the points of each.
     pub(super) fn at_ends(
         &self,
         here: &Here<'_>,
@@ -34,7 +34,7 @@ impl Structure<'_> {
         at_ends.collect()
     }
 
-    /// Adds what a body bears `at_ends` of measures that are its markers: it exerts the opposite there.
+    /// Adds the loads that a body bears `at_ends` of measures that are its markers: it exerts the opposite there.
     pub(super) fn add_at_markers(
         &self,
         outcome: &mut Outcome,
@@ -53,7 +53,7 @@ impl Structure<'_> {
     }
 }
 
-/// What measures bear in place of drives, with what the case states in the same ones.
+/// The loads that measures bear instead of drives, together with those that the case states in the same measures.
 pub(super) fn with_stated(
     in_measures: Vec<(usize, f64)>,
     stated: &[(usize, f64)],

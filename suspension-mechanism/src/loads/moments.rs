@@ -10,7 +10,7 @@ use crate::mechanism::Names;
 /// A moment, N m, on a part, by number.
 type Moment = (By, usize, Vector3<f64>);
 
-/// Those of angles that statements, by name, drive or hold.
+/// The moments of angles that statements, by name, drive or hold.
 pub(super) fn of_statements(
     on_parts: Vec<(usize, String, Vector3<f64>)>,
     parts: &[Statement<'_>],
@@ -26,7 +26,7 @@ pub(super) fn of_statements(
         .collect()
 }
 
-/// Those of what acts in measures, by number, that are angles.
+/// The moments of loads in measures, by number, that are angles.
 pub(super) fn in_measures(here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<Moment> {
     let moments = acting.iter().flat_map(|(measure, along)| {
         let on_parts = here.moments_in(*measure, *along).into_iter();

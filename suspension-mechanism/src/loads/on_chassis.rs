@@ -16,7 +16,7 @@ impl Structure<'_> {
     ) -> Vec<(usize, Vector3<f64>)> {
         let joints = outcome.joints.iter();
         let by_joints = joints.map(|(_, point, force)| (*point, *force));
-        // A link that bears more than tension is among the joints.
+        // A link that bears more than tension is one of the joints.
         let is_joint = |number: usize| {
             let mut joints = outcome.joints.iter();
             joints.any(|(by, ..)| *by == By::Part(number))

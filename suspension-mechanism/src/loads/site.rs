@@ -2,21 +2,21 @@
 
 use crate::mechanism::Wheel;
 
-/// Where a wheel touches the ground, in the names of loads.
+/// The point where a wheel touches the ground, in the names of loads.
 const CONTACT: &str = "contact";
 
-/// Where a load acts.
+/// The site of a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Site {
-    /// At a free point, which passes the load to whatever it joins.
+    /// A free point, which passes the load to whatever it joins.
     Point(usize),
-    /// At a point of a body that these three points determine.
+    /// A point of a body that these three points determine.
     Body(usize, [usize; 3]),
-    /// Where a wheel by this number touches the ground, the wheel being held by its carrier.
+    /// The point where the wheel with this number touches the ground, with the wheel held by its carrier.
     Contact(usize),
 }
 
-/// The name of the place where a wheel touches the ground: `contact`, or of a named wheel `left_contact`.
+/// The name of the point where a wheel touches the ground: `contact`, or `left_contact` for a named wheel.
 pub fn contact_of(wheel: &Wheel) -> String {
     match wheel.name.as_str() {
         "" => CONTACT.to_owned(),

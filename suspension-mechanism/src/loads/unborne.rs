@@ -8,13 +8,13 @@ use crate::mechanism::{Pair, State};
 /// The drives of travel that bear a load in a case; drives, springs and measures by number.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Unborne {
-    /// Each with the spring of the file that moves most with it.
+    /// Each drive with the spring of the file that moves most with it.
     pub by_springs: Vec<(usize, usize)>,
-    /// Those that no spring of the file moves with, as one does with the other wheel of the axle.
+    /// The drives with which no spring of the file moves, although one does with the other wheel of the axle.
     pub one_sided: Vec<OneSided>,
 }
 
-/// A drive of travel without a spring of its own, whose opposite has one.
+/// A drive of travel without a spring of its own, while the opposite one has one.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct OneSided {
     /// The drive.
@@ -23,12 +23,12 @@ pub struct OneSided {
     pub measure: usize,
     /// The drive of the other wheel.
     pub opposite: usize,
-    /// The spring of that one.
+    /// The spring of the opposite drive.
     pub spring: usize,
 }
 
 impl Structure<'_> {
-    /// The drives of travel that bear a load in a case. None where the case states what acts in a spring's measure.
+    /// The drives of travel that bear a load in a case; none if the case states a load in a spring's measure.
     pub fn unborne(
         &self,
         mechanism: &dyn Kinematics,
@@ -89,7 +89,7 @@ impl Structure<'_> {
         }
     }
 
-    /// What a measure changes by per unit of each drive: the work of a force of 1 N in it.
+    /// The change of a measure per unit of each drive: the work of a force of 1 N in it.
     fn ratios(
         &self,
         mechanism: &dyn Kinematics,
@@ -102,17 +102,17 @@ impl Structure<'_> {
     }
 }
 
-/// How measures move with the drives of travel.
+/// The motion of measures with the drives of travel.
 struct Moved<'a> {
     mechanism: &'a dyn Kinematics,
-    /// What each measure changes by per unit of each drive.
+    /// The change of each measure per unit of each drive.
     ratios: Vec<Option<Vec<f64>>>,
     travel: &'a [usize],
 }
 
 impl Moved<'_> {
-    /// The ratio of a measure to a drive of travel that moves it more than each other one does, and its share of all: what both wheels
-    /// move alike, a bar say, is of neither.
+    /// The ratio of a measure to a drive of travel that moves it more than each other one does, and its share of all;
+    /// a measure that both wheels move alike, such as that of a bar, belongs to neither.
     fn with(&self, measure: usize, drive: usize) -> Option<[f64; 2]> {
         let ratios = self.ratios[measure].as_ref()?;
         let own = ratios[drive].abs();
@@ -124,7 +124,8 @@ impl Moved<'_> {
         (own > most + ROUNDING * all).then_some([own, own / all])
     }
 
-    /// The spring that moves with a drive and least with the others of travel; of several alike the one with the largest load.
+    /// The spring that moves with a drive and least with the others of travel; if several do so alike, the one with
+    /// the largest load.
     fn spring(&self, drive: usize, is_taken: &dyn Fn(usize) -> bool) -> Option<usize> {
         let springs = self.mechanism.names.vehicle.springs.iter().enumerate();
         let free = springs.filter(|(spring, _)| !is_taken(*spring));
@@ -136,8 +137,8 @@ impl Moved<'_> {
         most.map(|(number, _)| number)
     }
 
-    /// A drive that has no spring, while that of the other wheel of its axle has one: with the measure that moves with it most as that
-    /// spring's does with the other.
+    /// A drive without a spring, while the one of the other wheel of its axle has one, with the measure that moves
+    /// with it most like that spring's measure moves with the other.
     fn one_sided(&self, drive: usize) -> Option<OneSided> {
         let names = &self.mechanism.names;
         if self.spring(drive, &|_| false).is_some() {
@@ -174,7 +175,7 @@ impl Moved<'_> {
     }
 }
 
-/// The drives of travel; where none is known as such the only drive.
+/// The drives of travel; if none is known, the only drive.
 fn travel(mechanism: &dyn Kinematics) -> Vec<usize> {
     let names = &mechanism.names;
     match (names.vehicle.travel.as_slice(), names.drives.len()) {

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::{DMatrix, DVector};
 
-/// Between what an unknown may be.
+/// The bounds of an unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) least: f64,
@@ -17,7 +17,7 @@ impl Bounds {
         self.greatest - self.least
     }
 
-    /// The end that is farther from there.
+    /// The end that is farther from a value.
     pub(super) fn farther_end(self, at: f64) -> f64 {
         if at - self.least < self.greatest - at {
             self.greatest
@@ -26,35 +26,35 @@ impl Bounds {
         }
     }
 
-    /// Whether the unknown is where it may not go further along the way that makes the sum of squares less.
+    /// Whether the unknown is at the bound that prevents it from reducing the sum of squares further.
     fn holds(self, at: f64, gradient: f64) -> bool {
         (at <= self.least && gradient > 0.0) || (at >= self.greatest && gradient < 0.0)
     }
 }
 
-/// What was found.
+/// The result of a fit.
 pub(super) struct Fit {
-    /// Where the sum of squares is least; `None` where there are no residuals at the start.
+    /// The place where the sum of squares is smallest; `None` if there are no residuals at the start.
     pub(super) at: Option<DVector<f64>>,
     /// Whether the user interrupted.
     pub(super) is_cut: bool,
 }
 
-/// Steps at most; a dozen are usual.
+/// The largest number of steps; a dozen are usual.
 pub const MOST_STEPS: usize = 100;
 
-/// The steps of differences, as a part of a box.
+/// The step of differences, as a fraction of a box.
 const STEP: f64 = 1e-4;
 
-/// Differences that are no larger than this part of the residuals at the start are rounding: through the whole box they would add up
-/// to 5e-6 of these.
+/// The fraction of the residuals at the start up to which differences are rounding: over the whole box they would add
+/// up to 5e-6 of the residuals.
 const ROUNDING: f64 = 1e-9;
 
-/// Sums of squares that differ by less than this part are the same.
+/// The fraction by which sums of squares must differ to count as different.
 const SAME: f64 = 1e-9;
 
-/// Makes the sum of squares of `residuals` least, from [`start`]. Where there are no
-/// residuals, nothing is sought.
+/// Minimizes the sum of squares of `residuals`, starting from [`start`]. If there are no residuals, nothing is
+/// searched.
 pub(super) fn fit(
     boxes: &[Bounds],
     residuals: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
@@ -88,7 +88,7 @@ pub(super) fn fit(
     }
 }
 
-/// Zero, or what is next to it in the boxes.
+/// Zero, or the nearest value to it in the boxes.
 pub(super) fn start(boxes: &[Bounds]) -> DVector<f64> {
     let each = boxes
         .iter()
@@ -99,13 +99,13 @@ pub(super) fn start(boxes: &[Bounds]) -> DVector<f64> {
 struct Here {
     at: DVector<f64>,
     residuals: DVector<f64>,
-    /// Differences that are no larger say nothing.
+    /// The size up to which differences mean nothing.
     rounding: f64,
     damping: f64,
 }
 
 impl Here {
-    /// Goes on; `false` where there is nothing to gain.
+    /// Makes one more step; `false` if nothing can be gained.
     fn step(
         &mut self,
         boxes: &[Bounds],
@@ -134,7 +134,8 @@ impl Here {
         false
     }
 
-    /// Central differences; zero where they are rounding alone, and where neighbours have no residuals.
+    /// The Jacobian by central differences; zero where these are only rounding, and where neighbours have no
+    /// residuals.
     fn jacobian(
         &self,
         boxes: &[Bounds],
@@ -160,7 +161,7 @@ impl Here {
     }
 }
 
-/// The step that makes the damped squares of the linear residuals least, zero along what is held.
+/// The step that minimizes the damped squares of the linear residuals, zero along what is held.
 fn damped_step(
     normal: &DMatrix<f64>,
     gradient: &DVector<f64>,
@@ -169,7 +170,7 @@ fn damped_step(
 ) -> DVector<f64> {
     let mut matrix = normal.clone();
     let mut right = -gradient;
-    // What nothing depends on stays where it is.
+    // Unknowns that nothing depends on stay where they are.
     let smallest = normal.diagonal().max() * 1e-12 + f64::MIN_POSITIVE;
     for each in 0..normal.nrows() {
         matrix[(each, each)] += damping * normal[(each, each)].max(smallest);

@@ -7,53 +7,53 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, CountedFrom, Description, Drive, Grid, Order, Place, Visited};
 use crate::quantities::{Column, Reader};
 
-/// A quantity, where it is read, and what it is to be there.
+/// A quantity, the places where it is read, and the values wanted there.
 pub struct Target {
     /// Its name.
     pub name: String,
-    /// What is read.
+    /// The number that is read.
     pub reading: Reading,
-    /// The drives that are moved, with how far from the design position; none to read it there.
+    /// The drives that are moved, by distances from the design position; none to read it there.
     pub over: Vec<Axis>,
-    /// What it is to be, of the file's lengths and of radians.
+    /// The wanted values, in the file's lengths and in radians.
     pub wanted: Wanted,
-    /// How far it may be off.
+    /// The largest permitted deviation.
     pub within: f64,
 }
 
-/// What is read of a place.
+/// The number that is read at a place.
 pub struct Reading {
     /// The quantity.
     pub column: Column,
-    /// The drive with respect to which its derivative is meant.
+    /// The drive, if the derivative with respect to it is meant.
     pub per: Option<usize>,
 }
 
-/// What is wanted: one number for all places, or one for each in the order of the grid.
+/// The wanted numbers: one for all places, or one for each in the order of the grid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wanted {
-    /// These.
+    /// Values.
     Values(Vec<f64>),
-    /// These beyond what it is at the design position.
+    /// Differences from the value at the design position.
     Changes(Vec<f64>),
 }
 
-/// How far a target is off at each of its places.
+/// The deviation of a target at each of its places.
 pub type Deviations = Vec<f64>;
 
 impl Reading {
-    /// What it is called: `toe`, `toe per bump`.
+    /// Its name: `toe`, `toe per bump`.
     pub fn title(&self, mechanism: &Description) -> String {
         self.column.title_per(self.drive(mechanism))
     }
 
-    /// What a number inside is multiplied with for that in the file.
+    /// The factor from a number to its value in the file.
     pub fn in_file(&self, mechanism: &Description) -> f64 {
         let drive = self.drive(mechanism);
         self.column.in_file_per(drive, mechanism.unit)
     }
 
-    /// The same for what people read, and the unit's symbol.
+    /// The factor to the value for people, and the symbol of its unit.
     pub fn for_people(&self, mechanism: &Description) -> (f64, String) {
         let drive = self.drive(mechanism);
         self.column.for_people_per(drive, mechanism.unit)
@@ -63,7 +63,7 @@ impl Reading {
         mechanism.names.drives.get(self.per?)
     }
 
-    /// The number at a place; NaN where there is none.
+    /// The number at a place; NaN if there is none.
     fn at(&self, place: &dyn Place) -> f64 {
         match self.per {
             None => self.column.read(&Reader::of(&place.state())).value,
@@ -80,7 +80,8 @@ impl Target {
         off.iter().all(|off| off.abs() <= self.within)
     }
 
-    /// How far it is off at each place; `None` where the mechanism does not get to all, or there is no such number.
+    /// The deviation at each place; `None` if the mechanism does not reach all of them, or if there is no such
+    /// number.
     pub(super) fn deviations(&self, mechanism: &dyn Kinematics) -> Option<Deviations> {
         let values = self
             .visited(mechanism, self.over.clone())?
@@ -99,11 +100,11 @@ impl Target {
         off.iter().all(|off| off.is_finite()).then_some(off)
     }
 
-    /// The same of a mechanism that must get there.
+    /// As [`deviations`](Self::deviations), for a mechanism that must reach all places.
     ///
     /// # Errors
     ///
-    /// [`Failure::Solver`] with what locks, or where there is no such number.
+    /// [`Failure::Solver`] with the cause of the lock, or if there is no such number.
     pub(super) fn check(
         &self,
         source: &str,

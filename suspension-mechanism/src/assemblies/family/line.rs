@@ -32,7 +32,7 @@ pub(crate) struct Line<'a, G: Listing<N>, const N: usize> {
     family: &'a Family<G, N>,
     from: MemberOf<G, N>,
     change: MemberOf<G, N>,
-    /// Whether it ends at the mechanism itself, of which some of the roots may be at infinity.
+    /// Whether it ends at the mechanism itself, some of whose roots may be at infinity.
     pub(crate) is_to_the_mechanism: bool,
 }
 
@@ -74,8 +74,8 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         Factors::of(&jacobian, &self.family.solved)
     }
 
-    /// Taylor coefficients of the root, order 1 first: `F` is quadratic in `q`, `u` and the tilt together, so
-    /// that one factorisation gives all of them.
+    /// Taylor coefficients of the root, order 1 first. `F` is quadratic in `q`, `u` and the tilt together, so one
+    /// factorisation gives all of them.
     pub(crate) fn series<const K: usize>(
         &self,
         q: &Vector<N>,
@@ -106,7 +106,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
         Some(terms)
     }
 
-    /// The sum of `C(a, b)` over the pairs of terms, in either order, whose orders make the next one.
+    /// The sum of `C(a, b)` over the pairs of terms, in either order, whose orders add up to the next order.
     fn curvature(&self, terms: &[Vector<N>]) -> Vector<N> {
         let still = Fixed::<G, N>::default();
         let rate = |index| {

@@ -5,22 +5,22 @@ use std::path::Path;
 use crate::bake::driven::Output;
 use crate::number::{counted, exact};
 
-/// What the numbers of a baked file mean.
+/// The meaning of the numbers of a baked file.
 #[derive(Clone, Debug)]
 pub struct About {
     /// The file that it was baked from.
     pub file: String,
     /// The linkage's name.
     pub linkage: String,
-    /// What its wheel is called, of several the first.
+    /// The name of its wheel; if there are several, of the first.
     pub wheel: String,
-    /// The drives that the outputs are functions of, or a measure.
+    /// The drives, or the measure, of which the outputs are functions.
     pub arguments: Vec<Ranged>,
     /// The unit of lengths.
     pub unit: &'static str,
-    /// Where the axes point.
+    /// The directions of the axes.
     pub axes: &'static str,
-    /// Drives that are held, in words; empty where there are no others.
+    /// The drives that are held, in words; empty if there are no others.
     pub held: String,
 }
 
@@ -38,7 +38,7 @@ pub struct Ranged {
 }
 
 impl Ranged {
-    /// What it is.
+    /// Its kind: a drive or a measure.
     pub(super) fn kind(&self) -> &'static str {
         match self.in_place_of {
             None => "drive",
@@ -60,7 +60,7 @@ impl Ranged {
 }
 
 impl About {
-    /// What by which drives.
+    /// A description of the outputs and the drives.
     pub(super) fn subject(&self, outputs: &[Output]) -> String {
         let what = match outputs.first() {
             Some(Output::Point(_)) => "points",
@@ -90,7 +90,7 @@ impl About {
         }
     }
 
-    /// The first lines: what, from where, and over which ranges.
+    /// The first lines: the outputs, their source, and the ranges.
     pub(super) fn header(&self, outputs: &[Output]) -> Vec<String> {
         let what = match outputs.first() {
             Some(Output::Point(_)) => counted(outputs.len(), "point"),
@@ -133,7 +133,7 @@ pub(super) fn output_names(outputs: &[Output]) -> Vec<String> {
     outputs.iter().flat_map(coordinates).collect()
 }
 
-/// Lines behind a comment's mark.
+/// Lines after a comment mark.
 pub(super) fn commented(mark: &str, lines: &[String]) -> String {
     let line = |line: &String| format!("{}\n", format!("{mark} {line}").trim_end());
     lines.iter().map(line).collect()

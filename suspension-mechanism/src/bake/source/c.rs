@@ -3,8 +3,8 @@
 use crate::bake::source::Titled;
 use crate::bake::source::about::commented;
 
-/// The text of a header around its code. Its guard has a value of the header's own, made of the coefficients: another
-/// header under the same name is an error and not left out in silence.
+/// The text of a header around its code. Its guard has a value of its own, made from the coefficients: another header
+/// with the same name causes an error and is not silently ignored.
 pub(super) fn header(
     titled: &Titled<'_>,
     head: &[String],
@@ -52,13 +52,13 @@ typedef {upper}_NUMBER {name}_number;
     )
 }
 
-/// The head of a comment in C; a file's name may hold what ends one.
+/// The head of a comment in C; the name of a file may contain the characters that end one.
 fn comment(lines: &[String]) -> String {
     let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
     format!("/*\n{}", commented(" *", &lines))
 }
 
-/// Of a text, by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
+/// The checksum of a text by Fowler, Noll and Vo (FNV-1a), in the range that every preprocessor knows.
 fn checksum(text: &str) -> u32 {
     let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
         (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)

@@ -11,7 +11,7 @@ use crate::bake::source::about::{Ranged, row};
 use crate::bake::source::{Language, Titled, bound, tolerance};
 use crate::number::counted;
 
-/// What is written of a curve.
+/// The data from which the text of a curve is written.
 struct Sheet<'a> {
     titled: Titled<'a>,
     argument: &'a Ranged,
@@ -36,7 +36,7 @@ pub(super) fn text(titled: Titled<'_>, baked: &Baked, language: Language) -> Str
 }
 
 impl Sheet<'_> {
-    /// What a reader needs to know, line by line.
+    /// The information for a reader, line by line.
     fn header(&self) -> Vec<String> {
         let Self {
             titled: Titled { about, outputs, .. },
@@ -64,7 +64,7 @@ impl Sheet<'_> {
         lines
     }
 
-    /// The coefficients with one power a line, in the brackets of a language.
+    /// The coefficients with one power per line, in the brackets of a language.
     fn coefficients(&self, brackets: [&str; 2]) -> String {
         let [open, close] = brackets;
         let line = |numbers: &Vec<f64>| format!("        {},\n", row(numbers, brackets));

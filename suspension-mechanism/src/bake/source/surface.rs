@@ -10,7 +10,7 @@ use crate::bake::source::about::row;
 use crate::bake::source::{Language, Titled, tolerance};
 use crate::bake::surface::BakedSurface;
 
-/// What is written of a surface.
+/// The data from which the text of a surface is written.
 struct Sheet<'a> {
     titled: Titled<'a>,
     baked: &'a BakedSurface,
@@ -27,7 +27,7 @@ pub(super) fn text(titled: Titled<'_>, baked: &BakedSurface, language: Language)
 }
 
 impl Sheet<'_> {
-    /// What a reader needs to know, line by line.
+    /// The information for a reader, line by line.
     fn header(&self) -> Vec<String> {
         let Self { titled, baked } = self;
         let Titled { about, outputs, .. } = titled;
@@ -50,7 +50,7 @@ impl Sheet<'_> {
         lines
     }
 
-    /// The coefficients with those of a power of both drives on a line, in the brackets of a language.
+    /// The coefficients with those of one power of both drives per line, in the brackets of a language.
     fn coefficients(&self, brackets: [&str; 2]) -> String {
         let [open, close] = brackets;
         let patch = |patch: &Vec<[[[f64; 3]; TERMS]; TERMS]>| {

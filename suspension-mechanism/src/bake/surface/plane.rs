@@ -10,7 +10,7 @@ use crate::bake::driven::Driven;
 use crate::bake::surface::wanted::{UnmetSurface, WantedSurface};
 use crate::mechanism::Suspension;
 
-/// The mechanism moved by two drives, the others held.
+/// The mechanism moved by two drives, with the others held.
 pub(super) struct Plane<'a, L: Linkage<N>, const N: usize> {
     pub(super) driven: Driven<'a, L>,
     pub(super) start: &'a Motion<f64, N>,
@@ -19,7 +19,7 @@ pub(super) struct Plane<'a, L: Linkage<N>, const N: usize> {
     pub(super) interrupted: &'a AtomicBool,
 }
 
-/// An output with its derivatives by the first drive, the second, and both.
+/// An output with its derivatives with respect to the first drive, the second, and both.
 #[derive(Clone, Copy)]
 pub(super) struct Mixed {
     pub(super) value: Vector3<f64>,
@@ -29,7 +29,7 @@ pub(super) struct Mixed {
 }
 
 impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
-    /// The outputs at places, 0 to 1 in each direction, by place along the first drive.
+    /// The outputs at places, 0 to 1 in each direction, ordered by place along the first drive.
     pub(super) fn grid(
         &self,
         corner: [f64; 2],
@@ -68,8 +68,8 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
         of.with(first_drive, first).with(second_drive, second)
     }
 
-    /// The mixed derivative is half of what the second derivative along the diagonal has beyond
-    /// those along both drives.
+    /// The outputs with the mixed derivative, which is half of the difference between the second derivative along the
+    /// diagonal and the sum of those along both drives.
     fn mixed(&self, motion: &Motion<f64, N>, at: [f64; 2]) -> Result<Vec<Mixed>, UnmetSurface> {
         let lost = |cause| UnmetSurface::OutOfReach {
             drives: at,

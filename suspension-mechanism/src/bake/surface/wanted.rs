@@ -7,34 +7,34 @@ use suspension_core::SolveError;
 use crate::bake::driven::Wish;
 use crate::number::number;
 
-/// What to bake.
+/// The request for a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WantedSurface {
     /// The numbers of the two drives.
     pub drives: [usize; 2],
     /// Each drive's first and last value.
     pub ranges: [[f64; 2]; 2],
-    /// How far a point may be off, in the unit of the hardpoints.
+    /// The largest permitted error of a point, in the unit of the hardpoints.
     pub tolerance: f64,
-    /// A metre in that unit: the spin axis may be off by as much as a point a metre away.
+    /// A metre in that unit: the spin axis may have the same error as a point a metre away.
     pub metre: f64,
-    /// Whether velocities may jump where patches join. Accelerations do.
+    /// Whether velocities are continuous where patches join. Accelerations are not.
     pub smooth: bool,
-    /// Which points.
+    /// The requested points.
     pub wish: Wish,
 }
 
-/// Patches that a surface may have.
+/// The largest number of patches of a surface.
 pub const MOST_PATCHES: usize = 144;
 
-/// Why a motion of two drives was not baked.
+/// The reason why a motion of two drives was not baked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum UnmetSurface {
     /// The mechanism does not reach these values of the drives.
     OutOfReach {
         /// The values.
         drives: [f64; 2],
-        /// Why.
+        /// The reason.
         cause: Option<SolveError<f64>>,
     },
     /// The tolerance is not met with [`MOST_PATCHES`].

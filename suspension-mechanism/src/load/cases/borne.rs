@@ -7,11 +7,12 @@ use crate::loads::Case;
 use crate::mechanism::Spring;
 
 impl Reader<'_> {
-    /// A drive that bears nothing, with the measure that does, both by number.
+    /// A drive that bears nothing, with the measure that bears its load, both by number.
     ///
     /// # Errors
     ///
-    /// What to write, where `name` is no drive, `by` no measure and no spring, or has the load of another drive.
+    /// A sentence with the remedy, if `name` is not a drive, `by` is neither a measure nor a spring, or has the load
+    /// of another drive.
     pub(super) fn borne_by(
         &self,
         case: &Case,
@@ -40,7 +41,7 @@ impl Reader<'_> {
         drives.position(|drive| drive == name)
     }
 
-    /// The measure of that name, or along which a spring of that name acts.
+    /// The measure of this name, or the one along which a spring of this name acts.
     pub(super) fn measure(&self, name: &str) -> Option<usize> {
         let mut measures = self.mechanism.names.of_measures().into_iter();
         let measure = measures.position(|measure| measure == name);
@@ -48,7 +49,7 @@ impl Reader<'_> {
         measure.or_else(|| Some(spring()?.measure))
     }
 
-    /// Whether a name that has a measure is that of the measure or of a spring, in words.
+    /// Whether a name that has a measure is that of the measure or of a spring, as a word.
     pub(super) fn kind_of_measure(&self, name: &str) -> &'static str {
         if self.mechanism.names.of_measures().contains(&name) {
             "a measure"
@@ -57,7 +58,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What may stand for a drive in place of a force.
+    /// A sentence about what may replace a force for a drive.
     pub(super) fn no_load_of_drive(&self, drive: &str) -> String {
         let known = self.bearing().join(", ");
         format!(
@@ -66,7 +67,7 @@ impl Reader<'_> {
         )
     }
 
-    /// What to write where a drive of a case has several names, `by`.
+    /// The remedy if a drive of a case has several names, `by`.
     pub(super) fn one_bears(&self, case: &str, drive: &str, by: &[String]) -> String {
         let mut names = by.iter();
         if let Some(other) = names.find(|name| self.measure(name).is_none()) {
@@ -79,7 +80,8 @@ impl Reader<'_> {
         )
     }
 
-    /// What to write where what is to bear a load stands before the drive, or something else does.
+    /// The remedy if the name before the equals sign is that of what should bear a load, or of something else that is
+    /// not a drive.
     fn no_drive(&self, name: &str, by: &str) -> String {
         let names = &self.mechanism.names;
         let known = names.of_drives();
@@ -104,7 +106,7 @@ impl Reader<'_> {
         self.mechanism.names.vehicle.springs.iter()
     }
 
-    /// The names of what may bear loads.
+    /// The names of the parts that may bear loads.
     fn bearing(&self) -> Vec<&str> {
         let springs = self.springs().map(|spring| spring.name.as_str());
         let measures = self.mechanism.names.of_measures().into_iter();

@@ -10,7 +10,7 @@ use crate::mechanism::{
 };
 use crate::number::rounded;
 
-/// Instants at which drives are looked at.
+/// The number of instants at which drives are checked.
 const LOOKS: usize = 101;
 
 /// Doubts about the laws of drives, over the instants.

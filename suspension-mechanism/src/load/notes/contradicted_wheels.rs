@@ -12,10 +12,10 @@ use crate::load::usual_drives::{rises, turns};
 use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
 use crate::number::{number, rounded};
 
-/// How far the wheelbase may be off the distance of the axles, as a part of it.
+/// The permitted difference between the wheelbase and the distance between the axles, as a fraction of it.
 const OFF: f64 = 0.05;
 
-/// How many times as far as its own wheel a crossed drive moves another.
+/// How many times as far as its own wheel a crossed drive must move another.
 const FAR: f64 = 10.0;
 
 /// Notes on wheels, at the design; `couplings` are those of each.
@@ -52,7 +52,7 @@ pub(in crate::load) fn notes<L: Suspension<N>, const N: usize>(
     notes.iter().map(|note| format!("{name}: {note}")).collect()
 }
 
-/// The wheelbase is another than that of the points.
+/// A note that the wheelbase differs from that of the points.
 fn wheelbase(task: &Task<'_>, points: &[Vector3<f64>]) -> Option<String> {
     let stated = task.names.vehicle.wheelbase?;
     let middle = |axle| {
@@ -71,7 +71,7 @@ fn wheelbase(task: &Task<'_>, points: &[Vector3<f64>]) -> Option<String> {
     })
 }
 
-/// A drive moves another wheel up and down than the one that it is said to move, or none.
+/// A note that a drive moves up and down another wheel than the stated one, or none.
 fn unlifted(
     task: &Task<'_>,
     (wheel, drive): (&Wheel, usize),
@@ -97,7 +97,7 @@ fn unlifted(
     })
 }
 
-/// A drive does not turn the wheel that it is said to steer.
+/// A note that a drive does not turn the wheel that it is said to steer.
 fn unsteered(
     task: &Task<'_>,
     (wheel, drive): (&Wheel, usize),
@@ -111,7 +111,8 @@ fn unsteered(
     })
 }
 
-/// The usual drive of steering turns one wheel of an axle and not the other, as where a rack has an image that nothing moves.
+/// A note that the usual drive of steering turns one wheel of an axle and not the other, for example if nothing moves
+/// the image of a rack.
 fn steered_alone<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
@@ -143,7 +144,7 @@ fn steered_alone<L: Suspension<N>, const N: usize>(
     ))
 }
 
-/// What bears the torque of a driven axle whose wheels move each other, where the file leaves that open.
+/// A note on what bears the torque of a driven axle whose wheels move each other, if the file leaves that open.
 fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
     let vehicle = task.file.vehicle.as_ref()?.get_ref();
     if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {

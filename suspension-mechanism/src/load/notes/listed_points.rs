@@ -10,7 +10,7 @@ use crate::file::{MotionFile, Source};
 use crate::mechanism::Axes;
 use moved_points::Points;
 
-/// The notes of a file and its listing, with what the listing is called in them and the axes of its coordinates.
+/// The notes of a file and its listing, with the name of the listing in them and the axes of its coordinates.
 pub(in crate::load) fn notes(
     (listing, called): (&Listing, &str),
     source: &Source,

@@ -5,8 +5,8 @@ use toml::Spanned;
 use crate::load::task::Task;
 use crate::mechanism::{Names, Wheel, listed};
 
-/// A note with what to write; `names` are those in effect, and wheels whose drive of travel has the usual name but does not lift them are
-/// noted elsewhere.
+/// A note with what to write. `names` are those in effect; wheels whose drive of travel has the usual name but does
+/// not lift them are noted elsewhere.
 pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     let in_effect = names.wheels.iter().zip(&task.names.wheels);
     let without = in_effect.filter(|(_, stated)| stated.travel.is_none());
@@ -40,8 +40,8 @@ pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     })
 }
 
-/// The table of the file that needs the travel of wheels; the ground under a wheel does where it has more than one drive, or another
-/// wheel, with which it rolls.
+/// The table of the file that needs the travel of wheels. The ground under a wheel needs it if the wheel has more
+/// than one drive, or rolls together with another wheel.
 fn needed_by(task: &Task<'_>, needs_each: bool) -> Option<&'static str> {
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
     let is_car = vehicle.is_some_and(|vehicle| {

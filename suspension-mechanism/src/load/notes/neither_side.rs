@@ -8,11 +8,12 @@ use crate::load::task::Task;
 use crate::mechanism::{on_other_side, side_of};
 use crate::number::rounded;
 
-/// How far from the middle of the vehicle a point still counts as in it, as a part of the farthest point's distance.
+/// The distance from the middle of the vehicle within which a point is in the middle, as a fraction of the farthest
+/// point's distance.
 const MIDDLE: f64 = 1e-6;
 
-/// Notes on points off the middle of the vehicle that a part joins and its image on the other side too: one of the two reaches across
-/// the vehicle.
+/// Notes on points off the middle of the vehicle that are joined both by a part and by its image on the other side:
+/// one of the two reaches across the vehicle.
 pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     listing: &Listing,
@@ -37,7 +38,7 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     notes.collect()
 }
 
-/// The parts of the same name but for their sides that join a point.
+/// The parts that join a point and whose names differ only in their sides.
 fn on_both_sides<'a, 'l>(
     parts: &'a [Statement<'l>],
     point: usize,

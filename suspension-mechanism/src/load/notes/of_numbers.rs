@@ -8,7 +8,7 @@ use crate::load::task::Task;
 use crate::mechanism::{Instants, Length};
 use crate::number::{number, rounded};
 
-/// The motion ends before its stop, which is no whole number of steps from the start.
+/// A note that the motion ends before its stop, because this is not a whole number of steps from the start.
 pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Option<String> {
     let time = task.file.time.get_ref();
     let (stop, step) = (time.stop.as_ref()?, time.step.as_ref()?);
@@ -20,7 +20,7 @@ pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Op
     })
 }
 
-/// Lengths of the vehicle that are in another unit, as it seems.
+/// Notes on lengths of the vehicle that seem to be in another unit.
 pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     let names = task.names;
     let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
@@ -42,7 +42,7 @@ pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     radius.flatten().take(1).chain(of_car)
 }
 
-/// A length that is outside what is usual, in metres.
+/// A note on a length that is outside the usual range, in metres.
 pub(in crate::load) fn length(
     unit: Length,
     name: &str,
@@ -53,7 +53,7 @@ pub(in crate::load) fn length(
         return None;
     }
     let (length, symbol) = (number(stated), unit.symbol());
-    // A length that is usual is about a metre long when divided by this.
+    // A usual length divided by this is about a metre.
     let middle = (usual.start * usual.end).sqrt();
     let doubt = match Length::of_size(stated / middle) {
         other if other == unit => {

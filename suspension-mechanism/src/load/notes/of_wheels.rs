@@ -6,10 +6,10 @@ use crate::load::task::Task;
 use crate::mechanism::Wheel;
 use crate::number::rounded;
 
-/// No wheel is toed or cambered by so much at its design position, in degrees.
+/// The angle, in degrees, by which no wheel is toed or cambered at its design position.
 const OFF_AXIS: f64 = 30.0;
 
-/// Notes on a wheel, of all points at the design position.
+/// Notes on a wheel, from all points at the design position.
 pub(super) fn of_wheel(
     task: &Task<'_>,
     wheel: &Wheel,
@@ -23,7 +23,7 @@ pub(super) fn of_wheel(
     notes.into_iter().flatten()
 }
 
-/// The kingpin is stated from top to bottom.
+/// A note that the kingpin is stated from top to bottom.
 fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
     let [lower, upper] = wheel.points.kingpin?;
@@ -38,7 +38,8 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
     })
 }
 
-/// At the design position the spin axis is far off the y direction: one of its two points is likely to be a wrong one.
+/// A note that the spin axis is far off the y direction at the design position: one of its two points is probably
+/// wrong.
 fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
     let [inner, centre] = wheel.points.axis;
@@ -54,7 +55,7 @@ fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> 
     })
 }
 
-/// The spin axis of a wheel that is on one side points to the other.
+/// A note that the spin axis of a wheel on one side points to the other side.
 fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
     let names = task.names;
     let [inner, centre] = wheel.points.axis;

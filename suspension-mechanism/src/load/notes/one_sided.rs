@@ -6,7 +6,7 @@ use crate::file::in_order;
 use crate::load::task::Task;
 use crate::mechanism::{listed, on_other_side};
 
-/// Parts that have a mass, while the same parts of the other side have none.
+/// A note on parts with a mass whose counterparts on the other side have none.
 pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
     let table = task.file.masses.as_ref()?;
     let statements = listing.statements();

@@ -6,14 +6,16 @@ use suspension_core::Values;
 use crate::load::task::Task;
 use crate::mechanism::Wheel;
 
-/// How near to the middle of the vehicle a point is in it, as a part of the wheel's distance.
+/// The distance from the middle of the vehicle within which a point is in the middle, as a fraction of the wheel's
+/// distance.
 const MIDDLE: f64 = 1e-6;
 
-/// The same of a pick-up point: those of dampers and the like may well be a little beyond the middle.
+/// The same for a pick-up point: those of dampers and the like may well be a little beyond the middle.
 const MIDDLE_OF_PICK_UPS: f64 = 0.2;
 
-/// Of points with their y, and whether they are pick-up points on the chassis, the only one that is on the other side of the
-/// vehicle than a wheel's centre: its y has the wrong sign, as it seems. Several may well be those of the other wheel.
+/// The only point on the other side of the vehicle than a wheel's centre, of points with their y and whether they are
+/// pick-up points on the chassis: its y probably has the wrong sign. If there are several, they may well belong to
+/// the other wheel.
 pub fn only_on_wrong_side<T>(
     points: impl IntoIterator<Item = (T, f64, bool)>,
     centre: f64,
@@ -40,8 +42,8 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P
     across.map(|note| format!("{name}: {note}")).collect()
 }
 
-/// A point of a corner, or of several wheels one with the wheel's name in its own, is on the other side of the vehicle than the
-/// wheel; pick-up points are among them.
+/// A note on a point on the other side of the vehicle than its wheel, pick-up points included. The point belongs to a
+/// corner or, if there are several wheels, has the wheel's name in its own.
 fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, wheel: &Wheel) -> Option<String> {
     let names = task.names;
     if wheel.name.is_empty() && names.wheels.len() > 1 {

@@ -10,17 +10,17 @@ use crate::load::tuning::naming::Naming;
 use crate::quantities::Axis;
 use crate::tune::Move;
 
-/// What moves name.
+/// The parts that moves name.
 pub(super) struct Moves<'a> {
     pub(super) naming: Naming<'a>,
-    /// Markers that are stated off another point, each with that one.
+    /// Markers that are stated off another point, each with that point.
     pub(super) followers: Vec<[usize; 2]>,
     /// The y coordinate of each point in the design position.
     pub(super) across: Vec<f64>,
 }
 
 impl Moves<'_> {
-    /// A move by its table.
+    /// The move that its table states.
     pub(super) fn of_move(
         &self,
         name: &Spanned<String>,
@@ -55,7 +55,7 @@ impl Moves<'_> {
         })
     }
 
-    /// A link, and those of the other side that become longer by as much.
+    /// A link, and those of the other side that become longer by the same amount.
     fn of_lengths(
         &self,
         length: &Spanned<String>,
@@ -109,7 +109,7 @@ impl Moves<'_> {
         })
     }
 
-    /// Refuses a mirrored point that is on the side of a point that it goes with.
+    /// Refuses a mirrored point on the same side as a point that it goes with.
     fn check_sides(&self, table: &MoveTable) -> Result<(), Failure> {
         let side = |name: &Spanned<String>| {
             let across = self.across[self.naming.point(name)?];
@@ -145,7 +145,7 @@ impl Moves<'_> {
         })
     }
 
-    /// Lengths of links: those of bodies are between points, which move.
+    /// The length of a link: those of bodies are between points, which move.
     fn length(&self, name: &Spanned<String>) -> Result<usize, Failure> {
         let names = &self.naming.mechanism.names;
         let known: Vec<&str> = names.links().map(|(link, _)| link).collect();

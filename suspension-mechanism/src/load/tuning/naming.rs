@@ -25,7 +25,7 @@ impl Naming<'_> {
         self.named("drive", name, &self.mechanism.names.of_drives())
     }
 
-    /// The place of a name among those that are known.
+    /// The index of a name among the known ones.
     pub(super) fn named(
         &self,
         what: &str,

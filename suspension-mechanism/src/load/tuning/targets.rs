@@ -11,14 +11,14 @@ use crate::mechanism::{Axis, CountedFrom, Grid, evenly_spaced};
 use crate::quantities::Column;
 use crate::tune::{self, Reading, Target};
 
-/// Places along a drive where the file states one number for all.
+/// The number of places along a drive if the file states one number for all.
 const PLACES: usize = 13;
 
-/// What targets name.
+/// The parts that targets name.
 pub(super) struct Targets<'a>(pub(super) Naming<'a>);
 
 impl Targets<'_> {
-    /// A target by its table.
+    /// The target that its table states.
     pub(super) fn of_target(
         &self,
         name: &Spanned<String>,
@@ -79,7 +79,7 @@ impl Targets<'_> {
             ));
         }
         let message = unknown("quantity", wanted, &names);
-        // A long list is cut where it is printed.
+        // A long list is shortened where it is printed.
         let all = format!(
             "; suspension sensitivities {} prints all",
             self.0.source.name()
@@ -88,7 +88,7 @@ impl Targets<'_> {
         refuse(message + if is_answered { "" } else { &all })
     }
 
-    /// The axes over which a target is stated, and what is wanted along them.
+    /// The axes over which a target is stated, and the values wanted along them.
     fn wanted(
         &self,
         name: &Spanned<String>,
@@ -134,7 +134,7 @@ impl Targets<'_> {
         Ok((axes, of(wanted.collect())))
     }
 
-    /// A drive, evenly from place to place.
+    /// The axis of a drive, with evenly spaced places.
     fn axis(
         &self,
         (drive, ends): (&Spanned<String>, &Spanned<NumberList<2>>),

@@ -9,7 +9,7 @@ use crate::load::task::Task;
 use crate::mechanism::{Axle, Torque, Wheel};
 use crate::number::number;
 
-/// Sets the axle of each wheel and its shares of the forces, where the file describes a car.
+/// Sets the axle of each wheel and its shares of the forces, if the file describes a car.
 pub(super) fn car(
     task: &Task<'_>,
     wheels: &mut [Wheel],
@@ -30,7 +30,7 @@ pub(super) fn car(
     if !is_described {
         return Ok(());
     }
-    // A wheel between the axles of a longer vehicle is on neither.
+    // A wheel between the axles of a longer vehicle belongs to neither.
     let tells_no_name = wheels.iter().all(|wheel| Axle::of(&wheel.name).is_none());
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
         let told = Axle::of(&wheel.name);
@@ -66,8 +66,8 @@ pub(super) fn car(
     })
 }
 
-/// Sets what bears the torques of each wheel. Of the drive it is the body that carries wheels on both sides, which as a rule has the
-/// differential in it, or the chassis.
+/// Sets the parts that bear the torques of each wheel. The drive torque is borne by the body that carries wheels on
+/// both sides, which usually contains the differential, or by the chassis.
 pub(super) fn torques(
     task: &Task<'_>,
     wheels: &mut [Wheel],
@@ -93,10 +93,10 @@ pub(super) fn torques(
     Ok(())
 }
 
-/// By how much shares may exceed the whole by rounding.
+/// The amount by which rounding may make shares exceed the whole.
 const ROUNDING: f64 = 1e-9;
 
-/// Refuses shares of axles that are more than the whole together.
+/// Refuses shares of axles whose sum is more than the whole.
 fn check_sum(
     task: &Task<'_>,
     wheels: &[Wheel],

@@ -10,10 +10,10 @@ use crate::file::PerWheel;
 use crate::load::task::Task;
 use crate::mechanism::{Wheel, is_within};
 
-/// What is stated, with its place in the file.
+/// A statement, with its place in the file.
 pub(in crate::load) type Stated<T> = Option<(T, Range<usize>)>;
 
-/// What is stated of each wheel.
+/// The statement for each wheel.
 pub(super) fn of_each<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],
@@ -35,7 +35,7 @@ pub(super) fn of_each<T: Clone>(
         };
         return Err(task.source.refuse(&stated.span(), message));
     }
-    // Of several that a wheel's name has, the longest.
+    // The longest of several that are in a wheel's name.
     let of_wheel = |name: &&str| {
         let within = of_some.iter().filter(|(key, _)| is_within(key, name));
         let longest = within.max_by_key(|(key, _)| key.split('_').count());
@@ -44,7 +44,7 @@ pub(super) fn of_each<T: Clone>(
     Ok(names.iter().map(of_wheel).collect())
 }
 
-/// What is stated of each wheel, where anything is.
+/// The statement for each wheel, if there is any.
 pub(super) fn optional<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],

@@ -7,21 +7,21 @@ use crate::file::{MotionFile, Offset, Position};
 use crate::load::points::points;
 use crate::mechanism::Axes;
 
-/// Points that are nearer, in metres, are in the same place.
+/// The distance, in metres, below which points are in the same place.
 const SAME: f64 = 1e-6;
 
 /// The points of a listing, in its order.
 pub(super) struct Points<'a> {
     pub(super) names: Vec<&'a str>,
-    /// Where the listing has them.
+    /// Their positions in the listing.
     pub(super) listed: Vec<Option<Vector3<f64>>>,
-    /// Where the file has those that it moves; `None` where that is the same place.
+    /// The positions of points that the file moves; `None` for the same position.
     pub(super) moved: Vec<Option<Vector3<f64>>>,
-    /// Where those are that the file does not state.
+    /// The positions of points that the file does not state.
     pub(super) unstated: Vec<Option<Vector3<f64>>>,
-    /// Those that `[tune]` moves, each as it is meant to.
+    /// Whether `[tune]` moves each point.
     tuned: Vec<bool>,
-    /// How near points are in the same place, in the unit of the file.
+    /// The distance below which points are in the same place, in the unit of the file.
     same: f64,
 }
 
@@ -63,13 +63,13 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// How far the file moves a point that `[tune]` does not move.
+    /// The displacement by the file of a point that `[tune]` does not move.
     pub(super) fn moved_by_hand(&self, point: usize) -> Option<f64> {
         let off = (self.moved[point]? - self.listed[point]?).norm();
         (!self.tuned[point]).then_some(off)
     }
 
-    /// Whether two places are the same.
+    /// Whether two positions are the same.
     pub(super) fn are_same(&self, [a, b]: [Vector3<f64>; 2]) -> bool {
         (a - b).norm() <= self.same
     }

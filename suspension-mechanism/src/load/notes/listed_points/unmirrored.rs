@@ -6,10 +6,10 @@ use crate::load::notes::listed_points::moved_points::Points;
 use crate::mechanism::on_other_side;
 use crate::number::rounded;
 
-/// Digits of a coordinate.
+/// The number of digits of a coordinate.
 const DIGITS: usize = 9;
 
-/// The note on such points. Those that another note names already are the first of each pair of `told`.
+/// The note on such points. The first points of the pairs in `told` are already named in another note.
 pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
     let is_told = |image: usize| told.iter().any(|[point, _]| *point == image);
     let all = 0..points.names.len();
@@ -38,7 +38,8 @@ pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
     ))
 }
 
-/// The image, which the file does not state, of a point that it moves; `None` where the listing's are not each other's image.
+/// The image of a point that the file moves, if the file does not state the image; `None` if the listing's points are
+/// not images of each other.
 fn image(points: &Points<'_>, point: usize) -> Option<usize> {
     points.moved[point]?;
     let name = on_other_side(points.names[point])?;

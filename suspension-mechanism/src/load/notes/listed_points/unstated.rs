@@ -7,21 +7,22 @@ use crate::file::MotionFile;
 use crate::load::notes::listed_points::moved_points::Points;
 use crate::number::rounded;
 
-/// A design of the user's own has most points further, in metres, from where the listing has them; those of one that was assembled
-/// from rough points are nearer.
+/// The displacement from the listing, in metres, above which a point belongs to a design of the user's own: such a
+/// design has most points farther away, while those of one that was assembled from rough points are nearer.
 const OWN: f64 = 0.01;
 
-/// How far a point may be changed beside another that is not stated, as a part of their distance: a hardpoint that is tuned
-/// leaves the others where they are.
+/// The largest change of a point beside another that is not stated, as a fraction of their distance: tuning a
+/// hardpoint leaves the others where they are.
 const TUNED: f64 = 0.25;
 
-/// Digits of a number that tells how large something is.
+/// The number of digits of a number that tells a size.
 const DIGITS_OF_A_SIZE: usize = 3;
 
-/// Digits of an offset: those of coordinates, without what their difference rounds.
+/// The number of digits of an offset: that of coordinates, without those lost to rounding in their difference.
 const DIGITS: usize = 9;
 
-/// The points of the listing that the file does not state and, as it seems, should; each with the point that makes it doubtful.
+/// The points of the listing that the file does not state but probably should, each with the point that makes it
+/// doubtful.
 pub(super) fn kept(listing: &Listing, file: &MotionFile, points: &Points<'_>) -> Vec<[usize; 2]> {
     let far = OWN * file.length.metre();
     let all = 0..points.names.len();
@@ -33,7 +34,7 @@ pub(super) fn kept(listing: &Listing, file: &MotionFile, points: &Points<'_>) ->
     doubtful.collect()
 }
 
-/// What is said of them.
+/// The note on these points.
 pub(super) fn note(
     kept: &[[usize; 2]],
     points: &Points<'_>,
@@ -59,8 +60,8 @@ pub(super) fn note(
     ))
 }
 
-/// The changed point that makes one that is not stated doubtful: the other of its spin axis; one of the body that moves it,
-/// far from where the listing has it; or in a design of the user's own any.
+/// The changed point that makes a point doubtful that is not stated: the other point of its spin axis; a point of the
+/// body that moves it, far from its position in the listing; or, in a design of the user's own, any point.
 fn reason(points: &Points<'_>, listing: &Listing, point: usize, is_own: bool) -> Option<usize> {
     let most = |others: &mut dyn Iterator<Item = usize>| {
         let changed = others.filter_map(|other| Some((other, points.moved_by_hand(other)?)));
@@ -86,7 +87,7 @@ fn reason(points: &Points<'_>, listing: &Listing, point: usize, is_own: bool) ->
         .or_else(|| most(&mut (0..points.names.len())).filter(|_| is_own))
 }
 
-/// How to state the inner point of a spin axis, where it is one that should be.
+/// How to state the inner point of a spin axis, if it should be stated.
 fn relative(points: &Points<'_>, listing: &Listing, kept: &[[usize; 2]]) -> String {
     let axes = wheels(listing);
     let of_axis = axes.iter().find(|[inner, centre]| {
@@ -111,7 +112,7 @@ fn wheels(listing: &Listing) -> Vec<[usize; 2]> {
     wheels.map(|wheel| wheel.axis).collect()
 }
 
-/// The points of each body, and of a body with a marker that it carries.
+/// The points of each body, including those of a body with a marker that it carries.
 fn joined(listing: &Listing) -> Vec<Vec<usize>> {
     let carriers = listing.carriers().into_iter();
     let carried = carriers.map(|(marker, body)| [&[marker], body.as_slice()].concat());
