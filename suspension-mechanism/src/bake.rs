@@ -1,10 +1,10 @@
 //! Bakes motions into piecewise polynomials, for [`suspension_core::baked`].
 //!
-//! The solver gives the exact motion and its derivatives with respect to a drive at any place
-//! ([`path`]), or to a measure that leads in place of one ([`LedPath`]); each segment is the polynomial that meets them at given places ([`scheme`]); the
-//! difference from the solver is then measured between those places ([`certify`]). The number of
-//! segments is the smallest with which the tolerance is met ([`fit`]); two drives make a
-//! [`surface`]. Curves are written as files that people read ([`source`]).
+//! The solver gives the exact motion and its derivatives with respect to a drive at any place ([`path`]), or to a
+//! measure that leads in place of one ([`LedPath`]). Each segment is the polynomial that meets them at given places
+//! ([`scheme`]); the difference from the solver is then measured between those places ([`certify`]). The number of
+//! segments is the smallest with which the tolerance is met ([`fit`]); two drives make a [`surface`]. Curves are
+//! written as files that people read ([`source`]).
 
 mod anchors;
 mod baked;

@@ -8,8 +8,8 @@
 //! Beside them are libraries:
 //!
 //! - [`characteristics`]: values and curves of a design; [`loads`]: the forces in its parts;
-//! - [`sensitivities`]: what each hardpoint does to them; [`tolerances`]: how they scatter; [`tune`]: hardpoints moved until curves
-//!   are met;
+//! - [`sensitivities`]: what each hardpoint does to them; [`tolerances`]: how they scatter; [`tune`]: hardpoints moved
+//!   until curves are met;
 //! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
 //! - [`assemblies`]: all ways to put a mechanism together;
 //! - [`detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.

@@ -3,10 +3,11 @@
 //! [`Listing::parse`] reads the statements that stand inside the braces of `linkage!`. From a listing and hardpoints
 //! [`Listing::corner`] makes a suspension that moves, [`Listing::model`] a [`Model`] alone.
 //!
-//! A model walks a list of equations, and the order in which their Jacobian is eliminated. It computes the same bits as the code
-//! that `linkage!` writes, in 1.3 to 3.1 times the time; only the threshold that a refusal as singular reports may differ. It
-//! implements the core's [`Linkage`](suspension_core::Linkage) and [`Build`](suspension_core::Build), so that every solver works on
-//! it. Names are looked up once, and nothing on the solving path allocates.
+//! A model walks a list of equations, and the order in which their Jacobian is eliminated. It computes the same bits
+//! as the code that `linkage!` writes, in 1.3 to 3.1 times the time; only the threshold that a refusal as singular
+//! reports may differ. It implements the core's [`Linkage`](suspension_core::Linkage) and
+//! [`Build`](suspension_core::Build), so that every solver works on it. Names are looked up once, and nothing on the
+//! solving path allocates.
 //!
 //! ```
 //! use suspension_core::{Signal, Values};

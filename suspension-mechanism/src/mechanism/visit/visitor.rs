@@ -1,5 +1,5 @@
-//! The way through the places of a grid: away from the start, so that a lock on one side does not lose places on another; then from
-//! places that were reached to their neighbours.
+//! The way through the places of a grid: away from the start, so that a lock on one side does not lose places on
+//! another; then from places that were reached to their neighbours.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
