@@ -45,7 +45,7 @@ pub struct Corner<L: Linkage<N>, const N: usize>
 where
     L::Scalar: Real,
 {
-    /// How the corner steps.
+    /// The settings of the corner's steps.
     pub tracker: Tracker<L::Scalar>,
     model: L,
     motion: Motion<L::Scalar, N>,

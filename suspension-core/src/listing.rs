@@ -18,7 +18,7 @@ pub trait Parts {
         self.table().name(part)
     }
 
-    /// How many parts of a kind there are.
+    /// The number of parts of a kind.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn count(&self, kind: Kind) -> usize {
         self.table().count(kind)
@@ -196,15 +196,15 @@ pub struct Names {
     pub chassis: &'static [&'static str],
     /// Chassis points, free points and markers.
     pub points: &'static [&'static str],
-    /// How many of the points are markers.
+    /// The number of markers among the points.
     pub markers: usize,
     /// Drives.
     pub drives: &'static [&'static str],
-    /// What each drive measures.
+    /// The kind of each drive.
     pub drive_kinds: &'static [DriveKind],
     /// Measures.
     pub measures: &'static [&'static str],
-    /// What each measure is.
+    /// The kind of each measure.
     pub measure_kinds: &'static [MeasureKind],
     /// Lengths.
     pub lengths: &'static [&'static str],

@@ -55,7 +55,7 @@ const ORDER: usize = 4;
 /// Settings for following a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Continuation<T> {
-    /// How each place is corrected.
+    /// The settings with which each place is corrected.
     pub newton: Newton<T>,
     /// The longest step of the parameter, as a fraction of the linkage's size.
     pub longest: T,

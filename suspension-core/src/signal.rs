@@ -70,7 +70,7 @@ impl<V: Default> Signal<V> {
 /// hardpoints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs<C, D> {
-    /// How the chassis points move.
+    /// The motion of the chassis points.
     pub chassis: C,
     /// The drives, in metres (or the unit of the hardpoints) and radians.
     pub drives: Signal<D>,

@@ -86,6 +86,6 @@ pub trait Build<const N: usize>: Linkage<N> + Sized {
     note = "state the missing positions, or start from the program's own: `Corner::new(&Points {{ ... }})`"
 )]
 pub trait Designed<const N: usize>: Build<N> {
-    /// Where the points are.
+    /// The design positions of the points.
     fn design() -> Self::Points;
 }

@@ -105,7 +105,7 @@ where
         best.map(|linear| linear.tangent.largest_entry())
     }
 
-    /// How the free drive's coordinate depends on its value.
+    /// The relation between the free drive's coordinate and its value.
     pub(crate) fn chart(&self) -> Chart<T> {
         Chart::of(self.linkage, self.drive)
     }

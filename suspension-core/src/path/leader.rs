@@ -8,7 +8,7 @@ use crate::step::tracker::{CORRECTION_OF_MOVE, CORRECTION_OF_SIZE};
 /// Settings for following a motion that a quantity leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leader<T> {
-    /// How each step is solved.
+    /// The settings with which each step is solved.
     pub newton: Newton<T>,
     /// The number of steps that one advance may try, including refused ones.
     pub max_steps: usize,

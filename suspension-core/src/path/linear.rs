@@ -42,7 +42,7 @@ pub(crate) struct Linear<L: Linkage<N>, const N: usize> {
 }
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
-    /// From the factored matrix and the parameter's column with its sign changed.
+    /// Linearises from the factored matrix and the parameter's column with its sign changed.
     pub(crate) fn of_matrix(
         lu: Lu<T, N>,
         parameter: usize,
@@ -58,8 +58,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
         })
     }
 
-    /// From the factors of the Jacobian and the tangent with respect to the drive; `None` if the parameter's entry in
-    /// the tangent is too small.
+    /// Linearises from the factors of the Jacobian and the tangent with respect to the drive; `None` if the
+    /// parameter's entry in the tangent is too small.
     pub(crate) fn of_jacobian(
         factors: L::Factors,
         parameter: usize,

@@ -33,7 +33,7 @@ pub struct Stretch<T, const N: usize> {
 /// A place where the free drive's coordinate is largest or smallest: driven by it, the mechanism goes no further.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning<T, const N: usize> {
-    /// Where it is, with the drive's value there.
+    /// The place on the curve, with the drive's value there.
     pub place: Place<T, N>,
     /// Whether the cause is that the angle itself is 0 or pi there, or a whole turn about an axis, to rounding, and
     /// not that the mechanism locks.

@@ -132,9 +132,9 @@ where
 /// The factors of a Jacobian, to keep.
 #[derive(Clone, Copy, Debug)]
 pub enum Factored<F, T, const N: usize> {
-    /// In the macro's order.
+    /// Factors in the macro's order.
     InFixedOrder(F),
-    /// With partial pivoting, because the pivots of the macro's order are unhealthy.
+    /// Factors with partial pivoting, because the pivots of the macro's order are unhealthy.
     WithPivoting(Lu<T, N>),
 }
 

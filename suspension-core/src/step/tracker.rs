@@ -32,7 +32,7 @@ pub(crate) const CORRECTION_OF_SIZE: f64 = 0.02;
 /// Settings for following a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tracker<T> {
-    /// How each step is solved.
+    /// The settings with which each step is solved.
     pub newton: Newton<T>,
     /// The number of steps that one advance may try, including refused ones.
     pub max_steps: usize,

@@ -17,7 +17,7 @@ pub(crate) struct Part {
     pub(crate) own: Vec<[usize; 2]>,
     /// All other equations and unknowns, likewise.
     pub(crate) others: Vec<[usize; 2]>,
-    /// Those of the others whose unknowns occur in the part's equations.
+    /// The pairs in `others` whose unknowns occur in the part's equations.
     pub(crate) needed: Vec<[usize; 2]>,
     /// Whether its equations are linear in its unknowns.
     pub(crate) is_linear: bool,

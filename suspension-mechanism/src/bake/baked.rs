@@ -16,7 +16,7 @@ pub struct Wanted {
     pub tolerance: f64,
     /// A metre in that unit: the spin axis may have the same error as a point a metre away.
     pub metre: f64,
-    /// How segments join.
+    /// The continuity where segments join.
     pub continuity: Continuity,
 }
 

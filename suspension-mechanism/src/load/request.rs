@@ -19,7 +19,7 @@ pub(super) struct Request<'a> {
 /// The place of a mechanism when work on it starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Start {
-    /// At the first instant of its motion.
+    /// The first instant of its motion.
     FirstInstant,
     /// The first instant or, if that is out of reach, the design position, with a note.
     WithinReach,

@@ -38,7 +38,7 @@ pub struct Names {
     pub lengths: Vec<String>,
     /// The lengths of links, by number; known for a listing that was read at run time.
     pub links: Vec<usize>,
-    /// Those of these links that are lines of a driven or held angle.
+    /// The links among these that are lines of a driven or held angle.
     pub angled_links: Vec<usize>,
     /// Hinges; known for a listing that was read at run time.
     pub hinges: Vec<Hinge>,

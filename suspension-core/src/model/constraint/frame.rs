@@ -12,9 +12,9 @@ use crate::arithmetic::vector::{difference, gather_vector};
 pub struct Frame<T> {
     /// The first point.
     pub origin: Vector3<T>,
-    /// From the first point to the second.
+    /// The edge from the first point to the second.
     pub u: Vector3<T>,
-    /// From the first point to the third.
+    /// The edge from the first point to the third.
     pub v: Vector3<T>,
 }
 
