@@ -259,5 +259,5 @@ through the range, or not within the tolerance, 130 interrupted.
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
-  suspension bake examples/double_wishbone.toml --along damper=0.33:0.37 --drive bump --as c
-  suspension bake examples/double_wishbone.toml --drive bump=0.24:0.36 --drive steer=0.32:0.36 --tolerance 1e-5"#;
+  suspension bake examples/double_wishbone_pushrod.toml --along damper=0.33:0.37 --drive bump --as c
+  suspension bake examples/double_wishbone_pushrod.toml --drive bump=0.24:0.36 --drive steer=0.32:0.36 --tolerance 1e-5"#;

@@ -162,4 +162,4 @@ Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong inp
 singular, or the file's own motion is out of reach, 130 interrupted.
 
 Example:
-  suspension check examples/double_wishbone.toml";
+  suspension check examples/double_wishbone_pushrod.toml";

@@ -142,4 +142,4 @@ Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism l
 lock is compared), 130 interrupted.
 
 Example:
-  suspension compare examples/double_wishbone.toml examples/macpherson.toml --html out/compared.html";
+  suspension compare examples/double_wishbone_pushrod.toml examples/macpherson.toml --html out/compared.html";

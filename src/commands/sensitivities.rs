@@ -200,4 +200,4 @@ that unit and the file's unit of angles: camber_rad, camber_rad_per_bump.
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the design does not assemble, 130 interrupted.
 
 Example:
-  suspension sensitivities examples/double_wishbone.toml --of toe --of camber";
+  suspension sensitivities examples/double_wishbone_pushrod.toml --of toe --of camber";

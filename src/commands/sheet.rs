@@ -168,4 +168,4 @@ Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism
 written), 130 interrupted.
 
 Example:
-  suspension sheet examples/double_wishbone.toml --travel -0.08:0.08";
+  suspension sheet examples/double_wishbone_pushrod.toml --travel -0.08:0.08";

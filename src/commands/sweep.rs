@@ -142,4 +142,4 @@ Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places h
 3 and 130, what was solved is written.
 
 Example:
-  suspension sweep examples/double_wishbone.toml --drive bump=-0.08:0.08:161 --drive steer=-0.03:0.03:41 --csv -";
+  suspension sweep examples/double_wishbone_pushrod.toml --drive bump=-0.08:0.08:161 --drive steer=-0.03:0.03:41 --csv -";

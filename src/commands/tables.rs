@@ -179,4 +179,4 @@ Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism
 the lock is written), 130 interrupted.
 
 Example:
-  suspension tables examples/double_wishbone.toml --as carsim --travel -0.08:0.08";
+  suspension tables examples/double_wishbone_pushrod.toml --as carsim --travel -0.08:0.08";

@@ -37,7 +37,9 @@ pub(crate) fn example(name: &str) -> String {
         "five_link.toml" => include_str!("../../examples/five_link.toml"),
         "published_five_link.toml" => include_str!("../data/published_five_link.toml"),
         "five_link_height.toml" => include_str!("../../examples/five_link_height.toml"),
-        "double_wishbone.toml" => include_str!("../../examples/double_wishbone.toml"),
+        "double_wishbone_pushrod.toml" => {
+            include_str!("../../examples/double_wishbone_pushrod.toml")
+        }
         "live_axle_panhard.toml" => include_str!("../../examples/live_axle_panhard.toml"),
         other => panic!("no example {other}"),
     }

@@ -105,7 +105,7 @@ fn a_dash_puts_nothing_but_the_table_on_standard_output() {
 #[test]
 fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
     let folder = folder();
-    let file = example("double_wishbone.toml");
+    let file = example("double_wishbone_pushrod.toml");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let bake = ["bake", "a.toml", "--drive", "bump=0.28:0.32", "--as"];
     for (arguments, begins) in [
@@ -127,7 +127,7 @@ fn files_whose_names_have_a_dot_have_drawings_of_their_own() {
     let folder = folder();
     for name in ["corner.v1", "corner.v2"] {
         let file = format!("{name}.toml");
-        let content = example("double_wishbone.toml");
+        let content = example("double_wishbone_pushrod.toml");
         std::fs::write(folder.path().join(&file), content).expect("written");
         let output = run(folder.path(), &["draw", &file]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");

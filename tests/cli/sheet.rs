@@ -60,7 +60,8 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
 fn what_curves_alone_show_is_defined() {
     let folder = folder();
     let vehicle = "[vehicle]\nrack_per_turn = 0.052";
-    let corner = include_str!("../../examples/double_wishbone.toml").replace("[vehicle]", vehicle);
+    let corner =
+        include_str!("../../examples/double_wishbone_pushrod.toml").replace("[vehicle]", vehicle);
     std::fs::write(folder.path().join("a.toml"), corner).expect("written");
     let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -81,7 +82,7 @@ fn what_curves_alone_show_is_defined() {
 #[test]
 fn a_wheel_of_an_absurd_radius_ends() {
     let folder = folder();
-    let file = include_str!("../../examples/double_wishbone.toml");
+    let file = include_str!("../../examples/double_wishbone_pushrod.toml");
     let radius = file.lines().find(|line| line.starts_with("wheel_radius"));
     let file = file.replacen(radius.expect("a radius"), "wheel_radius = 1e17", 1);
     std::fs::write(folder.path().join("a.toml"), file).expect("written");

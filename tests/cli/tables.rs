@@ -297,7 +297,7 @@ fn a_table_for_both_sides_is_that_of_an_axle_that_is_its_own_mirror_image() {
 
 #[test]
 fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
-    let file = include_str!("../../examples/double_wishbone.toml");
+    let file = include_str!("../../examples/double_wishbone_pushrod.toml");
     let text = tables(file, &["carmaker"]);
     assert!(
         text.contains("## no lStabi: `bar_arm` is an angle"),

@@ -12,7 +12,7 @@ fn the_list_of_a_layout_is_complete() {
     let folder = folder();
     for (file, tally) in [
         (
-            include_str!("../../../examples/double_wishbone.toml"),
+            include_str!("../../../examples/double_wishbone_pushrod.toml"),
             "\n24 real assemblies, put together part by part, in 3 parts:\n",
         ),
         (

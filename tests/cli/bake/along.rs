@@ -9,7 +9,7 @@ use super::kept::is_as_kept;
 use super::kept::wheel_by_damper::{WHEEL_BY_DAMPER, WHEEL_BY_DAMPER_OUTPUTS};
 use super::languages::{bits, exit_of_c, numbers, table};
 
-const DOUBLE_WISHBONE: &str = include_str!("../../../examples/double_wishbone.toml");
+const DOUBLE_WISHBONE: &str = include_str!("../../../examples/double_wishbone_pushrod.toml");
 
 /// The range, and how fast the damper goes through it in the motion beside.
 const ALONG: [&str; 4] = ["--along", "damper=0.21:0.26", "--drive", "bump"];

@@ -169,7 +169,7 @@ fn camber_and_toe_are_read_off_the_spin_axis_as_the_page_says() {
     let lines = lines.and_then(|block| block.split("```").next());
     let lines = lines.expect("a block");
     let folder = folder();
-    let file = example("double_wishbone.toml");
+    let file = example("double_wishbone_pushrod.toml");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let drive = "bump=0.25:0.35";
     let output = "my_wheel_by_bump.h";

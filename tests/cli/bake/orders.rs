@@ -128,7 +128,7 @@ fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
-        example("double_wishbone.toml"),
+        example("double_wishbone_pushrod.toml"),
     )
     .expect("written");
     let bake = |range: &str| {
