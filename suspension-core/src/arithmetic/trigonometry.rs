@@ -33,7 +33,7 @@ const COSINE: [f64; 6] = [
 ];
 
 /// The largest error of [`sine_cosine`] for angles up to [`LARGEST_ANGLE`] if all its operations are exact: `2^-58`
-/// from the polynomials (fdlibm), `2^-53` from the stored third and sixth, `2^-80` from the parts of a quarter turn;
+/// from the polynomials (fdlibm), `2^-53` from the rounded constants 1/3 and 1/6, `2^-80` from the parts of a quarter turn;
 /// together below `2^-52`. The bound holds for any whole number of quarter turns that leaves a remainder within an
 /// eighth of a turn.
 pub(crate) const FORMULA_ERROR: f64 = f64::EPSILON;
