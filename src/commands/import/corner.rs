@@ -16,7 +16,7 @@ pub(super) struct Corner {
     /// Whether it was on the other side before.
     pub(super) mirrored: bool,
     /// The side that the file has its points and numbers of.
-    pub(super) of: Side,
+    pub(super) stated_side: Side,
 }
 
 impl Corner {
@@ -43,7 +43,7 @@ impl Corner {
                     at,
                     side: Side::Left,
                     mirrored: false,
-                    of: Side::Left,
+                    stated_side: Side::Left,
                 }),
                 Some(_) => Err(format!(
                     "--side is for corners; {} has both sides",
@@ -73,7 +73,7 @@ impl Corner {
             at: at.into_iter().map(mirror).collect(),
             side,
             mirrored,
-            of: named,
+            stated_side: named,
         })
     }
 

@@ -54,7 +54,7 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
         corner,
         ..
     } = imported;
-    let radius = number(stated, names, "wheel_radius", corner.of)?;
+    let radius = number(stated, names, "wheel_radius", corner.stated_side)?;
     Some([format!("{:?}", radius.value), stated.line(&radius.place)])
 }
 

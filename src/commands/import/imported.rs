@@ -115,7 +115,8 @@ impl Imported<'_> {
     pub(super) fn placed(&self, before: &str) -> Vec<[String; 3]> {
         let Self { choice, stated, .. } = self;
         let (unit, _) = self.unit();
-        let spin = Spin::of(stated, self.names, self.corner.side, self.corner.of);
+        let (side, stated_side) = (self.corner.side, self.corner.stated_side);
+        let spin = Spin::of(stated, self.names, side, stated_side);
         let names = load::points(&choice.listing).map(str::to_owned);
         let each = names.filter_map(|name| {
             let (position, origin) = match (self.at(&name), choice.point(&name)) {

@@ -58,9 +58,15 @@ pub(super) struct Spin {
 }
 
 impl Spin {
-    /// On a side, by toe and camber where the file has them of the side that the corner is made of; otherwise straight outboard.
-    pub(super) fn of(stated: &Hardpoints<'_>, names: &Names, side: Side, of: Side) -> Self {
-        let number = |name: &str| number(stated, names, name, of);
+    /// The spin axis of a corner on a `side`, by the toe and camber of `stated_side` if the file has them; otherwise
+    /// straight outboard.
+    pub(super) fn of(
+        stated: &Hardpoints<'_>,
+        names: &Names,
+        side: Side,
+        stated_side: Side,
+    ) -> Self {
+        let number = |name: &str| number(stated, names, name, stated_side);
         let (toe, camber) = (number("toe"), number("camber"));
         let radians = |number: Option<&Number>| {
             let value = number.map_or(0.0, |number| number.value);
@@ -102,14 +108,14 @@ fn angle(stated: &Hardpoints<'_>) -> &'static str {
     if stated.radians { "rad" } else { "deg" }
 }
 
-/// A number of a side, or of both.
+/// A number that the file states for a side, or for both.
 pub(super) fn number<'a>(
     stated: &'a Hardpoints<'_>,
     names: &Names,
     name: &str,
-    of: Side,
+    side: Side,
 ) -> Option<&'a Number> {
-    let is_of_corner = |number: &&Number| number.side.is_none_or(|side| side == of);
-    let mut numbers = stated.numbers.iter().filter(is_of_corner);
+    let is_of_side = |number: &&Number| number.side.is_none_or(|other| other == side);
+    let mut numbers = stated.numbers.iter().filter(is_of_side);
     numbers.find(|number| names.of_number(name).any(|other| other == number.key))
 }
