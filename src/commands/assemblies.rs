@@ -27,8 +27,8 @@ use report::Report;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// Values of the drive in the file's units: its own, as in [drives], not changes from the design. Without it the
-    /// value at the file's first instant.
+    /// Values of the drive in the file's units: its own, as in [drives], not changes from the design. Without
+    /// --at and --drive the value at the file's first instant.
     #[arg(
         long,
         value_name = "VALUE",

@@ -70,7 +70,7 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
 
 fn in_words(timing: &Timing) -> String {
     format!(
-        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {} steps of 1 ms)\n",
+        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {} steps of 1 ms;\n             this build is quick to make, not the fastest: docs/speed.md has the times of others)\n",
         timing.per_step.as_secs_f64() * 1e6,
         timing.passes,
         timing.steps,

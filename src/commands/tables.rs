@@ -160,16 +160,16 @@ atan2(R02, R22) of the carrier's rotation R since the design position, rows and 
 where the top leans outboard, toe where the front points inboard, dive where the top moves forward, X forward, LAT inboard.
 The form is that of the library files of CarSim 2021; check the signs of toe and dive against your version.
 
-CarMaker: a suspension of Kind = Linear2D. Each row has a value at the design position and its derivatives with respect to
-compression and to the rack, which is positive where it turns the wheel to the left, in m and rad. tx, ty, tz are the
-movement of the wheel centre; rx, ry, rz are rotations about z, then x, then y, with the signs of rotations: rz is toe, and
-rx is camber as seen along the wheel. They are the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis:
-at the design position rx and rz are static camber and toe, and ry is 0. Measured lengths with spring, damper or bar (also
-stabi or arb) in their names are lSpring, lDamp and lStabi. If no measure has spring in its name, lSpring is the length of
-a spring of [springs] that is not a bar. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right,
-with the right wheel as mirror image of the left one, if the listing has one wheel or its wheels are mirror images; else it
-is the wheel's side. Rows begin with SuspR if [vehicle] has axle = \"rear\" or the wheel's name begins with rear, for example
-rear_left; else with SuspF.
+CarMaker: a suspension of Kind = Linear2D. Each row has a value at the design position, from which movements and lengths
+count (they are 0 there; angles are the static ones), and its derivatives with respect to compression and to the rack, which
+is positive where it turns the wheel to the left, in m and rad. tx, ty, tz are the movement of the wheel centre; rx, ry, rz
+are rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx is camber as seen along the wheel.
+They are the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: at the design position rx and rz are
+static camber and toe, and ry is 0. Measured lengths with spring, damper or bar (also stabi or arb) in their names are
+lSpring, lDamp and lStabi. If no measure has spring in its name, lSpring is the length of a spring of [springs] that is not
+a bar. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, with the right wheel as mirror image
+of the left one, if the listing has one wheel or its wheels are mirror images; else it is the wheel's side. Rows begin with
+SuspR if [vehicle] has axle = \"rear\" or the wheel's name begins with rear, for example rear_left; else with SuspF.
 
 Neither form has compliance: bushings and forces are outside the model. A rigid axle would need both wheels as inputs, which
 neither form has: its tables are of heave, in which both wheel centres rise alike. If its drives are not heights, this holds

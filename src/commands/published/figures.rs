@@ -37,6 +37,7 @@ const NOTES: &str = "  \
           the CSV file. The printed arctangent of a quotient jumps by 180 deg where z8 passes z6 (at 0.06 s);
           atan2(y8 - y6, z8 - z6) equals it modulo 180 deg and is continuous.
   beta    camber angle: the line of points 8 and 11, positive where the top of the wheel leans outboard.
+  The published motion leads the mechanism far beyond the angles of a road car.
   The coordinates of point 11, on which z11 and beta rest, are an assumption: the paper prints none.
 ";
 
