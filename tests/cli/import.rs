@@ -5,6 +5,7 @@ mod formats;
 mod frames;
 mod noted;
 mod refused;
+mod rows;
 
 use std::collections::BTreeMap;
 use std::path::Path;

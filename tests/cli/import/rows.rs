@@ -1,0 +1,118 @@
+//! Rows and columns of a table that are refused, and what is remarked on mistyped names.
+
+use super::super::program::folder;
+use super::refused::refusal;
+use super::{CORNER, import, table};
+
+/// Part of a row, and what stands in its place.
+#[test]
+fn a_point_needs_three_numbers() {
+    for [row, other] in [
+        ["150, -175, 120", "150, -175"],
+        ["150, -175, 120", "150, -175, 120, 7"],
+        ["-175", "-l75"],
+        ["-175", "inf"],
+        ["150, -175, 120", "150 mm, -175 mm, 120 mm"],
+        ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
+        ["150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""],
+    ] {
+        let said = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
+        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and without units";
+        assert!(said.starts_with(expected), "{other}: {said}");
+    }
+}
+
+#[test]
+fn what_is_stated_twice_is_refused() {
+    for (rows, expected) in [
+        (
+            "lca_rear, 1, 2, 3\n",
+            "a.csv:16:1: point `lca_rear` stands in a.csv:2 already",
+        ),
+        (
+            "toe_angle, 0.1\ntoe_angle, 0.1\ntoe_angle, 0.2\n",
+            "a.csv:18:1: `toe_angle` stands in a.csv:16 already, as 0.1; leave one of them",
+        ),
+    ] {
+        let said = refusal("a.csv", &format!("{}{rows}", table(&CORNER)), &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn columns_that_are_swapped_are_refused() {
+    // The second in coordinates of the vehicle, the origin far ahead.
+    for (columns, ahead) in [([1, 0, 2], 0.0), ([1, 0, 2], 2600.0), ([0, 2, 1], 0.0)] {
+        let placed = CORNER.map(|(name, [x, y, z])| (name, [x + ahead, y, z]));
+        let swapped = placed.map(|(name, at)| (name, columns.map(|column| at[column])));
+        let said = refusal("a.csv", &table(&swapped), &[]);
+        let expected = "a.csv: the columns seem to be swapped: the second one is y, across the vehicle, and is ";
+        assert!(said.starts_with(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_unit_that_is_none_of_motion_files_is_refused() {
+    for heading in [
+        "# unit: cm",
+        "name, x [cm], y [cm], z [cm]",
+        "# all lengths in centimetres",
+    ] {
+        let said = refusal("a.csv", &format!("{heading}\n{}", table(&CORNER)), &[]);
+        let expected = "a.csv:1:1: lengths are in c";
+        assert!(said.starts_with(expected), "{said}");
+        assert!(
+            said.ends_with("; convert them to mm, m or in, and say so here"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_number_that_cannot_be_read_is_refused() {
+    for line in [
+        "toe_angle, 0,15",
+        "camber_angle, -0.026 rad",
+        "tire_radius, 12 x 30",
+        "toe_angle 0,15",
+    ] {
+        let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
+        assert!(said.starts_with("a.csv:1:1: `"), "{said}");
+        assert!(
+            said.ends_with("` needs one number after it, with a decimal point and without a unit"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_number_that_is_mistyped_is_told_with_the_one_that_was_meant() {
+    let folder = folder();
+    let imported = import(
+        folder.path(),
+        "a.csv",
+        &(table(&CORNER) + "toe_angel, 0.2\n"),
+        &[],
+    );
+    let expected = "`toe_angel` (a.csv:16) is not used: did you mean toe_angle?";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
+
+#[test]
+fn rows_may_be_numbered() {
+    let rows = table(&CORNER) + "toe_angle, 0.2\n";
+    let rows = rows.lines().enumerate();
+    let numbered: String = rows.map(|(row, line)| format!("{row}, {line}\n")).collect();
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &numbered, &[]);
+    assert!(imported.notes.contains("toe 0.2 deg"), "{}", imported.notes);
+}
+
+#[test]
+fn a_point_that_is_mistyped_and_not_needed_is_told_with_the_one_that_was_meant() {
+    let folder = folder();
+    let file = table(&CORNER).replace("shock_to_chassis", "shock_to_chasis");
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    let expected = "shock_to_chasis (did you mean shock_to_chassis?)";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
