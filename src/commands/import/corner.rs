@@ -24,7 +24,7 @@ impl Corner {
     ///
     /// # Errors
     ///
-    /// Where the corner is not on the side that its names say, and nobody has said where it is to be.
+    /// If the coordinates put the corner on the other side than its names do, and no option says on which side it belongs.
     pub(super) fn of(
         choice: &Choice<'_>,
         axes: Axes,

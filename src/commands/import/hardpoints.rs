@@ -37,10 +37,10 @@ impl Side {
     }
 }
 
-/// Which sides a row of a file is of.
+/// The sides of the vehicle to which a row of a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sides {
-    /// It does not say, or it is in the middle.
+    /// The row does not say, or its point is in the middle.
     Unsaid,
     /// One.
     One(Side),

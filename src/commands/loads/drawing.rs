@@ -47,7 +47,7 @@ pub(super) fn drawing(
     drawing
 }
 
-/// What acts along a measured length, a spring's force say; `None` where nothing does.
+/// The force along a measured length, for example of a spring; `None` if nothing acts there.
 fn in_length(outcome: &Outcome, first: &State, [from, to]: [usize; 2]) -> Option<InLink> {
     let along = (first.position(to) - first.position(from)).normalize();
     let at = |end: usize| {

@@ -80,8 +80,8 @@ impl Report<'_> {
         let held: Vec<String> = held.map(|point| format!("`{}`", names[*point])).collect();
         (!held.is_empty()).then(|| {
             format!(
-                "{} did not go where the moves say: the design is assembled again, and what holds a point, the line of a \
-                 slide say, stays; move that with it",
+                "{} did not go where the moves say: the design is assembled again, and the statement that holds a point, for \
+                 example the line of a slide, stays where it was; move its points too",
                 held.join(", ")
             )
         })
