@@ -21,7 +21,7 @@ use crate::output::target::Target;
 use listed::{Wish, list};
 use report::Report;
 
-/// What `suspension assemblies` is given.
+/// The arguments of `suspension assemblies`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -20,7 +20,7 @@ use crate::output::beside::in_out;
 use crate::output::target::Target;
 use order::{Order, Ordered, Wished, WishedMeasure};
 
-/// What `suspension bake` is given.
+/// The arguments of `suspension bake`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -19,7 +19,7 @@ use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
 
-/// What `suspension check` is given.
+/// The arguments of `suspension check`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -23,7 +23,7 @@ use crate::output::target::Target;
 use comparison::Comparison;
 use side::Side;
 
-/// What `suspension compare` is given.
+/// The arguments of `suspension compare`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

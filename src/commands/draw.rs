@@ -13,7 +13,7 @@ use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::target::Target;
 
-/// What `suspension draw` is given.
+/// The arguments of `suspension draw`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

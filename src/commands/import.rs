@@ -36,7 +36,7 @@ use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
 
-/// What `suspension import` is given.
+/// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

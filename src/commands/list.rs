@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::layouts::first_sentence;
 use crate::output::files::print;
 
-/// What `suspension list` is given.
+/// The arguments of `suspension list`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -26,7 +26,7 @@ use crate::output::rows::Forms;
 use crate::output::target::Target;
 use run::Run;
 
-/// What `suspension loads` is given.
+/// The arguments of `suspension loads`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

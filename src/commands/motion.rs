@@ -20,7 +20,7 @@ use crate::output::rows::Forms;
 use crate::output::summary;
 use crate::output::target::Target;
 
-/// What `suspension motion` is given.
+/// The arguments of `suspension motion`.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
     /// The motion file (TOML): linkage, points, lengths, instants and drives.

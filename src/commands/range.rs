@@ -22,7 +22,7 @@ use crate::output::table::Table;
 use crate::output::target::Target;
 use crate::reach::DriveRange;
 
-/// What `suspension range` is given.
+/// The arguments of `suspension range`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

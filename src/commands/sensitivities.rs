@@ -24,7 +24,7 @@ use crate::tolerances::{Tolerance, first_order, sampled};
 use report::Report;
 use scatter::Scatter;
 
-/// What `suspension sensitivities` is given.
+/// The arguments of `suspension sensitivities`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -21,7 +21,7 @@ use crate::output::files::announce;
 use crate::output::target::Target;
 use page::Page;
 
-/// What `suspension sheet` is given.
+/// The arguments of `suspension sheet`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

@@ -20,7 +20,7 @@ use crate::output::progress::Progress;
 use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
 
-/// What `suspension sweep` is given.
+/// The arguments of `suspension sweep`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

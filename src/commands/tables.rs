@@ -21,7 +21,7 @@ use crate::output::files::announce;
 use crate::output::target::Target;
 use wheel::Wheel;
 
-/// What `suspension tables` is given.
+/// The arguments of `suspension tables`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {

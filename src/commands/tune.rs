@@ -22,7 +22,7 @@ use crate::tune::{MOST_STEPS, Target, Tuned, tune};
 use report::Report;
 use rewritten::rewritten;
 
-/// What `suspension tune` is given.
+/// The arguments of `suspension tune`.
 #[derive(Args, Clone, Debug)]
 #[command(after_long_help = NOTES)]
 pub struct Arguments {
