@@ -48,27 +48,15 @@ mod steering;
 mod travel;
 mod wheel;
 
-pub use axle::{
-    ACKERMANN, ACKERMANN_ERROR, AXLE_ROLL_CENTRE, HEAVE_RATE, ROLL_CAMBER, ROLL_RATE, ROLL_STEER,
-    STEER_ANGLE, TOTAL_TOE, TRACK, TRACK_CHANGE, TURNING_RADIUS,
-};
-pub use from_design::{HALF_TRACK_CHANGE, RECESSION, WHEEL_TRAVEL, WHEELBASE_CHANGE};
-pub use masses::EFFECTIVE_MASS;
-pub use motion::{ACCELERATIONS, ALPHA, DRIVES, MARKERS, OMEGA, POSITIONS, TIME, VELOCITIES};
-pub use results::{ITERATIONS, MEASURES, RESIDUAL};
-pub use springs::{SPRING_FORCES, SPRING_LOAD, WHEEL_RATE};
-pub use steering::{
-    STEERING_RATIO, STEERING_WHEEL_ANGLE, VIRTUAL_CASTER, VIRTUAL_KINGPIN, VIRTUAL_PITCH,
-    VIRTUAL_SCRUB_RADIUS, VIRTUAL_TRAIL,
-};
-pub use travel::{
-    ANTI_DIVE, ANTI_LIFT, ANTI_LIFT_IN_DRIVE, ANTI_SQUAT, BRAKE_ANGLE, DRIVE_ANGLE, FRONT_ARM,
-    FRONT_CENTRE, JACKING, ROLL_CENTRE, SIDE_ARM, SIDE_CENTRE,
-};
-pub use wheel::{
-    CAMBER, CAMBER_TO_GROUND, CASTER, CASTER_OFFSET, CENTRE, CONTACT, KINGPIN, KINGPIN_OFFSET,
-    MECHANICAL_TRAIL, SCRUB_RADIUS, TOE,
-};
+pub use axle::*;
+pub use from_design::*;
+pub use masses::*;
+pub use motion::*;
+pub use results::*;
+pub use springs::*;
+pub use steering::*;
+pub use travel::*;
+pub use wheel::*;
 
 /// Whether a column belongs to a drive that is an angle, whose values files state.
 pub fn is_driven_angle(column: &Column) -> bool {
