@@ -23,6 +23,7 @@ mod motion_files;
 mod no_alloc;
 mod operations;
 mod own_motion_file;
+mod pages;
 mod path;
 mod published_tables;
 mod quantities;
