@@ -254,8 +254,8 @@ most one derivative is continuous across patches.
 Names in the file derive from the file's own name, so that a program can have several: out/my_wheel_by_theta.h has the
 function my_wheel_by_theta.
 
-Exit codes: 0 done, 1 the file cannot be written, 2 wrong input or no such drive or range, 3 the mechanism does not go
-through the range, or not within the tolerance, 130 interrupted.
+Exit codes: 0 done, 1 the file cannot be written, 2 wrong input, such as the name of no drive or an empty range, 3 part of
+the range is out of the mechanism's reach, or the tolerance is not met (nothing is written), 130 interrupted.
 
 Example:
   suspension bake examples/five_link.toml --from 0.75 --to 2.0 --tolerance 1e-5 --as c
