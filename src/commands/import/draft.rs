@@ -42,7 +42,8 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
     let placed = points.iter().filter(|[name, ..]| is_placed(name));
     let placed = placed.map(|[name, _, why]| format!("{name} is not in the file: {why}"));
-    let remarks = imported.of_corner().into_iter().chain(placed).collect();
+    let remarks = imported.of_corner(!before.is_empty()).into_iter();
+    let remarks = remarks.chain(placed).collect();
     (points, remarks)
 }
 

@@ -54,8 +54,8 @@ impl Imported<'_> {
         remarks
     }
 
-    /// What was assumed of the corner and done with it.
-    pub(super) fn of_corner(&self) -> Vec<String> {
+    /// What was assumed of the corner and done with it; of an axle's corners it needs no word on which side they are.
+    pub(super) fn of_corner(&self, is_of_axle: bool) -> Vec<String> {
         let Self { choice, corner, .. } = self;
         let mut remarks: Vec<String> = self.far_points().collect();
         let side = corner.side.name();
@@ -64,7 +64,7 @@ impl Imported<'_> {
             remarks.push(format!(
                 "the coordinates are those of the {was} corner; the {side} corner is its mirror image, as the options ask"
             ));
-        } else if choice.point("wheel_centre").is_some() {
+        } else if choice.point("wheel_centre").is_some() && !is_of_axle {
             remarks.push(format!("the corner is the {side} one"));
         }
         remarks.extend(self.point_across());

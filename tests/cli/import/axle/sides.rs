@@ -32,6 +32,22 @@ fn of_mirror_images_the_left_one_is_taken_and_the_axle_offered() {
     assert!(!imported.notes.contains("--axle"), "{}", imported.notes);
 }
 
+/// An axle is no left corner, whether the file has both sides or one.
+#[test]
+fn of_an_axle_no_corner_is_named() {
+    let folder = folder();
+    let of_one = "the coordinates are those of the left corner; the right corner is its mirror image, as the options ask";
+    for (file, is_one) in [
+        (symmetric(), false),
+        (side("hpl_", 1.0), true),
+        (side("", 1.0), true),
+    ] {
+        let notes = import(folder.path(), "front.csv", &file, &["--axle"]).notes;
+        assert!(!notes.contains("the corner is the"), "{notes}");
+        assert_eq!(notes.contains(of_one), is_one, "{notes}");
+    }
+}
+
 #[test]
 fn numbers_of_each_side_stay_with_it() {
     let folder = folder();
