@@ -22,7 +22,7 @@ use crate::mechanism::{Length, Suspension};
 use crate::number::rounded;
 use of_numbers::lengths;
 pub(super) use of_numbers::{length, short_of_stop};
-use of_wheels::of_wheel;
+use of_wheels::{named_side, of_wheel};
 
 /// The limits of a suspension's size, in metres: the largest, and after it the smallest.
 const LARGEST: f64 = 10.0;
@@ -51,9 +51,15 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     ];
     // A point in the wrong place misplaces axes too.
     let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
+    let mut sides = wheels.clone();
+    let of_side = sides.find_map(|wheel| named_side(task, wheel, &placed_points));
     let of_wheels = wheels.flat_map(|wheel| of_wheel(task, wheel, &placed_points));
     let name = task.source.name();
-    let notes = of_points.into_iter().flatten().chain(of_wheels);
+    let notes = of_points
+        .into_iter()
+        .flatten()
+        .chain(of_side)
+        .chain(of_wheels);
     let notes = notes.chain(lengths(task));
     let of_outlier = outlier.map(|outlier| outlier.note(task.source));
     let notes = notes.map(|note| format!("{name}: {note}"));

@@ -11,6 +11,21 @@ fn axle(arms: &str, statements: &str) -> String {
     )
 }
 
+/// Points in ISO 8855 under other axes, or the other way round.
+#[test]
+fn a_wheel_on_the_other_side_than_its_name_is_remarked() {
+    let arms = "left_outer at [0.4, 0.65, 0.3], left_inner at [0.3, 0.35, 0.3]";
+    let statements = "hinge left_arm: left_outer, left_inner -> left_wheel_centre;\n\
+                      point left_axle: left_arm at [0.0, 0.6, 0.3];\nwheel left: left_axle -> left_wheel_centre;";
+    let file = axle(arms, statements);
+    assert_eq!(notes(&file), "");
+    assert_eq!(
+        notes(&format!("axes = 'Adams'\n{file}")),
+        "note: a.toml: the wheel `left` is on the left by its name, and on the right by the y of `left_wheel_centre` in axes of Adams: x rearward, \
+         y right, z up: are the axes right?\n"
+    );
+}
+
 /// A chassis point adds no unknowns, so that equations and unknowns are as many with one as with two.
 #[test]
 fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {

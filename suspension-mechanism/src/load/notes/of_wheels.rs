@@ -68,3 +68,28 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
         format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
     })
 }
+
+/// A note that a wheel is named for one side of the vehicle and stands on the other: the axes are probably others than stated.
+pub(super) fn named_side(
+    task: &Task<'_>,
+    wheel: &Wheel,
+    placed: &[Vector3<f64>],
+) -> Option<String> {
+    let axes = task.file.axes;
+    let is_named = |side: &str| wheel.name.split('_').any(|word| word == side);
+    let [_, centre] = wheel.points.axis;
+    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
+    let y = placed[centre].y + task.middle;
+    let [_, left, _] = axes.signs();
+    let (named, is) = match (is_named("left"), is_named("right"), y * left) {
+        (true, false, to_left) if to_left < 0.0 => ("left", "right"),
+        (false, true, to_left) if to_left > 0.0 => ("right", "left"),
+        _ => return None,
+    };
+    Some(format!(
+        "the wheel `{}` is on the {named} by its name, and on the {is} by the y of `{}` in axes of {}: are the axes right?",
+        wheel.name,
+        task.names.points[centre],
+        axes.in_words()
+    ))
+}
