@@ -151,7 +151,7 @@ fn with_points(column: &Column, names: &Names) -> String {
 
 /// What a point is and its name, where that says something else.
 fn named(what: &str, point: &str) -> String {
-    if point.replace('_', " ") == what {
+    if point.replace('_', " ") == what.replace('_', " ") {
         what.to_owned()
     } else {
         format!("{what} {point}")

@@ -47,11 +47,16 @@ fn fitting(text: &str, size: u32, width: u32) -> u32 {
     (2 * width / letters.max(1)).min(size)
 }
 
-const COLOURS: [RGBColor; 4] = [
+/// As many as the angles of a car's four wheels need.
+const COLOURS: [RGBColor; 8] = [
     RGBColor(31, 90, 160),
     RGBColor(200, 80, 20),
     RGBColor(40, 130, 60),
     RGBColor(130, 60, 140),
+    RGBColor(0, 150, 170),
+    RGBColor(190, 150, 0),
+    RGBColor(110, 70, 40),
+    RGBColor(120, 120, 120),
 ];
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -122,6 +122,25 @@ fn a_wheel_centre_of_that_name_is_named_once() {
     }
 }
 
+/// Kingpin and camber angles of two axles: each curve has a colour of its own, and the names of wheels stand once.
+#[test]
+fn the_curves_of_a_whole_car_are_told_apart() {
+    let folder = folder();
+    let car = example("front_and_rear_axle.toml");
+    std::fs::write(folder.path().join("a.toml"), car).expect("written");
+    run(folder.path(), &["motion", "a.toml", "--plots", "."]);
+    let svg = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("a plot");
+    let angles = svg("a_angles.svg");
+    let curves = angles.split("<polyline ").skip(1);
+    let colours = curves.filter_map(|curve| curve.split_once("stroke=\"")?.1.split('"').next());
+    let colours: std::collections::BTreeSet<&str> =
+        colours.filter(|colour| *colour != "#000000").collect();
+    assert_eq!(colours.len(), 6, "{colours:?}");
+    let heights = svg("a_height.svg");
+    let mut names = labels(&heights).into_iter().map(|label| label.text);
+    assert!(names.any(|name| name == "front_left wheel centre"));
+}
+
 /// That of curves over roll names two drives; letters taken to be half as wide as high.
 #[test]
 fn the_name_of_the_horizontal_axis_stays_on_its_chart() {

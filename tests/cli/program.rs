@@ -40,6 +40,7 @@ pub(crate) fn example(name: &str) -> String {
         "double_wishbone_pushrod.toml" => {
             include_str!("../../examples/double_wishbone_pushrod.toml")
         }
+        "front_and_rear_axle.toml" => include_str!("../../examples/front_and_rear_axle.toml"),
         "live_axle_panhard.toml" => include_str!("../../examples/live_axle_panhard.toml"),
         other => panic!("no example {other}"),
     }
