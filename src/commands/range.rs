@@ -35,7 +35,8 @@ pub struct Arguments {
     /// for `-`.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
-    /// Draw wheel-centre height over each drive's whole curve as SVG into the folder DIR.
+    /// Draw wheel-centre height over each drive's whole curve as SVG into the folder DIR; where the height is the drive
+    /// itself, or stays, the toe angle or the camber angle.
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
 }

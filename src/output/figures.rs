@@ -158,7 +158,8 @@ fn named(what: &str, point: &str) -> String {
     }
 }
 
-fn capitalised(text: &str) -> String {
+/// The text with a capital letter in front.
+pub fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     let first = characters.next().map(|first| first.to_ascii_uppercase());
     first.into_iter().chain(characters).collect()

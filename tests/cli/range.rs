@@ -243,11 +243,10 @@ fn a_plot_says_which_wheel_it_is_of() {
     std::fs::write(folder.path().join("a.toml"), axle).expect("written");
     let output = run(folder.path(), &["range", "a.toml", "--plots", "."]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    for side in ["left", "right"] {
+    for (side, title) in [("left", "Left toe angle"), ("right", "Right toe angle")] {
         let path = folder.path().join(format!("a_range_bump_{side}.svg"));
         let plot = std::fs::read_to_string(path).expect("a plot");
-        let title =
-            format!("Height of the {side} wheel centre over the whole curve of bump_{side}");
+        let title = format!("{title} over the whole curve of bump_{side}");
         assert!(plot.contains(&title), "{plot}");
     }
 }
