@@ -58,6 +58,19 @@ fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
 fn a_range_says_from_where_it_is() {
     let folder = folder();
     let at = |bump: &str| CORNER.replace("bump = 0.3", bump);
+    // The same lock of the same drive, in both ways of counting.
+    let lock = |said: &str| {
+        let mut lines = said
+            .lines()
+            .filter(|line| line.contains("`pushrod` is too long"));
+        let line = lines.next().expect("a lock");
+        assert!(
+            line.contains(" m, at +0.1375 m from the design: "),
+            "{line}"
+        );
+        let rounded = ["0.4375380139728 m", "0.4375 m"];
+        assert!(rounded.iter().any(|value| line.contains(value)), "{line}");
+    };
     for (bump, expected) in [
         (
             "bump = 0.34",
@@ -71,7 +84,9 @@ fn a_range_says_from_where_it_is() {
         std::fs::write(folder.path().join("a.toml"), at(bump)).expect("written");
         let output = run(folder.path(), &["range", "a.toml"]);
         assert!(text(&output.stdout).contains(expected), "{output:?}");
+        lock(text(&output.stdout));
         let output = run(folder.path(), &["check", "a.toml"]);
+        lock(text(&output.stdout));
         let expected =
             "reach         of each drive from the design position, the others held as there";
         assert!(text(&output.stdout).contains(expected), "{output:?}");
@@ -248,6 +263,31 @@ fn a_plot_says_which_wheel_it_is_of() {
         let plot = std::fs::read_to_string(path).expect("a plot");
         let title = format!("{title} over the whole curve of bump_{side}");
         assert!(plot.contains(&title), "{plot}");
+    }
+}
+
+/// A wheel's height over the drive that is this height, or that turns the wheel at its height, is a straight line.
+#[test]
+fn a_plot_has_the_toe_angle_where_the_height_says_nothing() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let theta = example("five_link_height.toml");
+    std::fs::write(folder.path().join("theta.toml"), theta).expect("written");
+    for (file, drive, expected) in [
+        ("a.toml", "bump", "Toe angle over the whole curve of bump"),
+        ("a.toml", "steer", "Toe angle over the whole curve of steer"),
+        (
+            "theta.toml",
+            "theta",
+            "Height of the wheel centre over the whole curve of theta",
+        ),
+    ] {
+        let arguments = ["range", file, "--drive", drive, "--plots", "."];
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let plot = file.replace(".toml", &format!("_range_{drive}.svg"));
+        let plot = std::fs::read_to_string(folder.path().join(plot)).expect("a plot");
+        assert!(plot.contains(expected), "{plot}");
     }
 }
 

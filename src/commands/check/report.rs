@@ -29,6 +29,9 @@ const CONDITIONING: &str = "conditioning";
 /// Digits of a number that tells how large something is.
 const DIGITS: usize = 3;
 
+/// Digits of a drive's value where it ends.
+const DIGITS_OF_END: usize = 4;
+
 impl Report<'_> {
     /// The report as text.
     pub(super) fn text(&self) -> String {
@@ -192,8 +195,10 @@ impl Report<'_> {
         let (symbol, scale) = (dimension.symbol(self.unit), dimension.in_file(self.unit));
         let end = |what: &str, end: &RangeEnd| {
             let change = from_design((end.value - range.start) * scale, &symbol);
+            let value = rounded(end.value * scale, DIGITS_OF_END);
             let limit = end.limit.in_words(self.unit);
-            (what.to_owned(), format!("ends {change}: {limit}"))
+            let end = format!("ends at {value} {symbol}, {change}: {limit}");
+            (what.to_owned(), end)
         };
         let [lower, upper] = &range.ends;
         [end(&range.name, lower), end("", upper)]

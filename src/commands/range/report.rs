@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use suspension_core::listing::DriveKind;
 
-use crate::mechanism::{Description, Unit};
+use crate::file::Dimension;
+use crate::mechanism::{Description, Unit, from_design};
 use crate::number::{counted, rounded};
-use crate::reach::{CARRIED_ON, DriveRange, POOR, meeting, moves_alone};
+use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, meeting, moves_alone};
 
 /// Digits of an end: all that are known of one in radians.
 const DIGITS: usize = 13;
@@ -26,23 +27,30 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
     };
     for range in ranges {
         let in_words = |value| value_in_words(range.kind, unit, value, DIGITS);
-        let [lower, upper] = &range.ends;
-        let _ = write!(
+        let [lower, upper] = range.ends.each_ref().map(|end| {
+            let change = change(mechanism, range, end);
+            let limit = end.limit.in_words(unit);
+            format!("{}, {change}: {limit}", in_words(end.value))
+        });
+        let _ = writeln!(
             out,
             "\nDrive {}, from {} at {start}, the other drives held as there\n  \
-             lower end   {}: {}\n  upper end   {}: {}\n",
+             lower end   {lower}\n  upper end   {upper}",
             range.name,
             in_words(range.start),
-            in_words(lower.value),
-            lower.limit.in_words(unit),
-            in_words(upper.value),
-            upper.limit.in_words(unit),
         );
         let _ = writeln!(out, "  motion      {}", motion(mechanism, range));
         let _ = writeln!(out, "  poor        {}", poor(range, unit));
         let _ = writeln!(out, "  curve       {}", curve(range, unit));
     }
     out
+}
+
+/// How far an end is from the design position, as `check` counts it.
+fn change(mechanism: &Description, range: &DriveRange, end: &RangeEnd) -> String {
+    let (unit, dimension) = (mechanism.unit, Dimension::from(range.kind));
+    let change = end.value - mechanism.design[range.index];
+    from_design(change * dimension.in_file(unit), &dimension.symbol(unit))
 }
 
 fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {
