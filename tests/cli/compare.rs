@@ -183,7 +183,7 @@ fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
     );
 }
 
-/// The springs of both press 200 N apart everywhere, of which no place is worth a word; what they press at the wheel varies.
+/// The springs of both press 200 N apart everywhere, which is said in place of a place; what they press at the wheel varies.
 #[test]
 fn a_difference_that_is_the_same_everywhere_has_no_place() {
     let of_load = |load: f64| {
@@ -207,6 +207,22 @@ fn a_difference_that_is_the_same_everywhere_has_no_place() {
     assert!(
         at.is_finite() && difference.abs() > 1.0,
         "{at} {difference}"
+    );
+    let (folder, output) = compare(&of_load(300.0), &of_load(500.0), &["--html", "c.html"]);
+    let report = text(&output.stdout);
+    let (_, over) = report
+        .split_once("Largest difference over travel")
+        .expect("curves");
+    let line = over
+        .lines()
+        .find(|line| line.contains("  a_force "))
+        .expect("a line");
+    let words: Vec<&str> = line.split_whitespace().collect();
+    assert_eq!(words, ["a_force", "300", "500", "200", "N", "everywhere"]);
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    assert!(
+        page.contains("<td class=\"number\">everywhere</td>"),
+        "{page}"
     );
 }
 

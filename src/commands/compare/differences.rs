@@ -7,7 +7,8 @@ use crate::commands::compare::side::Side;
 pub(super) struct Difference {
     pub(super) quantity: String,
     pub(super) symbol: String,
-    /// Of a curve: the drive's change; `None` where the curves are the same, or as far apart everywhere.
+    /// Of a curve: the drive's change; `None` where the curves are the same, or as far apart everywhere. The values are then those
+    /// nearest to the design position.
     pub(super) at: Option<f64>,
     pub(super) values: [f64; 2],
 }
@@ -27,6 +28,9 @@ impl Difference {
         off.abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
     }
 }
+
+/// What stands at the place of a difference that is the same all along the curves.
+pub(super) const EVERYWHERE: &str = "everywhere";
 
 /// Numbers of one sort.
 pub(super) struct Part {

@@ -48,6 +48,9 @@ impl<'a> Over<'a> {
     }
 }
 
+/// A change, and the values of both there.
+type Place = (f64, [f64; 2]);
+
 /// Where two lines differ most, of the places where both are.
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
@@ -55,20 +58,17 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let apart = |[a, b]: [f64; 2]| (b - a).abs();
     let differences = both.clone().map(|(_, [a, b])| b - a);
     let [least, greatest] = [f64::min, f64::max].map(|end| differences.clone().reduce(end));
-    let (at, values) = both.reduce(|most, next| {
-        if apart(next.1) > apart(most.1) {
-            next
-        } else {
-            most
-        }
-    })?;
+    let by = |size: &dyn Fn(&Place) -> f64| both.clone().max_by(|a, b| size(a).total_cmp(&size(b)));
+    let (at, values) = by(&|(_, values)| apart(*values))?;
     let mut difference = Difference {
         quantity: title_of_both([&a.title, &b.title]),
         symbol: a.symbol.clone(),
-        at: None,
+        at: Some(at),
         values,
     };
-    let is_constant = difference.is_rounding_of(greatest? - least?);
-    difference.at = (!is_constant).then_some(at);
+    if difference.is_rounding_of(greatest? - least?) {
+        difference.at = None;
+        (_, difference.values) = by(&|(at, _)| -at.abs())?;
+    }
     Some(difference)
 }

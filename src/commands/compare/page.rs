@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Line};
 use crate::commands::compare::comparison::Comparison;
-use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
+use crate::commands::compare::differences::{Difference, EVERYWHERE, Part, pairs, title_of_both};
 use crate::commands::compare::report::{heading, legend, notes};
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
@@ -55,17 +55,18 @@ fn table(part: &Part) -> Markup {
     let more = column(&|difference| Some(difference.value()));
     let at = column(&|difference| difference.at);
     html! {
+    let is_of_curves = part.across.is_some();
         table {
             thead { tr {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
-                th.number { @if differences().any(|difference| difference.at.is_some()) { "at" } }
+                th.number { @if is_of_curves { "at" } }
             } }
             @for (row, difference) in part.differences.iter().enumerate() {
                 tr.first {
                     td { (difference.quantity) }
                     (a[row]) (b[row]) (more[row])
                     td.unit { (difference.symbol) }
-                    (at[row])
+                    @if is_of_curves && difference.at.is_none() { td.number { (EVERYWHERE) } } @else { (at[row]) }
                 }
             }
         }

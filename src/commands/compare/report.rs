@@ -6,7 +6,9 @@ use crate::characteristics::{Curves, Parameter};
 use crate::commands::compare::alone::alone;
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
 use crate::commands::compare::comparison::Comparison;
-use crate::commands::compare::differences::{Difference, Part, both, same_ways, unmatched};
+use crate::commands::compare::differences::{
+    Difference, EVERYWHERE, Part, both, same_ways, unmatched,
+};
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -172,9 +174,9 @@ fn columns(part: &Part) -> Vec<TextColumn> {
         numbers("B - A", &Difference::value),
         TextColumn::left(symbols).under("unit"),
     ];
-    if differences().any(|difference| difference.at.is_some()) {
-        let at = differences().map(|difference| difference.at.map_or_else(String::new, in_digits));
-        columns.push(TextColumn::numbers(at).under("at"));
+    if part.across.is_some() {
+        let at = |difference: &Difference| difference.at.map_or(EVERYWHERE.to_owned(), in_digits);
+        columns.push(TextColumn::numbers(differences().map(at)).under("at"));
     }
     columns
 }
