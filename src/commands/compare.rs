@@ -122,7 +122,7 @@ same names in all layouts, and the report names those that only one of the files
 are in the axes and the unit of A; quantities with signs of their own, such as camber and toe, are the same in all axes. The
 [vehicle] tables of the files state what the listings do not, as for suspension sheet.
 
-Instant centres, swing arms and roll centres that pass through infinity within the travel are not compared over it.
+Instant centres, swing arms and roll centres that are near infinity within the travel are not compared over it.
 `per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel always go
 upwards. Wheels and drives of the same name are compared with each other; where only one of the files names its wheels, each
 of them is compared with the wheel of the other file.

@@ -1,5 +1,6 @@
 //! `suspension sheet`: the kinematics of a suspension on one page.
 
+mod curves;
 mod derivatives;
 mod page;
 
@@ -157,9 +158,10 @@ file's points) and faintly at both ends of the travel; all quantities at the des
 derivatives with respect to the drives of travel and steering, among them bump camber, bump steer and motion ratios; curves
 over travel, or over heave and roll of an axle, and over steering; and all points. Where a drive of travel is not a height
 but, for example, a damper's length or an angle, the page also has derivatives `per wheel travel`, per rise of the wheel
-centre, and curves over wheel travel. An instant centre, a swing arm or a roll centre that passes through infinity within the
-travel has no curve; suspension sweep writes its values. The [vehicle] table of the file (suspension motion --help) names the drives of travel
-and steering; it gives the wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
+centre, and curves over wheel travel. The curve of an instant centre, a swing arm or a roll centre that passes through
+infinity within the travel, or comes near it, is cut there or left out. The page says which; suspension sweep writes all
+values. The [vehicle] table of the file (suspension motion --help) names the drives of travel and steering; it gives the
+wheel radius, which all quantities at the ground need, and the car's data for anti-dive.
 
 A browser turns the page into a PDF of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html
 or into a picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html (twice as high

@@ -58,10 +58,9 @@ pub fn page(title: &str, body: &Markup) -> String {
     page.into_string()
 }
 
-/// Charts under a heading.
-pub fn charts(heading: &str, charts: &[Chart]) -> Markup {
+/// Charts beside and below each other.
+pub fn charts(charts: &[Chart]) -> Markup {
     html! {
-        h2 { (heading) }
         div.charts {
             @for svg in charts.iter().filter_map(|chart| chart.svg_of(CHART)) {
                 (PreEscaped(svg))

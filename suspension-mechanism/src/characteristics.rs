@@ -9,6 +9,7 @@ mod instead;
 mod over_wheel;
 mod parameters;
 mod per_wheel;
+mod poles;
 mod rise;
 mod span;
 mod title;

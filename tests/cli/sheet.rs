@@ -230,3 +230,28 @@ fn a_mechanism_that_steers_alone_is_told_what_has_its_tables() {
                     `drive bump: wheel_centre.z;` where the wheel can rise; `suspension sweep` has tables over any drive\n";
     assert_eq!(text(&output.stderr), expected);
 }
+
+/// In rebound the carrier of this wheel moves parallel in the front view about 40 mm below the design position.
+#[test]
+fn curves_near_infinity_are_cut_and_named() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = text(&output.stdout);
+    let (_, over_bump) = page.split_once("<h2>Over bump</h2>").expect("curves");
+    let (over_bump, over_steer) = over_bump.split_once("<h2>Over steer</h2>").expect("curves");
+    let cut = "<p>Cut where they are near infinity: instant centre in the front view y, swing arm in the front view, \
+               instant centre in the side view x, swing arm in the side view. \
+               suspension sweep writes all values.</p>";
+    let left_out = "<p>Left out, as they are at infinity or pass through it: instant centre in the front view z. \
+                    suspension sweep writes all values.</p>";
+    assert!(over_bump.contains(cut), "{over_bump}");
+    assert!(over_bump.contains(left_out), "{over_bump}");
+    let chart = "\nswing arm in the front view\n";
+    assert!(over_bump.contains(chart), "a curve on both sides");
+    assert!(
+        !over_steer.contains("swing arm in the front view,"),
+        "{over_steer}"
+    );
+}

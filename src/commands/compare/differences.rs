@@ -92,9 +92,9 @@ fn counterpart<'b>(curves: &Curves, own: &Side, other: &'b Side) -> Option<&'b C
     }
 }
 
-/// The lines of the same name and unit.
+/// The lines of the same name and unit, of which none is cut near infinity.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
     let mut pairs = both([&a.lines, &b.lines], |line| &line.title);
-    pairs.retain(|[a, b]| a.symbol == b.symbol);
+    pairs.retain(|[a, b]| a.symbol == b.symbol && !a.is_cut && !b.is_cut);
     pairs
 }

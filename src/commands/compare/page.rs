@@ -26,7 +26,8 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
         }
         @for over in &comparison.over {
             @let [a, b] = &over.curves;
-            (charts(&format!("Over {}", a.title), &both(sides, a, b)))
+            h2 { "Over " (a.title) }
+            (charts(&both(sides, a, b)))
         }
     };
     page("Two suspensions compared", &body)
@@ -54,8 +55,8 @@ fn table(part: &Part) -> Markup {
     let b = column(&|difference| Some(difference.values[1]));
     let more = column(&|difference| Some(difference.value()));
     let at = column(&|difference| difference.at);
-    html! {
     let is_of_curves = part.across.is_some();
+    html! {
         table {
             thead { tr {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }

@@ -3,11 +3,11 @@
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
-use crate::characteristics::{Curves, Derivative, Line, Parameter, Rise};
+use crate::characteristics::{Curves, Derivative, Parameter, Rise};
+use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
-use crate::output::page::{charts, numbers, page};
-use crate::output::plot::{Chart, Curve};
+use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
 
 /// All that the page shows.
@@ -63,29 +63,12 @@ impl Page<'_> {
             (self.table())
             (self.of_curves_alone())
             @for curves in &self.curves {
-                (charts(&format!("Over {}", curves.title), &self.charts(curves)))
+                (over(curves, *unit))
             }
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())
         };
         page(&format!("Kinematics of {linkage}"), &body)
-    }
-
-    /// A chart of each quantity, with the curves of all wheels.
-    fn charts(&self, curves: &Curves) -> Vec<Chart> {
-        let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
-        let curve = |line: &&Line| Curve {
-            name: line.title.wheel.clone().unwrap_or_default(),
-            line: curves.points(line),
-            marks: Vec::new(),
-        };
-        let chart = |lines: Vec<&Line>| Chart {
-            title: lines[0].title.of_wheel.clone(),
-            across: curves.across(self.mechanism.unit),
-            quantity: lines[0].symbol.clone(),
-            curves: lines.iter().map(curve).collect(),
-        };
-        groups.into_iter().map(chart).collect()
     }
 
     /// All parameters, those of all wheels below each other; below those of a quantity what it is.
@@ -200,7 +183,7 @@ impl Page<'_> {
 }
 
 /// Things that are called the same together, in the order of the first of each.
-fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {
+pub(super) fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {
     let mut groups: Vec<Vec<&T>> = Vec::new();
     for thing in things {
         let mut known = groups.iter_mut();

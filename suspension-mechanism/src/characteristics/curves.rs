@@ -2,13 +2,12 @@
 
 use crate::characteristics::along::Along;
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
+use crate::characteristics::poles::{has_poles, jumps, without_far};
 use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Pair, State, Unit};
-use crate::quantities::{
-    AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, MEASURES, Quantity, SIDE_ARM, SIDE_CENTRE,
-};
+use crate::quantities::{Column, MEASURES};
 
 /// The curves along a drive.
 #[derive(Clone)]
@@ -25,6 +24,8 @@ pub struct Curves {
     pub changes: Vec<f64>,
     /// The lines, one per quantity.
     pub lines: Vec<Line>,
+    /// The quantities without a line, as they pass through infinity.
+    pub left_out: Vec<Title>,
 }
 
 /// A quantity along a drive, in units for people.
@@ -34,11 +35,13 @@ pub struct Line {
     pub title: Title,
     /// Its unit.
     pub symbol: String,
-    /// Its value at each of the drive's changes; `None` if the mechanism is out of reach, or if there is no such
-    /// number.
+    /// Its value at each of the drive's changes; `None` if the mechanism is out of reach, if there is no such number,
+    /// or if the line is cut there.
     pub values: Vec<Option<f64>>,
     /// The derivatives of these values with respect to the drive in the file's unit; `None` if there is none.
     pub rates: Vec<Option<f64>>,
+    /// Whether it is cut where it is near infinity.
+    pub is_cut: bool,
     /// The kind of number.
     pub sort: Sort,
 }
@@ -84,8 +87,11 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     };
     let columns = columns_of_curves(mechanism).into_iter();
     let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(&column)).collect();
-    let count = |line: &Line| line.values.iter().flatten().count();
-    lines.retain(|line| count(line) > 1);
+    let is_short = |line: &Line| line.values.iter().flatten().count() < 2;
+    let is_left_out = |line: &mut Line| line.is_cut && (is_short(line) || jumps(&line.values));
+    let left_out = lines.extract_if(.., is_left_out);
+    let left_out = left_out.map(|line| line.title).collect();
+    lines.retain(|line| !is_short(line));
     if Pair::all(&mechanism.names.wheels).len() > 1 {
         lines.retain(varies);
     }
@@ -99,6 +105,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         dimension,
         changes: changes.collect(),
         lines,
+        left_out,
     }
 }
 
@@ -156,22 +163,28 @@ impl Read<'_> {
             symbol: symbol_per(&symbol, self.of_drive(), self.unit),
             rates: vec![None; rates.len()],
             values: rates.clone(),
+            is_cut: false,
             sort: Sort::MotionRatio,
         });
         let values = self.values(&|state, _| Some(column.value(state) * scale));
-        let is_broken = has_poles(column) && jumps(&values);
-        let curve = (!is_broken).then_some(Line {
+        let may_be_far = has_poles(column);
+        let drawn = match may_be_far {
+            true => without_far(&values, self.unit.metre()),
+            false => values.clone(),
+        };
+        let curve = Line {
             title,
             symbol,
-            values,
+            is_cut: may_be_far && (drawn != values || jumps(&values)),
+            values: drawn,
             rates,
             sort: if is_measure {
                 Sort::Measure
             } else {
                 Sort::Quantity
             },
-        });
-        motion_ratio.into_iter().chain(curve).collect()
+        };
+        motion_ratio.into_iter().chain([curve]).collect()
     }
 }
 
@@ -191,31 +204,4 @@ fn varies(line: &Line) -> bool {
         return false;
     };
     values.any(|value| (value - first).abs() > ROUNDING * first.abs().max(1.0))
-}
-
-/// Whether a curve changes from one side of a pole to the other: between two places by a large fraction of its whole
-/// range.
-fn jumps(values: &[Option<f64>]) -> bool {
-    const MUCH: f64 = 0.25;
-    let there: Vec<f64> = values.iter().copied().flatten().collect();
-    let span = |values: &[f64]| {
-        let [low, high] = [f64::min, f64::max].map(|end| values.iter().copied().reduce(end));
-        high.zip(low).map_or(0.0, |(high, low)| high - low)
-    };
-    let whole = span(&there);
-    let is_constant = whole <= f64::EPSILON;
-    !is_constant && there.windows(2).any(|pair| span(pair) > MUCH * whole)
-}
-
-/// Whether it may have poles: instant centres are at infinity if the carrier moves parallel, the roll centre is if
-/// the normals of both wheels are parallel.
-fn has_poles(column: &Column) -> bool {
-    const WITH_POLES: [&Quantity; 5] = [
-        &FRONT_CENTRE,
-        &FRONT_ARM,
-        &SIDE_CENTRE,
-        &SIDE_ARM,
-        &AXLE_ROLL_CENTRE,
-    ];
-    WITH_POLES.iter().any(|quantity| column.is(quantity))
 }

@@ -44,6 +44,7 @@ impl Curves {
             moved: wheel.title.to_string(),
             dimension: Dimension::Length,
             lines: lines.collect(),
+            left_out: self.left_out.clone(),
             changes: travels,
         }
     }

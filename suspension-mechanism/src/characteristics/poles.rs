@@ -1,0 +1,74 @@
+//! Curves that pass through infinity or run towards it, as that of a swing arm where the carrier moves nearly parallel.
+
+use crate::quantities::{
+    AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Quantity, SIDE_ARM, SIDE_CENTRE,
+};
+
+/// Whether a quantity may have poles: instant centres are at infinity if the carrier moves parallel, the roll centre is
+/// if the normals of both wheels are parallel.
+pub(super) fn has_poles(column: &Column) -> bool {
+    const WITH_POLES: [&Quantity; 5] = [
+        &FRONT_CENTRE,
+        &FRONT_ARM,
+        &SIDE_CENTRE,
+        &SIDE_ARM,
+        &AXLE_ROLL_CENTRE,
+    ];
+    WITH_POLES.iter().any(|quantity| column.is(quantity))
+}
+
+/// The values without those that are at infinity but for rounding, and without those that are farther than 20 m and
+/// several times as far as usual on the curve: beside them an axis would not show the others. `metre` is the length of
+/// one.
+pub(super) fn without_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>> {
+    const FAR: f64 = 20.0;
+    const USUAL: f64 = 3.0;
+    const INFINITE: f64 = 1e6;
+    let sizes = values.iter().flatten().map(|value| value.abs());
+    let mut sizes: Vec<f64> = sizes.filter(|size| *size < INFINITE * metre).collect();
+    sizes.sort_by(f64::total_cmp);
+    let median = sizes.get(sizes.len() / 2).copied().unwrap_or_default();
+    let most = (FAR * metre).max(USUAL * median);
+    let near = |value: &Option<f64>| value.filter(|value| value.abs() <= most);
+    values.iter().map(near).collect()
+}
+
+/// Whether a curve changes from one side of a pole to the other: between two places next to each other by a large
+/// fraction of its whole range.
+pub(super) fn jumps(values: &[Option<f64>]) -> bool {
+    const MUCH: f64 = 0.25;
+    const ROUNDING: f64 = 1e-9;
+    let there = values.iter().flatten().copied();
+    let [high, low] = [f64::max, f64::min].map(|end| there.clone().reduce(end));
+    let (high, low) = (high.unwrap_or_default(), low.unwrap_or_default());
+    let whole = high - low;
+    let is_constant = whole <= ROUNDING * high.abs().max(low.abs()).max(1.0);
+    let is_far = |pair: &[Option<f64>]| {
+        let apart = pair[0].zip(pair[1]).map(|(a, b)| (a - b).abs());
+        apart.is_some_and(|apart| apart > MUCH * whole)
+    };
+    !is_constant && values.windows(2).any(is_far)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A swing arm of 4 m at one end of the travel, whose carrier moves parallel at one sixth of it.
+    #[test]
+    fn an_arm_is_cut_at_its_pole_and_shown_on_both_sides() {
+        let places = (0..61).map(|place| f64::from(place) - 10.5);
+        let arm: Vec<_> = places.map(|place| Some(200.0 / place)).collect();
+        assert!(jumps(&arm));
+        let near = without_far(&arm, 1.0);
+        assert_eq!([near[10], near[11]], [None; 2]);
+        assert_eq!([near[0], near[60]], [arm[0], arm[60]]);
+        assert!(!jumps(&near), "{near:?}");
+    }
+
+    #[test]
+    fn what_is_far_all_along_is_shown() {
+        let values: Vec<_> = (30..90).map(|value| Some(f64::from(value))).collect();
+        assert_eq!(without_far(&values, 1.0), values);
+    }
+}
