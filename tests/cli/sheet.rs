@@ -44,6 +44,10 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
     for heading in [
         "Over bump",
         "Over steer",
+        "<title>Kinematics of a.toml (double_wishbone_pushrod)</title>",
+        "toe angle (bump steer)",
+        "camber angle (bump camber)",
+        "its derivative per wheel travel is bump steer",
         "motion ratio: damper per bump",
         "<code>toe</code>: the angle of the spin axis",
     ] {

@@ -2,11 +2,12 @@
 
 use maud::{Markup, html};
 
-use crate::characteristics::{Curves, Line, Title};
+use crate::characteristics::{Curves, Does, Line, Title};
 use crate::commands::sheet::page::grouped;
 use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
+use crate::quantities::{CAMBER, TOE};
 
 /// The charts along what moves, under their heading.
 pub(super) fn over(curves: &Curves, unit: Unit) -> Markup {
@@ -26,12 +27,22 @@ fn each(curves: &Curves, unit: Unit) -> Vec<Chart> {
         marks: Vec::new(),
     };
     let chart = |lines: Vec<&Line>| Chart {
-        title: lines[0].title.of_wheel.clone(),
+        title: title_over(curves.way.does, &lines[0].title.of_wheel),
         across: curves.across(unit),
         quantity: lines[0].symbol.clone(),
         curves: lines.iter().map(curve).collect(),
     };
     groups.into_iter().map(chart).collect()
+}
+
+/// The title of a chart, with the name that the curve has over wheel travel.
+fn title_over(does: Does, quantity: &str) -> String {
+    let curves = [(TOE.title, "bump steer"), (CAMBER.title, "bump camber")];
+    let mut curves = curves.into_iter();
+    match curves.find(|(title, _)| does == Does::Travel && *title == quantity) {
+        Some((title, curve)) => format!("{title} ({curve})"),
+        None => quantity.to_owned(),
+    }
 }
 
 /// Which curves are cut or left out, as they pass through infinity or come near it, a sentence for either.

@@ -41,7 +41,7 @@ impl Page<'_> {
         } = self.mechanism;
         let body = html! {
             p {
-                "Motion file " code { (self.file) } ". Axes of " (axes.in_words()) "; lengths in "
+                "Axes of " (axes.in_words()) "; lengths in "
                 (unit.symbol()) ", angles in degrees. Angles and offsets of a wheel have the same sign on both sides of the vehicle."
             }
             @if names.wheels.iter().any(|wheel| wheel.radius.is_none()) {
@@ -68,7 +68,7 @@ impl Page<'_> {
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())
         };
-        page(&format!("Kinematics of {linkage}"), &body)
+        page(&format!("Kinematics of {} ({linkage})", self.file), &body)
     }
 
     /// All parameters, those of all wheels below each other; below those of a quantity what it is.

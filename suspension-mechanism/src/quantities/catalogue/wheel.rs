@@ -47,7 +47,8 @@ catalogue! {
     CAMBER: "camber angle" {
         name: "camber",
         sign: "positive where the top of the wheel leans outboard",
-        definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|)",
+        definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|); \
+                     its derivative per wheel travel is bump camber",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, camber),
@@ -64,7 +65,8 @@ catalogue! {
     TOE: "toe angle" {
         name: "toe",
         sign: "positive where the front of the wheel points inboard",
-        definition: "the angle of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|)",
+        definition: "the angle of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|); its \
+                     derivative per wheel travel is bump steer",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, toe),
