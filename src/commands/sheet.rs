@@ -2,6 +2,7 @@
 
 mod curves;
 mod derivatives;
+mod grouped;
 mod page;
 
 use std::path::PathBuf;

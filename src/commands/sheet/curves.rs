@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Does, Line, Title};
-use crate::commands::sheet::page::grouped;
+use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use crate::characteristics::{Curves, Derivative, Parameter, Rise};
 use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
+use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Names};
 use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
@@ -180,19 +181,6 @@ impl Page<'_> {
         let row = |row: usize| columns.iter().map(|column| column[row].clone()).collect();
         (0..parameters.len()).map(row).collect()
     }
-}
-
-/// Things that are called the same together, in the order of the first of each.
-pub(super) fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {
-    let mut groups: Vec<Vec<&T>> = Vec::new();
-    for thing in things {
-        let mut known = groups.iter_mut();
-        match known.find(|group| called(group[0]) == called(thing)) {
-            Some(group) => group.push(thing),
-            None => groups.push(vec![thing]),
-        }
-    }
-    groups
 }
 
 /// The unit of a derivative that there is.
