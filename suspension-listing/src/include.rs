@@ -1,13 +1,17 @@
-//! An included listing, under a name.
+//! Listings that another one includes.
+
+mod included;
+mod source;
 
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Span, TokenStream};
 use syn::{Error, Ident, LitStr};
 
-use crate::include_source::Wanted;
-use crate::included::Included;
 use crate::vector::Vector;
+
+pub(crate) use included::{Included, mistakes};
+pub use source::{IncludeSource, NoIncludes, Wanted};
 
 /// Another listing, and the name that is put before its own names.
 pub(crate) struct Include {

@@ -9,8 +9,7 @@ use proc_macro2::Span;
 use syn::Ident;
 
 use crate::errors::Errors;
-use crate::include::Include;
-use crate::included::Included;
+use crate::include::{Include, Included};
 use crate::kind::Kind;
 use crate::name::{self, Name};
 use crate::sides::Sides;

@@ -12,9 +12,7 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident};
 
 use crate::errors::{self, Errors};
-use crate::include::Include;
-use crate::include_source::IncludeSource;
-use crate::included::{Included, mistakes};
+use crate::include::{Include, IncludeSource, Included, mistakes};
 use crate::lexed::{self, MOST_BYTES};
 use crate::listing::Listing;
 use crate::mistake::Mistake;

@@ -11,8 +11,7 @@ use std::fmt;
 use proc_macro2::Span;
 use syn::parse::{ParseStream, Parser};
 
-use crate::include_source::IncludeSource;
-use crate::included::mistakes;
+use crate::include::{IncludeSource, mistakes};
 use crate::kind::Kind;
 use crate::lexed::{tokens, with_places};
 use crate::name::Name;

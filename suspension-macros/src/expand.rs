@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Error, LitStr};
 
-use suspension_listing::include_source::IncludeSource;
+use suspension_listing::include::IncludeSource;
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake, Read};

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use suspension_listing::include_source::{IncludeSource, Wanted};
+use suspension_listing::include::{IncludeSource, Wanted};
 
 /// The files in the folder of a source file, with a record of which were read.
 pub(crate) struct ListingFiles {

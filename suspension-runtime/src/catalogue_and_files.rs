@@ -3,7 +3,7 @@
 use std::fs::read_to_string;
 use std::path::PathBuf;
 
-use suspension_listing::include_source::{IncludeSource, Wanted};
+use suspension_listing::include::{IncludeSource, Wanted};
 
 use crate::catalogue;
 

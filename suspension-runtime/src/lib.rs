@@ -84,6 +84,6 @@ pub use model::Model;
 pub use part_forces::PartForces;
 pub use size::{Room, Size};
 pub use statement::Statement;
-pub use suspension_listing::include_source::{IncludeSource, Wanted};
+pub use suspension_listing::include::{IncludeSource, Wanted};
 pub use suspension_listing::text::{Mistake, Mistakes};
 pub use table::{Masked, Table, Value};

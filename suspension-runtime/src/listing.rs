@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_listing::eliminate::Order;
 use suspension_listing::form::Form;
-use suspension_listing::include_source::IncludeSource;
+use suspension_listing::include::IncludeSource;
 use suspension_listing::system::{Equation, Quantity, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 
 use fastrand::Rng;
 use suspension_listing::text;

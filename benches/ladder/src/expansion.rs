@@ -2,7 +2,7 @@
 //! generated module says.
 
 use std::time::Instant;
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 
 use proc_macro2::TokenStream;
 use suspension_listing::{order, text};

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use suspension_core::model::constraint::Frame;
 use suspension_core::model::parts;
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::text;
 
 use super::texts::{only_message, places};

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use suspension_core::linkages::{double_wishbone, double_wishbone_pushrod};
 use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Motion, Signal, Values, linkages::LISTINGS};
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::{order, text};
 
 use super::{catalogue_system, catalogue_text};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use suspension_listing::include_source::{IncludeSource, Wanted};
+use suspension_listing::include::{IncludeSource, Wanted};
 use suspension_listing::text;
 
 const CORNER: &str = "\

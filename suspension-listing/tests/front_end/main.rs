@@ -15,7 +15,7 @@ mod texts;
 use proc_macro2::{Span, TokenStream};
 use suspension_listing::Listing;
 use suspension_listing::errors::Errors;
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::system::{Positions, System};
 use suspension_listing::{checked, parse, sample, text};
 use syn::parse::{ParseStream, Parser};

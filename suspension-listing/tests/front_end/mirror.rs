@@ -6,7 +6,7 @@ mod neither_side;
 use std::collections::BTreeMap;
 
 use suspension_listing::form::Form;
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::system::{Point, System};
 use suspension_listing::text;
 

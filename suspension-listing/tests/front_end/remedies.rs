@@ -1,6 +1,6 @@
 //! What to write in place of a mistake.
 
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::text;
 
 use super::texts::only_message;

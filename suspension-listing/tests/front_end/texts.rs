@@ -1,6 +1,6 @@
 //! Listings as text: messages about mistakes, and their places.
 
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::system::System;
 use suspension_listing::text::{self, Mistake};
 

@@ -2,7 +2,7 @@
 
 use quote::{format_ident, quote};
 
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 
 use crate::expand::of_text;
 use crate::module::{self, Source};

@@ -1,6 +1,6 @@
 //! What is said of mistakes beside a mirror.
 
-use suspension_listing::include_source::NoIncludes;
+use suspension_listing::include::NoIncludes;
 use suspension_listing::text::{self, Mistake};
 
 use super::HALF;
