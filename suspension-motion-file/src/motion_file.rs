@@ -116,16 +116,15 @@ impl MotionFile {
     }
 
     /// The same file with its points in coordinates whose origin is at `origin`.
-    pub fn seen_from(&self, origin: [f64; 3]) -> Self {
-        let mut file = self.clone();
-        for position in file.points.get_mut().values_mut() {
+    pub fn seen_from(mut self, origin: [f64; 3]) -> Self {
+        for position in self.points.get_mut().values_mut() {
             if let Position::At(at) = position.get_mut() {
                 for (x, origin) in at.iter_mut().zip(origin) {
                     *x -= origin;
                 }
             }
         }
-        file
+        self
     }
 
     /// The same file with its points, offsets and masses in other axes; what else it states stays.

@@ -7,7 +7,7 @@ use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Offset, Position, Source, StandIn, check, stand_in};
+use crate::file::{Offset, Position, Source, StandIn, check, stand_in};
 use crate::load::design::{Design, at_design};
 use crate::load::flat_body;
 use crate::load::outlier::Outlier;
@@ -18,11 +18,8 @@ use crate::mechanism::{Names, Suspension};
 
 /// A mechanism at its design position, and the file that it comes from.
 pub(super) struct Assembled<'a, L: Suspension<N>, const N: usize> {
-    source: &'a Source,
     /// The file in local coordinates, angles in radians.
-    file: MotionFile,
-    names: Names,
-    first: f64,
+    pub(super) task: Task<'a>,
     /// The points as the file has them.
     pub(super) given: L::Points,
     pub(super) design: Design<L, N>,
@@ -44,82 +41,51 @@ pub(super) struct Measured {
 impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     /// The mechanism of a file, and of a listing.
     pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
-        let names = names(request, &listing);
-        let task = Task {
-            source: request.source,
-            file: request.file,
-            first: request.instants.ends()[0],
-            names: &names,
-            middle: 0.0,
-        };
+        let mut task = Task::new(request, names(request, &listing));
         let stand_in = check_names(&task, request.listing)?;
-        let file = request.file.clone().in_radians(names.angles());
-        let task = Task {
-            file: &file,
-            ..task
-        };
+        task.file = task.file.in_radians(task.names.angles());
         let points: L::Points = given(&task);
-        let placed = || points.values().take(names.points.len());
-        parts::finite(placed()).map_err(|error| task.refuse_geometry(&error))?;
+        let stated = || points.values().take(task.names.points.len());
+        parts::finite(stated()).map_err(|error| task.refuse_geometry(&error))?;
         let outlier = Outlier::among(&task, &points);
         let outlier_first = |failure| before(outlier.as_ref(), failure, request.source);
-        let origin = LocalOrigin::among(placed());
-        let file = file.seen_from(origin.position().into());
-        let task = Task {
-            file: &file,
-            middle: origin.position().y,
-            ..task
-        };
+        let origin = LocalOrigin::among(stated());
+        task.file = task.file.seen_from(origin.position().into());
+        task.middle = origin.position().y;
         let given = given(&task);
         let model: L = model(&task, (listing, request.listing), &given).map_err(outlier_first)?;
-        let placed: Vec<_> = given.values().take(names.points.len()).collect();
-        let designed = names.clone().designed(&placed);
-        let names = with_vehicle(&Task {
-            names: &designed,
-            ..task
-        })?;
+        let placed: Vec<_> = given.values().take(task.names.points.len()).collect();
+        task.names = task.names.designed(&placed);
+        task.names = with_vehicle(&task)?;
         let drive_offsets = origin.of_drives(&model);
-        let offsets = names.of_drives().into_iter().zip(drive_offsets.values());
-        let file = file.clone().driven_from(offsets);
-        let task = Task {
-            file: &file,
-            names: &names,
-            ..task
-        };
+        let offsets = task.names.of_drives().into_iter();
+        task.file = task.file.driven_from(offsets.zip(drive_offsets.values()));
         let design = at_design(&task, model, origin, &given).map_err(outlier_first)?;
         Ok(Self {
-            source: request.source,
-            first: task.first,
+            task,
             given,
             design,
             drive_offsets,
             stand_in,
             outlier,
-            file,
-            names,
         })
-    }
-
-    pub(super) fn task(&self) -> Task<'_> {
-        Task {
-            source: self.source,
-            file: &self.file,
-            first: self.first,
-            names: &self.names,
-            middle: self.design.origin.position().y,
-        }
     }
 
     /// All points, in the file's coordinates.
     pub(super) fn in_file(&self) -> Vec<Vector3<f64>> {
         let origin = self.design.origin.position();
-        let points = self.design.points.values().take(self.names.points.len());
+        let points = self
+            .design
+            .points
+            .values()
+            .take(self.task.names.points.len());
         points.map(|point| point + origin).collect()
     }
 
     pub(super) fn measured(&self) -> Measured {
         let design = &self.design;
-        let of_listing = |all: L::Measures| all.values().take(self.names.measures.len()).collect();
+        let count = self.task.names.measures.len();
+        let of_listing = |all: L::Measures| all.values().take(count).collect();
         let offsets: Vec<f64> = of_listing(design.origin.of_measures(&design.model));
         let local: Vec<f64> = of_listing(design.measures());
         let measured = local.iter().zip(&offsets);
@@ -131,7 +97,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
 
     /// A failure, preceded by the point that lies far from all others, of which it may be a consequence.
     pub(super) fn outlier_first(&self, failure: Failure) -> Failure {
-        before(self.outlier.as_ref(), failure, self.source)
+        before(self.outlier.as_ref(), failure, self.task.source)
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
             ..lead
         }),
         Err(stopped) => {
-            let (names, unit) = (task.names, task.file.unit());
+            let (names, unit) = (&task.names, task.file.unit());
             let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
                 let drives = way.inputs::<L::Drives>(t).drives.value;
                 lead.in_words(names, &design.given(&drives), t, unit)

@@ -91,7 +91,7 @@ impl Reader<'_> {
     }
 
     fn moving_points(&self) -> impl Iterator<Item = usize> {
-        let names = self.task.names;
+        let names = &self.task.names;
         let driven = self.listing.driven_points();
         let points = 0..names.points.len();
         points.filter(move |point| *point >= names.chassis || driven.contains(point))
@@ -100,7 +100,7 @@ impl Reader<'_> {
     fn unknown(&self, name: &Spanned<String>) -> Failure {
         let statements = self.listing.statements().into_iter();
         let parts = statements.filter(|part| part.kind == Kind::LINK || is_body(part));
-        let names = self.task.names;
+        let names = &self.task.names;
         let known: Vec<&str> = parts
             .map(|part| part.name)
             .chain(

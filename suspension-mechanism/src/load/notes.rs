@@ -121,7 +121,7 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
 
 /// The point that assembling moves farthest, and how far, if that is more than some metres.
 fn furthest<'a, P: Values<Vector3<f64>>>(
-    task: &Task<'a>,
+    task: &'a Task<'_>,
     [given, placed]: [&P; 2],
     metres: f64,
 ) -> Option<(&'a str, String)> {

@@ -27,18 +27,18 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     listing: L::Listing,
 ) -> Result<Mechanism<L, N>, Failure> {
     let assembled = Assembled::<L, N>::of(&request, listing)?;
-    let (task, design) = (assembled.task(), &assembled.design);
+    let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
-    let springs = springs(&task, request.listing, &measured.in_file)?;
+    let springs = springs(task, request.listing, &measured.in_file)?;
     let masses = match request.listing {
         Some(listing) => {
             let origin = design.origin.position();
-            masses(&task, listing, (origin, &assembled.in_file()))?
+            masses(task, listing, (origin, &assembled.in_file()))?
         }
         None => Vec::new(),
     };
-    let (mut names, of_drives) = in_effect(&task, design);
-    names.vehicle.steering_wheel = steering_wheel(&task, &names, design)?;
+    let (mut names, of_drives) = in_effect(task, design);
+    names.vehicle.steering_wheel = steering_wheel(task, &names, design)?;
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
     let doubts = doubts(&assembled, &drives, request.instants);
@@ -87,9 +87,9 @@ fn doubts<L: Suspension<N>, const N: usize>(
     if assembled.outlier.is_some() {
         return Vec::new();
     }
-    let task = assembled.task();
-    let mut doubts = contradicted_drives::doubts(&task, &assembled.design, drives, instants);
-    doubts.extend(wrong_side::notes(&task, &assembled.given));
+    let task = &assembled.task;
+    let mut doubts = contradicted_drives::doubts(task, &assembled.design, drives, instants);
+    doubts.extend(wrong_side::notes(task, &assembled.given));
     doubts
 }
 
@@ -99,18 +99,18 @@ fn remarks<L: Suspension<N>, const N: usize>(
     request: &Request<'_>,
     (names, couplings): (&Names, &[Coupling]),
 ) -> Vec<String> {
-    let (task, design) = (assembled.task(), &assembled.design);
+    let (task, design) = (&assembled.task, &assembled.design);
     let (given, outlier) = (&assembled.given, assembled.outlier.as_ref());
-    let mut notes = notes(&task, given, &design.points, design.off, outlier);
+    let mut notes = notes(task, given, &design.points, design.off, outlier);
     if let Some(listing) = request.listing {
-        notes.extend(loose_markers(&task, design, listing));
-        notes.extend(one_sided::note(&task, listing));
-        notes.extend(neither_side::notes(&task, listing, given));
+        notes.extend(loose_markers(task, design, listing));
+        notes.extend(one_sided::note(task, listing));
+        notes.extend(neither_side::notes(task, listing, given));
     }
-    notes.extend(contradicted_wheels::notes(&task, design, couplings));
-    notes.extend(missing_travel::note(&task, names));
+    notes.extend(contradicted_wheels::notes(task, design, couplings));
+    notes.extend(missing_travel::note(task, names));
     if request.to != Start::Design {
-        notes.extend(short_of_stop(&task, request.instants));
+        notes.extend(short_of_stop(task, request.instants));
     }
     notes
 }
@@ -132,10 +132,10 @@ impl<const N: usize> Begin<N> {
         drives: DriveLaws,
         (doubts, notes): (&[String], &mut Vec<String>),
     ) -> Result<Self, Failure> {
-        let (task, design) = (assembled.task(), &assembled.design);
+        let (task, design) = (&assembled.task, &assembled.design);
         match &assembled.stand_in {
             _ if to == Start::Design => Ok(Self::at_design(design)),
-            None => match start::to_first_instant(&task, design, &drives) {
+            None => match start::to_first_instant(task, design, &drives) {
                 Ok(start) => Ok(Self {
                     start,
                     drives,
@@ -156,7 +156,7 @@ impl<const N: usize> Begin<N> {
                 }
             },
             Some(stand_in) => {
-                let lead = led::to_first_instant(&task, design, &drives, stand_in);
+                let lead = led::to_first_instant(task, design, &drives, stand_in);
                 // For starts other than the first instant, they become notes.
                 let doubts = if to == Start::FirstInstant {
                     doubts

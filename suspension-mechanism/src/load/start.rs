@@ -32,7 +32,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
     match follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut motion) {
         Ok(_) => Ok(motion),
         Err(stopped) => {
-            let (names, unit) = (task.names, task.file.unit());
+            let (names, unit) = (&task.names, task.file.unit());
             let [_, asked] = FROM_DESIGN_TO_FIRST;
             let given = |drives: &L::Drives| design.given(drives);
             let first = given(&way.inputs::<L::Drives>(asked).drives.value);

@@ -6,23 +6,34 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, Table};
+use crate::load::request::Request;
 use crate::load::unsatisfied::Unsatisfied;
 use crate::mechanism::{DriveLaws, Names, Polynomial};
 use crate::number::{number, rounded};
 
 /// A file whose mechanism is being prepared.
-#[derive(Clone, Copy)]
 pub(super) struct Task<'a> {
     pub(super) source: &'a Source,
-    pub(super) file: &'a MotionFile,
+    pub(super) file: MotionFile,
     /// The first instant, s.
     pub(super) first: f64,
-    pub(super) names: &'a Names,
+    pub(super) names: Names,
     /// The offset to be added to y to get the file's coordinates.
     pub(super) middle: f64,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    /// A file as it was read, with the names of all parts.
+    pub(super) fn new(request: &Request<'a>, names: Names) -> Self {
+        Self {
+            source: request.source,
+            file: request.file.clone(),
+            first: request.instants.ends()[0],
+            names,
+            middle: 0.0,
+        }
+    }
+
     /// Points out, in the file, the cause why a linkage cannot be built.
     pub(super) fn refuse_geometry(&self, error: &GeometryError) -> Failure {
         let Self {
@@ -47,7 +58,7 @@ impl Task<'_> {
         };
         source.refuse(
             &span.unwrap_or_else(|| file.points.span()),
-            error.named(*names),
+            error.named(names),
         )
     }
 

@@ -77,7 +77,7 @@ fn unlifted(
     (wheel, drive): (&Wheel, usize),
     rates: &[Vector3<f64>],
 ) -> Option<String> {
-    let names = task.names;
+    let names = &task.names;
     let lift = |wheel: &Wheel| rates[wheel.points.axis[1]].z.abs();
     let others = names.wheels.iter();
     let most = others.max_by(|a, b| lift(a).total_cmp(&lift(b)))?;

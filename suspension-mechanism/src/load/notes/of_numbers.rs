@@ -22,7 +22,7 @@ pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Op
 
 /// Notes on lengths of the vehicle that seem to be in another unit.
 pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
-    let names = task.names;
+    let names = &task.names;
     let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
     let radius = radii.map(|radius| length(task.file.length, "wheel_radius", radius, 0.05..5.0));
     let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);

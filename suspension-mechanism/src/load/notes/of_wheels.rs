@@ -25,7 +25,7 @@ pub(super) fn of_wheel(
 
 /// A note that the kingpin is stated from top to bottom.
 fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    let names = task.names;
+    let names = &task.names;
     let [lower, upper] = wheel.points.kingpin?;
     let [from, to] = [lower, upper].map(|point| &names.points[point]);
     let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
@@ -41,7 +41,7 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
 /// A note that the spin axis is far off the y direction at the design position: one of its two points is probably
 /// wrong.
 fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    let names = task.names;
+    let names = &task.names;
     let [inner, centre] = wheel.points.axis;
     let [from, to] = [inner, centre].map(|point| &names.points[point]);
     let axis = placed[centre] - placed[inner];
@@ -57,7 +57,7 @@ fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> 
 
 /// A note that the spin axis of a wheel on one side points to the other side.
 fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    let names = task.names;
+    let names = &task.names;
     let [inner, centre] = wheel.points.axis;
     let [from, to] = [inner, centre].map(|point| &names.points[point]);
     let outboard = placed[centre].y - placed[inner].y;

@@ -45,7 +45,7 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P
 /// A note on a point on the other side of the vehicle than its wheel, pick-up points included. The point belongs to a
 /// corner or, if there are several wheels, has the wheel's name in its own.
 fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, wheel: &Wheel) -> Option<String> {
-    let names = task.names;
+    let names = &task.names;
     if wheel.name.is_empty() && names.wheels.len() > 1 {
         return None;
     }
