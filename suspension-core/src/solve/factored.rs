@@ -62,9 +62,7 @@ where
     if is_healthy(factors.growth_squared()) {
         Ok(work(&factors))
     } else {
-        let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
-        check_rates(linkage, &lu)?;
-        Ok(work(&lu))
+        Ok(work(&with_pivoting_for_rates(linkage, q, fixed)?))
     }
 }
 
@@ -90,6 +88,28 @@ where
     Ok(lu)
 }
 
+/// As [`with_pivoting`], for rates.
+///
+/// # Errors
+///
+/// As [`with_factors_for_rates`].
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn with_pivoting_for_rates<T, L, const N: usize>(
+    linkage: &L,
+    q: &SVector<T, N>,
+    fixed: &L::Fixed,
+) -> Result<Lu<T, N>, SolveError<T>>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let factored = with_pivoting(linkage, q, fixed, least_pivot());
+    if let Ok(lu) = &factored {
+        check_rates(linkage, lu)?;
+    }
+    factored
+}
+
 /// The direction of the unknowns that changes the equations least: the inverse takes almost any vector to it.
 #[cold]
 #[inline(never)]
@@ -103,10 +123,7 @@ fn least_determined<T: Real, const N: usize>(factors: &Lu<T, N>) -> SVector<T, N
 /// rounding errors of the position. Rates may be off by the same fraction.
 #[cold]
 #[inline(never)]
-pub(crate) fn check_rates<T, L, const N: usize>(
-    linkage: &L,
-    factors: &Lu<T, N>,
-) -> Result<(), SolveError<T>>
+fn check_rates<T, L, const N: usize>(linkage: &L, factors: &Lu<T, N>) -> Result<(), SolveError<T>>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
@@ -153,9 +170,9 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
         if is_healthy(factors.growth_squared()) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
-            check_rates(linkage, &lu)?;
-            Ok(Self::WithPivoting(lu))
+            Ok(Self::WithPivoting(with_pivoting_for_rates(
+                linkage, q, fixed,
+            )?))
         }
     }
 

@@ -23,12 +23,11 @@
 //! are below 1e-8 m/s^2; in `f32` steps of a millisecond are accepted with 0.01 m/s and 20 m/s^2. [`Report::error`]
 //! is the size of `e`.
 
-use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::signal::{ChassisMotion, Inputs};
-use crate::solve::factored::{check_rates, with_pivoting};
+use crate::solve::factored::with_pivoting_for_rates;
 use crate::solve::motion::{Motion, Prescribed};
 use crate::solve::report::Report;
 use crate::solve::tolerance::Tolerance;
@@ -207,8 +206,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
             return Err(SolveError::not_finite(equation));
         }
-        let lu = with_pivoting(linkage, at, fixed, least_pivot())?;
-        check_rates(linkage, &lu)?;
+        let lu = with_pivoting_for_rates(linkage, at, fixed)?;
         let (next, evidence) = step.settle::<_, true>(&lu, outputs);
         let before = motion.positive_determinant;
         match self.judge(linkage.size(), &evidence, before, || step.moved(&next)) {
