@@ -105,35 +105,14 @@ impl<T: Real> Newton<T> {
     where
         L: Linkage<N, Scalar = T>,
     {
-        let residual_at = |x: &SVector<T, N>| {
-            linkage.residual(x, &prescribed.fixed.value, &prescribed.drives.value)
-        };
+        let (fixed, drives) = (&prescribed.fixed.value, &prescribed.drives.value);
+        let residual_at = |x: &SVector<T, N>| linkage.residual(x, fixed, drives);
         let mut at = Iterate::new(*q, residual_at(q))?;
         let mut bound = first_bound;
         let mut error = T::zero();
         for iterations in 1..=self.max_iterations {
-            let (size, growth_squared, next) = with_factors(
-                linkage,
-                &at.q,
-                &prescribed.fixed.value,
-                T::zero(),
-                |factors| {
-                    let step = factors.solve(&at.residual);
-                    let size = within(&step, bound, rounding_at(linkage, &at.q))?;
-                    let next = self.damped(&at, &step, residual_at)?;
-                    let growth = factors.growth_squared();
-                    if next.worst > self.tolerance_at(linkage, &next.q) {
-                        return Ok((size, growth, next));
-                    }
-                    // One more correction with the same factors removes the error of second order that the last one
-                    // has left.
-                    Ok((
-                        size,
-                        growth,
-                        next.or_better(next.q - factors.solve(&next.residual), residual_at),
-                    ))
-                },
-            )??;
+            let (size, growth_squared, next) =
+                self.iterated(linkage, fixed, &at, bound, residual_at)?;
             if iterations == 1 {
                 error = size;
             }
@@ -158,6 +137,33 @@ impl<T: Real> Newton<T> {
             tolerance: self.tolerance_at(linkage, &at.q),
             iterations: self.max_iterations,
         })
+    }
+
+    /// One iteration: the size of the correction, which must be within the bound, the pivot growth of the factors, squared,
+    /// and the next iterate.
+    fn iterated<L, const N: usize>(
+        &self,
+        linkage: &L,
+        fixed: &L::Fixed,
+        from: &Iterate<T, N>,
+        bound: Option<T>,
+        residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N> + Copy,
+    ) -> Result<(T, T, Iterate<T, N>), SolveError<T>>
+    where
+        L: Linkage<N, Scalar = T>,
+    {
+        with_factors(linkage, &from.q, fixed, T::zero(), |factors| {
+            let step = factors.solve(&from.residual);
+            let size = within(&step, bound, rounding_at(linkage, &from.q))?;
+            let next = self.damped(from, &step, residual_at)?;
+            let growth_squared = factors.growth_squared();
+            if next.worst > self.tolerance_at(linkage, &next.q) {
+                return Ok((size, growth_squared, next));
+            }
+            // One more correction with the same factors removes the error of second order that the last one has left.
+            let better = next.q - factors.solve(&next.residual);
+            Ok((size, growth_squared, next.or_better(better, residual_at)))
+        })?
     }
 
     /// The largest residual that is accepted as a root at a position.
