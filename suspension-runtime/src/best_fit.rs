@@ -15,7 +15,7 @@ where
     Room<N>: Size,
 {
     /// The guess `q` with each body, and each cluster of links, moved to where it fits best.
-    pub(crate) fn best_fit(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
+    pub(crate) fn fit(&self, q: &SVector<T, N>, fixed: &Few<Vector3<T>, N>) -> SVector<T, N> {
         let plan = self.plan();
         let mut q = *q;
         let mut carried = self.carried.as_slice().iter();

@@ -20,7 +20,7 @@ impl<'l, T: Real, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
-    pub(crate) fn from_points(
+    pub(crate) fn of(
         listing: Fitted<'l, N>,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Self, GeometryError> {
@@ -205,7 +205,10 @@ where
         }))
     }
 
-    pub(crate) fn marked(mut self, points: &Points<Vector3<T>, N>) -> Result<Self, GeometryError> {
+    pub(crate) fn with_markers(
+        mut self,
+        points: &Points<Vector3<T>, N>,
+    ) -> Result<Self, GeometryError> {
         parts::finite(self.points_of(points))?;
         self.markers = self.markers_at(points)?;
         Ok(self)
@@ -227,7 +230,7 @@ where
         Self { size, ..self }
     }
 
-    pub(crate) fn drives_in(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
+    pub(crate) fn drives_at(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
         let drives = self
             .plan()
             .drives

@@ -31,7 +31,7 @@ where
         });
     }
 
-    pub(crate) fn jacobian_at(
+    pub(crate) fn jacobian(
         &self,
         q: &SVector<T, N>,
         fixed: &Few<Vector3<T>, N>,

@@ -35,7 +35,7 @@ where
 {
     /// The assembled and eliminated factors.
     #[inline(always)]
-    pub(crate) fn factored(
+    pub(crate) fn factor(
         &self,
         q: &SVector<T, N>,
         fixed: &Few<Vector3<T>, N>,

@@ -104,7 +104,7 @@ impl Listing {
             return Err(ModelError::TooSmall { count, most, what });
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        let model = Model::from_points(listing, &points).map_err(ModelError::Geometry)?;
+        let model = Model::of(listing, &points).map_err(ModelError::Geometry)?;
         model.check_pivots(&points).map_err(ModelError::Geometry)?;
         Ok(model)
     }

@@ -16,7 +16,7 @@ impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
 {
-    pub(crate) fn lengths_now(&self) -> Lengths<T, N> {
+    pub(crate) fn lengths(&self) -> Lengths<T, N> {
         let of = |lengths: [T; 3], index| lengths.get(usize::from(index)).copied();
         let value = |length: &Length| match *length {
             Length::Distance(distance) => Some(self.distances.get(distance).length()),
@@ -34,7 +34,7 @@ where
         Lengths::<T, N>::from_values(values.map(Option::unwrap_or_default))
     }
 
-    pub(crate) fn relengthened(self, lengths: &Lengths<T, N>) -> Result<Self, GeometryError> {
+    pub(crate) fn with_lengths(self, lengths: &Lengths<T, N>) -> Result<Self, GeometryError> {
         let plan = self.plan();
         parts::positive(lengths.values().take(plan.lengths.len()))?;
         let bodies = self.forms().bodies.iter();

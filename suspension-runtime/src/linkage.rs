@@ -1,4 +1,5 @@
-//! The interface of a model for the solvers.
+//! The interface of a model for the solvers. A longer function is an inherent one of the same name, beside what it uses:
+//! `self.jacobian(...)` calls that one.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use suspension_core::model::constraint::Frame;
@@ -71,7 +72,7 @@ where
     }
 
     fn put_drives(&self, fixed: &mut Self::Fixed, drives: &Self::Drives) {
-        self.put_coordinates(fixed, drives);
+        self.put_drives(fixed, drives);
     }
 
     #[inline(always)]
@@ -87,7 +88,7 @@ where
     }
 
     fn jacobian(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SMatrix<T, N, N> {
-        self.jacobian_at(q, fixed)
+        self.jacobian(q, fixed)
     }
 
     fn pivots(&self) -> &[[usize; 2]] {
@@ -96,7 +97,7 @@ where
 
     #[inline(always)]
     fn factor(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> Self::Factors {
-        self.factored(q, fixed)
+        self.factor(q, fixed)
     }
 
     #[inline(always)]
@@ -170,14 +171,14 @@ where
     }
 
     fn unknowns(&self, points: &Self::Points) -> SVector<T, N> {
-        self.unknowns_of(points)
+        self.unknowns(points)
     }
 
     fn measures(&self, points: &Signal<Self::Points>) -> Signal<Self::Measures>
     where
         T: Real,
     {
-        self.measured(points)
+        self.measures(points)
     }
 
     fn mirrored(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> impl Iterator<Item = T> {
@@ -201,7 +202,7 @@ where
     type Lengths = Lengths<T, N>;
 
     fn of(listing: Fitted<'l, N>, design: &Self::Points) -> Result<Self, GeometryError> {
-        Self::from_points(listing, design)
+        Self::of(listing, design)
     }
 
     fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError> {
@@ -209,22 +210,22 @@ where
     }
 
     fn with_lengths(self, lengths: &Self::Lengths) -> Result<Self, GeometryError> {
-        self.relengthened(lengths)
+        self.with_lengths(lengths)
     }
 
     fn with_markers(self, points: &Self::Points) -> Result<Self, GeometryError> {
-        self.marked(points)
+        self.with_markers(points)
     }
 
     fn lengths(&self) -> Self::Lengths {
-        self.lengths_now()
+        self.lengths()
     }
 
     fn drives_at(&self, points: &Self::Points) -> Self::Drives {
-        self.drives_in(points)
+        self.drives_at(points)
     }
 
     fn fit(&self, q: &SVector<T, N>, fixed: &Self::Fixed) -> SVector<T, N> {
-        self.best_fit(q, fixed)
+        self.fit(q, fixed)
     }
 }

@@ -60,7 +60,7 @@ where
         }
     }
 
-    pub(crate) fn unknowns_of(&self, points: &Points<Vector3<T>, N>) -> SVector<T, N> {
+    pub(crate) fn unknowns(&self, points: &Points<Vector3<T>, N>) -> SVector<T, N> {
         let plan = self.plan();
         let free = (0..plan.free).map(|free| points.get(plan.chassis + free));
         let mut q = SVector::from([T::zero(); N]);
@@ -107,7 +107,7 @@ where
     }
 
     #[inline(always)]
-    pub(crate) fn put_coordinates(&self, fixed: &mut Few<Vector3<T>, N>, drives: &Few<T, N>) {
+    pub(crate) fn put_drives(&self, fixed: &mut Few<Vector3<T>, N>, drives: &Few<T, N>) {
         for (place, drive) in (0..).zip(&self.plan().drives) {
             let Some(point) = drive.moves else {
                 continue;
@@ -141,7 +141,7 @@ where
         quantities.map(move |quantity| measured(quantity, |place| point(place.into())))
     }
 
-    pub(crate) fn measured(&self, points: &Signal<Points<Vector3<T>, N>>) -> Signal<Few<T, N>> {
+    pub(crate) fn measures(&self, points: &Signal<Points<Vector3<T>, N>>) -> Signal<Few<T, N>> {
         let mut measures: Signal<Few<T, N>> = Signal::default();
         for (place, quantity) in (0..).zip(&self.plan().measures) {
             let each = measured(quantity, |place| points.map(|points| points.get(place)));
