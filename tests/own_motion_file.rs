@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered, Variables, Wished};
+use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -171,7 +171,7 @@ fn ranges_far_from_the_origin() {
 #[test]
 fn baked_far_from_the_origin() {
     let [here, there] = [[0.0; 3], AWAY].map(|away| {
-        let order = Order {
+        let request = Request {
             along: Variables::Drives(vec![Wished {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
@@ -180,13 +180,13 @@ fn baked_far_from_the_origin() {
             continuity: Continuity::Velocity,
             wish: Wish::Wheel,
         };
-        let ordered = Ordered {
+        let baking = Baking {
             interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism: &mechanism(away),
-            order: &order,
+            request: &request,
         };
-        let sheet = ordered.sheet().expect("a curve");
+        let sheet = baking.sheet().expect("a curve");
         match sheet.baked {
             Table::Curve(baked) => (sheet.about, baked),
             Table::Surface(_) => panic!("of one drive a curve"),

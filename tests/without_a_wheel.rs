@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::order::{Order, Ordered, Variables, Wished};
+use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
 use suspension::load::load;
@@ -43,8 +43,8 @@ fn on_it<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
     work(&*loaded.at_first_instant().expect("a mechanism"))
 }
 
-fn order(wish: Wish) -> Order {
-    Order {
+fn request(wish: Wish) -> Request {
+    Request {
         along: Variables::Drives(vec![Wished::default()]),
         tolerance: 1e-6,
         continuity: Continuity::Velocity,
@@ -119,11 +119,11 @@ fn its_points_are_baked_and_its_wheel_is_refused() {
 
 fn bakes_points_alone(mechanism: &dyn Kinematics) {
     let baked = |wish| {
-        Ordered {
+        Baking {
             interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism,
-            order: &order(wish),
+            request: &request(wish),
         }
         .sheet()
     };

@@ -1,6 +1,6 @@
 //! `suspension bake`: a motion along drives, or along a measure, as a source file.
 
-pub mod order;
+pub mod request;
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -18,7 +18,7 @@ use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
 use crate::output::target::Target;
-use order::{Order, Ordered, Wished, WishedMeasure};
+use request::{Baking, Request, Wished, WishedMeasure};
 
 /// The arguments of `suspension bake`.
 #[derive(Args, Clone, Debug)]
@@ -92,13 +92,13 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let ordered = Ordered {
+        let baking = Baking {
             file: source.name(),
             mechanism: &*loaded.driven("suspension bake")?,
-            order: &self.order()?,
+            request: &self.request()?,
             interrupted,
         };
-        let sheet = ordered.sheet()?;
+        let sheet = baking.sheet()?;
         let language = Language::from(self.language);
         let ending = format!("_{}.{}", sheet.subject(), language.extension());
         let own = in_out(&self.file, &ending);
@@ -112,7 +112,7 @@ impl Arguments {
         Ok(())
     }
 
-    fn variables(&self) -> Result<order::Variables, Failure> {
+    fn variables(&self) -> Result<request::Variables, Failure> {
         if let Some(along) = &self.along {
             return self.in_place_of(along);
         }
@@ -133,11 +133,11 @@ impl Arguments {
             }
             only.range = ends;
         }
-        Ok(order::Variables::Drives(drives))
+        Ok(request::Variables::Drives(drives))
     }
 
     /// The measure in place of the drive that is named.
-    fn in_place_of(&self, along: &WishedMeasure) -> Result<order::Variables, Failure> {
+    fn in_place_of(&self, along: &WishedMeasure) -> Result<request::Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
             [Wished { drive, range }] if *range == [None; 2] => drive.clone(),
@@ -147,11 +147,14 @@ impl Arguments {
             }
         };
         let along = along.clone();
-        Ok(order::Variables::Measure(WishedMeasure { drive, ..along }))
+        Ok(request::Variables::Measure(WishedMeasure {
+            drive,
+            ..along
+        }))
     }
 
-    fn order(&self) -> Result<Order, Failure> {
-        Ok(Order {
+    fn request(&self) -> Result<Request, Failure> {
+        Ok(Request {
             along: self.variables()?,
             tolerance: self.tolerance,
             continuity: match self.continuity {

@@ -158,7 +158,7 @@ impl Arguments {
                 "--axle is for corners; {linkage} has both sides"
             )));
         }
-        let found = orientation(&choice, &names.order, self.axes, stated.usual);
+        let found = orientation(&choice, &names.arrangement, self.axes, stated.usual);
         let orientation = found.map_err(refuse)?;
         let corner = Corner::of(&choice, orientation.axes, side).map_err(refuse)?;
         Ok(Imported {

@@ -11,7 +11,7 @@ use crate::file::Source;
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Description, Order};
+use crate::mechanism::{DerivativeOrder, Description};
 use crate::option::derivatives;
 use crate::output::beside::in_out;
 use crate::output::files::announce;
@@ -92,8 +92,8 @@ impl Arguments {
         let table = GridTable::of(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
-            2 => Order::Second,
-            _ => Order::First,
+            2 => DerivativeOrder::Second,
+            _ => DerivativeOrder::First,
         };
         let visited = mechanism.visit(&grid, order, interrupted, &mut |place| {
             progress.step();

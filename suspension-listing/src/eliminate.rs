@@ -16,12 +16,12 @@ use std::collections::BTreeMap;
 
 use acceptance::Positions;
 pub use acceptance::THRESHOLD;
-pub use order::{DIVISION, Entry, Order, Step};
+pub use order::{DIVISION, EliminationOrder, Entry, Step};
 use partial::Partial;
 
 /// The best order found for an `n x n` matrix of full structural rank. If none has large pivots in all positions, it
 /// is chosen by the design position; if that is singular, by structure alone.
-pub fn order(n: usize, entries: &[Entry]) -> Order {
+pub fn order(n: usize, entries: &[Entry]) -> EliminationOrder {
     let first = |positions: usize| {
         let entries = entries.iter().map(|entry| Entry {
             values: entry.values.iter().copied().take(positions).collect(),
@@ -38,7 +38,7 @@ pub fn order(n: usize, entries: &[Entry]) -> Order {
 }
 
 /// The order with large pivots in the largest number of designs. The entries have their values in these designs.
-pub fn order_for_most(n: usize, entries: &[Entry]) -> Order {
+pub fn order_for_most(n: usize, entries: &[Entry]) -> EliminationOrder {
     // Ties are rarer here, so more attempts find nothing better.
     const ATTEMPTS: u64 = 8;
     let start = Partial::new(n, entries, Positions::OfDesigns);
@@ -47,7 +47,7 @@ pub fn order_for_most(n: usize, entries: &[Entry]) -> Order {
 
 /// The cheapest of the orders that serve the most positions, from many attempts; `None` if no attempt finds a pivot
 /// for each step.
-fn cheapest(start: Partial, attempts: u64) -> Option<Order> {
+fn cheapest(start: Partial, attempts: u64) -> Option<EliminationOrder> {
     let start = start.without_carried()?;
     let orders = (0..attempts).filter_map(|attempt| start.clone().eliminate(attempt));
     orders.min_by(|a, b| {
@@ -63,7 +63,7 @@ fn attempts(n: usize) -> u64 {
     (45_000 / (n * n).max(1)).clamp(8, 200) as u64
 }
 
-impl Order {
+impl EliminationOrder {
     /// Whether the order of rows and columns makes the sign of the product of the pivots opposite to that of the
     /// determinant, found from the cycles of the permutation from rows to columns.
     pub fn is_odd(&self) -> bool {

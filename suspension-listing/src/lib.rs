@@ -27,7 +27,7 @@ pub mod system;
 pub mod text;
 mod vector;
 
-use eliminate::Order;
+use eliminate::EliminationOrder;
 use errors::Errors;
 use system::{Positions, System};
 
@@ -57,7 +57,7 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
 
 /// The order in which a system without mistakes is eliminated: chosen by the positions around its design if the
 /// listing states it, otherwise by typical suspension designs; if none of those is regular, by structure alone.
-pub fn order(system: &System) -> Order {
+pub fn order(system: &System) -> EliminationOrder {
     match system.design() {
         Some(design) => order_at(system, design),
         None => match sample::likely(system) {
@@ -68,7 +68,7 @@ pub fn order(system: &System) -> Order {
 }
 
 /// As [`order`], by the positions around a given design.
-pub fn order_at(system: &System, design: Positions) -> Order {
+pub fn order_at(system: &System, design: Positions) -> EliminationOrder {
     let entries = system.entries(&sample::positions(system, design));
     eliminate::order(system.size(), &entries)
 }

@@ -31,7 +31,7 @@ mod written_out;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use suspension_listing::eliminate::Order;
+use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::system::System;
 
 use crate::module::Module;
@@ -39,7 +39,7 @@ use crate::module::Module;
 pub(crate) use stub::stub;
 
 /// The whole module.
-pub(crate) fn module(module: &Module, system: &System, order: &Order) -> TokenStream {
+pub(crate) fn module(module: &Module, system: &System, order: &EliminationOrder) -> TokenStream {
     let Module {
         attributes,
         vis,

@@ -15,7 +15,7 @@ use suspension_mechanism::characteristics::columns;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
 use suspension_mechanism::load::load;
-use suspension_mechanism::mechanism::{Axis, CountedFrom, Grid, Order, Place};
+use suspension_mechanism::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
 use suspension_mechanism::quantities::{Column, Reader};
 use suspension_mechanism::sensitivities::sensitivities;
 
@@ -50,7 +50,7 @@ fn state(mechanism: &dyn Kinematics, grid: &Grid, columns: &[Column]) -> Vec<f64
     let never = AtomicBool::new(false);
     let drives = mechanism.names.drives.len();
     let mut read = |place: &dyn Place| numbers(place, columns, drives);
-    let visited = mechanism.visit(grid, Order::First, &never, &mut read);
+    let visited = mechanism.visit(grid, DerivativeOrder::First, &never, &mut read);
     let place = visited.places.into_iter().next().flatten();
     place.expect("a regular place")
 }

@@ -17,7 +17,9 @@ use suspension_mechanism::characteristics::GridTable;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
 use suspension_mechanism::load::load;
-use suspension_mechanism::mechanism::{Axis, CountedFrom, Grid, Mechanism, Order, evenly_spaced};
+use suspension_mechanism::mechanism::{
+    Axis, CountedFrom, DerivativeOrder, Grid, Mechanism, evenly_spaced,
+};
 
 const CORNER: &str = "
     linkage = 'double_wishbone'
@@ -50,7 +52,9 @@ fn written(walked: &dyn Kinematics) -> Mechanism<Model<f64>, 12> {
 /// All numbers of all places.
 fn sweep(mechanism: &dyn Kinematics, grid: &Grid, table: &GridTable) -> Vec<Option<Vec<f64>>> {
     let never = AtomicBool::new(false);
-    let visited = mechanism.visit(grid, Order::First, &never, &mut |place| table.row(place));
+    let visited = mechanism.visit(grid, DerivativeOrder::First, &never, &mut |place| {
+        table.row(place)
+    });
     visited.places
 }
 

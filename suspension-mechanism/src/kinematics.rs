@@ -19,8 +19,8 @@ use crate::bake::{
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Borne, Changing, CountedFrom, Description, End, Grid, Instants, Lock, Mechanism, OnPlace,
-    OnState, Order, Place, State, Suspension, VisitEnd, Visited,
+    Borne, Changing, CountedFrom, DerivativeOrder, Description, End, Grid, Instants, Lock,
+    Mechanism, OnPlace, OnState, Place, State, Suspension, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
@@ -47,7 +47,7 @@ pub trait Kinematics: Deref<Target = Description> {
     fn visit_each(
         &self,
         grid: &Grid,
-        order: Order,
+        order: DerivativeOrder,
         interrupted: &AtomicBool,
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd;
@@ -132,7 +132,7 @@ impl dyn Kinematics + '_ {
     pub fn visit<R>(
         &self,
         grid: &Grid,
-        order: Order,
+        order: DerivativeOrder,
         interrupted: &AtomicBool,
         read: &mut Read<'_, R>,
     ) -> Visited<R> {
@@ -147,7 +147,7 @@ impl dyn Kinematics + '_ {
     /// Reads the place where the mechanism starts; `None` if it locks there, or if the user interrupts.
     pub fn at_start<R>(&self, interrupted: &AtomicBool, read: &mut Read<'_, R>) -> Option<R> {
         let here = Grid::new(self, Vec::new(), CountedFrom::Start).ok()?;
-        let visited = self.visit(&here, Order::First, interrupted, read);
+        let visited = self.visit(&here, DerivativeOrder::First, interrupted, read);
         visited.places.into_iter().flatten().next()
     }
 }
@@ -172,7 +172,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     fn visit_each(
         &self,
         grid: &Grid,
-        order: Order,
+        order: DerivativeOrder,
         interrupted: &AtomicBool,
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd {

@@ -45,7 +45,7 @@ pub use gradient::{DRIVES_AT_ONCE, Gradient};
 pub use grid::{Axis, CountedFrom, Grid, MOST_PLACES, evenly_spaced};
 pub use guide::Guide;
 pub use hinge::Hinge;
-pub use known::Order;
+pub use known::DerivativeOrder;
 pub use lead::Lead;
 pub(crate) use lead::lead;
 pub use locking::Lock;

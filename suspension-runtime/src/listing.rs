@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
-use suspension_listing::eliminate::Order;
+use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::form::Form;
 use suspension_listing::include::IncludeSource;
 use suspension_listing::system::{Equation, Quantity, Site, System};
@@ -78,7 +78,7 @@ impl Listing {
     }
 
     /// The listing with another order of elimination; unchanged if that is too large.
-    pub(crate) fn with_order(self, order: &Order) -> Self {
+    pub(crate) fn with_order(self, order: &EliminationOrder) -> Self {
         let plan = Plan::new(&self.system, order);
         match plan.exceeded::<LARGEST>() {
             Some(_) => self,

@@ -9,7 +9,7 @@ mod readout;
 mod room;
 mod substitution;
 
-use suspension_listing::eliminate::Order;
+use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::system::System;
 
 use crate::form::Forms;
@@ -50,7 +50,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    pub(crate) fn new(system: &System, order: &Order) -> Self {
+    pub(crate) fn new(system: &System, order: &EliminationOrder) -> Self {
         let elimination = Elimination::new(system, order);
         let lengths = LengthNames::new(system);
         let drives = readout::drives(system);

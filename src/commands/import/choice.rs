@@ -248,9 +248,9 @@ mod tests {
                 assert_eq!(*name, spelled(name));
             }
         }
-        let order = &names.order;
-        let ordered = order.ahead.iter().chain(&order.above).flatten();
-        for point in ordered.chain(order.near.iter().flatten()) {
+        let arrangement = &names.arrangement;
+        let ordered = arrangement.ahead.iter().chain(&arrangement.above).flatten();
+        for point in ordered.chain(arrangement.near.iter().flatten()) {
             assert!(points.contains(point), "no listing has {point}");
         }
     }

@@ -13,13 +13,13 @@ use crate::failure::Failure;
 pub(super) struct Names {
     pub(super) points: BTreeMap<String, Vec<String>>,
     numbers: BTreeMap<String, Vec<String>>,
-    pub(super) order: Order,
+    pub(super) arrangement: Arrangement,
 }
 
 /// How points lie to one another.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Order {
+pub(super) struct Arrangement {
     /// The first is ahead of the second.
     pub(super) ahead: Vec<[String; 2]>,
     /// The first is above the second.

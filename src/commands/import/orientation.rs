@@ -4,7 +4,7 @@ use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
 use super::hardpoints::{Hardpoint, Side};
-use super::names::Order;
+use super::names::Arrangement;
 use crate::mechanism::Axes;
 use crate::number::number;
 
@@ -33,16 +33,18 @@ pub(super) struct Orientation {
 /// What the points say where no axes have that.
 pub(super) fn orientation(
     choice: &Choice<'_>,
-    order: &Order,
+    arrangement: &Arrangement,
     stated: Option<Axes>,
     usual: Axes,
 ) -> Result<Orientation, String> {
     check_outboard(choice)?;
-    let is_otherwise = order.otherwise.iter().any(|name| name == choice.linkage);
-    let ahead = if is_otherwise { &[][..] } else { &order.ahead };
+    let Arrangement { ahead, above, .. } = arrangement;
+    let mut otherwise = arrangement.otherwise.iter();
+    let is_otherwise = otherwise.any(|name| name == choice.linkage);
+    let ahead = if is_otherwise { &[][..] } else { ahead };
     let clues = [
         of_order(choice, ahead, 0, "behind"),
-        of_order(choice, &order.above, 2, "below"),
+        of_order(choice, above, 2, "below"),
         of_side(choice.point("wheel_centre")),
     ];
     let clues: Vec<Clue> = clues.into_iter().flatten().collect();

@@ -93,7 +93,7 @@ impl Imported<'_> {
 
     /// Points that seem to be on another part than the layout has them on.
     fn far_points(&self) -> impl Iterator<Item = String> {
-        let near = self.names.order.near.iter();
+        let near = self.names.arrangement.near.iter();
         near.filter_map(|names| {
             let [point, near, far] = names.each_ref().map(|name| self.choice.point(name));
             let (point, near, far) = (point?, near?, far?);

@@ -18,7 +18,7 @@ use crate::file::tell;
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{Order, Place, State};
+use crate::mechanism::{DerivativeOrder, Place, State};
 use crate::output::drawing::{SIZE, Seen};
 use crate::output::files::{announce, print, write_file};
 use crate::output::heading::Header;
@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         };
         let visited = self
             .mechanism
-            .visit(&grid, Order::First, interrupted, &mut read);
+            .visit(&grid, DerivativeOrder::First, interrupted, &mut read);
         let failure = visited.failure(self.source);
         let is_any = visited.places.iter().any(Option::is_some);
         let mut rows = self.rows(forms, &leading, &found)?;

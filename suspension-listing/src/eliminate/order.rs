@@ -19,7 +19,7 @@ pub struct Entry {
 
 /// The steps of an elimination.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Order {
+pub struct EliminationOrder {
     pub steps: Vec<Step>,
     /// Entries that the factors have but the matrix does not.
     pub fill: BTreeSet<(usize, usize)>,

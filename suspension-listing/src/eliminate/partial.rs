@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::acceptance::{Acceptance, Positions};
-use super::order::{DIVISION, Entry, Order, Step};
+use super::order::{DIVISION, EliminationOrder, Entry, Step};
 use super::preference::Preference;
 
 /// The known data of an entry during elimination.
@@ -46,7 +46,7 @@ pub(super) struct Partial {
     /// The smallest permitted pivot of each column, in each position.
     least: Vec<Vec<f64>>,
     acceptance: Acceptance,
-    order: Order,
+    order: EliminationOrder,
 }
 
 impl Partial {
@@ -58,7 +58,7 @@ impl Partial {
             rows_of: vec![Vec::new(); n],
             least: vec![Vec::new(); n],
             acceptance: Acceptance::new(of, positions.unwrap_or_default()),
-            order: Order::default(),
+            order: EliminationOrder::default(),
         };
         for entry in entries {
             let cell = Cell {
@@ -93,7 +93,7 @@ impl Partial {
     }
 
     /// Eliminates to the end; `None` if no entry is large enough for a pivot.
-    pub(super) fn eliminate(mut self, attempt: u64) -> Option<Order> {
+    pub(super) fn eliminate(mut self, attempt: u64) -> Option<EliminationOrder> {
         let mut preference = Preference::of(attempt);
         while self.order.steps.len() < self.cells.len() {
             let (row, column) = self.pivot(&mut preference)?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Positions, Site, System};
-use crate::eliminate::{Entry, Order, Step};
+use crate::eliminate::{EliminationOrder, Entry, Step};
 use crate::form::{Carried, Dependence};
 use crate::name::Name;
 use crate::sample::{Gradient, gradients};
@@ -42,7 +42,7 @@ pub struct Substituted<'a> {
 
 impl Substituted<'_> {
     /// The rows of other equations that depend on it.
-    pub fn rows(&self, order: &Order) -> BTreeSet<usize> {
+    pub fn rows(&self, order: &EliminationOrder) -> BTreeSet<usize> {
         self.steps(order)
             .flat_map(|step| &step.below)
             .copied()
@@ -50,7 +50,7 @@ impl Substituted<'_> {
     }
 
     /// Its three steps, one per axis.
-    pub fn steps<'a>(&self, order: &'a Order) -> impl Iterator<Item = &'a Step> {
+    pub fn steps<'a>(&self, order: &'a EliminationOrder) -> impl Iterator<Item = &'a Step> {
         let columns = self.column..self.column + 3;
         let steps = order.steps.iter();
         steps.filter(move |step| step.carried && columns.contains(&step.column))

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use suspension_listing::eliminate::{Entry, Order, THRESHOLD, order};
+use suspension_listing::eliminate::{EliminationOrder, Entry, THRESHOLD, order};
 
 use super::{catalogue_system, positions};
 
@@ -66,7 +66,7 @@ fn matrix(n: usize, entries: &[Entry]) -> Matrix {
 /// before each step, and the rows that are.
 fn replay(
     mut a: Matrix,
-    order: &Order,
+    order: &EliminationOrder,
     mut at_pivot: impl FnMut(&Matrix, &[usize], usize),
 ) -> Matrix {
     let mut open: Vec<usize> = (0..a.len()).collect();
@@ -85,7 +85,7 @@ fn replay(
 }
 
 /// `L U` of factors, from the entries that the steps name and no others.
-fn product(factors: &Matrix, order: &Order) -> Matrix {
+fn product(factors: &Matrix, order: &EliminationOrder) -> Matrix {
     let n = factors.len();
     let mut product = vec![vec![0.0; n]; n];
     for step in &order.steps {

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::operations::Operations;
 use super::{carried, form};
-use suspension_listing::eliminate::{self, Order};
+use suspension_listing::eliminate::{self, EliminationOrder};
 use suspension_listing::name::Name;
 use suspension_listing::system::System;
 
@@ -23,7 +23,11 @@ fn evaluations(system: &System) -> [Operations; 3] {
 }
 
 /// The operations of the factorisation, including those of the Jacobian, and of a solution.
-fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operations; 2] {
+fn eliminations(
+    system: &System,
+    order: &EliminationOrder,
+    jacobian: Operations,
+) -> [Operations; 2] {
     let (mut factor, mut solve) = (jacobian, Operations::default());
     for point in system.substituted() {
         // Its gradient is not formed. Each row below takes `Carried::by_frame` instead, and three terms in each
@@ -53,7 +57,7 @@ fn eliminations(system: &System, order: &Order, jacobian: Operations) -> [Operat
     [factor, solve]
 }
 
-pub(super) fn header(system: &System, order: &Order) -> TokenStream {
+pub(super) fn header(system: &System, order: &EliminationOrder) -> TokenStream {
     let n = system.size();
     let non_zeros = system.places().len();
     let unknowns = list(system.free.iter().map(|point| &point.named.name));

@@ -8,11 +8,11 @@ use super::jacobian::{parameters, with_points};
 use super::unrolled::Unrolled;
 use super::written_out::written_out;
 use super::{carried, entries, indices, substitution};
-use suspension_listing::eliminate::Order;
+use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::system::System;
 
 /// The struct and its solutions.
-pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
+pub(super) fn factors(system: &System, order: &EliminationOrder) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
@@ -62,7 +62,7 @@ pub(super) fn factors(system: &System, order: &Order) -> TokenStream {
 }
 
 /// `Linkage::pivots`.
-pub(super) fn pivots(system: &System, order: &Order) -> TokenStream {
+pub(super) fn pivots(system: &System, order: &EliminationOrder) -> TokenStream {
     let (rows, unknowns) = (system.rows(), indices::unknowns(system));
     let pivots = order.steps.iter().map(|step| {
         let row = indices::equation(&rows[step.row]);
@@ -77,7 +77,7 @@ pub(super) fn pivots(system: &System, order: &Order) -> TokenStream {
 }
 
 /// `Linkage::factor`.
-pub(super) fn factor(system: &System, order: &Order) -> TokenStream {
+pub(super) fn factor(system: &System, order: &EliminationOrder) -> TokenStream {
     let unrolled = Unrolled::new(system, order);
     let fields = unrolled.fields();
     let entries = entries::entries(&unrolled);

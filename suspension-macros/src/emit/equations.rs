@@ -6,10 +6,10 @@ use quote::quote;
 use super::terms::{Binding, ident, parameter, vector};
 use super::written_out::written_out;
 use super::{clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout};
-use suspension_listing::eliminate::Order;
+use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::system::{Equation, System};
 
-pub(super) fn linkage_impl(system: &System, order: &Order) -> TokenStream {
+pub(super) fn linkage_impl(system: &System, order: &EliminationOrder) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let watched = clusters::watched(system);
     let methods = [

@@ -5,19 +5,19 @@ use quote::{format_ident, quote};
 use syn::Ident;
 
 use super::short::ShortNames;
-use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::eliminate::{EliminationOrder, Step};
 use suspension_listing::system::System;
 
 /// The rows, columns and order of an elimination under their names.
 pub(super) struct Unrolled<'a> {
     pub(super) system: &'a System,
-    pub(super) order: &'a Order,
+    pub(super) order: &'a EliminationOrder,
     pub(super) names: ShortNames,
     stored: Vec<(usize, usize)>,
 }
 
 impl<'a> Unrolled<'a> {
-    pub(super) fn new(system: &'a System, order: &'a Order) -> Self {
+    pub(super) fn new(system: &'a System, order: &'a EliminationOrder) -> Self {
         Self {
             system,
             order,
@@ -105,7 +105,7 @@ impl<'a> Unrolled<'a> {
 }
 
 /// Entries in the order of elimination, each once: for each step the pivot's inverse, its row, the multipliers.
-fn stored(order: &Order) -> Vec<(usize, usize)> {
+fn stored(order: &EliminationOrder) -> Vec<(usize, usize)> {
     let mut stored = Vec::new();
     for step in &order.steps {
         stored.extend((!step.unit).then_some((step.row, step.column)));

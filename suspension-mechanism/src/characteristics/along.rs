@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, Grid, Names, Order, Place, State, Unit, Visited, evenly_spaced,
+    Axis, CountedFrom, DerivativeOrder, Grid, Names, Place, State, Unit, Visited, evenly_spaced,
 };
 use crate::number::number;
 
@@ -148,7 +148,7 @@ fn along(
         let per = drives.iter().map(|(drive, _)| place.per(*drive));
         (place.state(), per.collect())
     };
-    let visited = mechanism.visit(&grid, Order::First, interrupted, &mut read);
+    let visited = mechanism.visit(&grid, DerivativeOrder::First, interrupted, &mut read);
     Along {
         title,
         way: Way { does, number },

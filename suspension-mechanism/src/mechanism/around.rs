@@ -12,7 +12,7 @@ use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
 use crate::mechanism::derivatives::{Along, Derivatives};
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::{DRIVES_AT_ONCE, Graded};
-use crate::mechanism::known::{Known, Lists, Order};
+use crate::mechanism::known::{DerivativeOrder, Known, Lists};
 use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 use crate::mechanism::state::{Moved, State};
@@ -27,7 +27,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     ) -> State {
         let lists = Lists::of(&self.names);
         let known = Known {
-            order: Order::First,
+            order: DerivativeOrder::First,
             lists: &lists,
             arrival: None,
         };
@@ -194,8 +194,8 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     /// The velocities with respect to one drive, with their derivatives with respect to another drive or the same.
     fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
         let second_rate = match self.known.order {
-            Order::First => self.known.lists.unknown.clone(),
-            Order::Second => self.derivatives.spread(&self.derivatives.third(of, per)?),
+            DerivativeOrder::First => self.known.lists.unknown.clone(),
+            DerivativeOrder::Second => self.derivatives.spread(&self.derivatives.third(of, per)?),
         };
         Some(Signal {
             value: self.derivatives.along(of)?.points.clone(),

@@ -8,7 +8,7 @@ use crate::mechanism::points::Points;
 
 /// The highest order of the derivatives of quantities that are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub enum DerivativeOrder {
     /// First derivatives.
     First,
     /// First and second derivatives.
@@ -18,7 +18,7 @@ pub enum Order {
 /// The data that are known before a place is evaluated.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a, const N: usize> {
-    pub(crate) order: Order,
+    pub(crate) order: DerivativeOrder,
     pub(crate) lists: &'a Lists,
     /// The motion by which the place was reached, if a single drive moved.
     pub(crate) arrival: Option<&'a Arrival<N>>,

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::grid::Grid;
-use crate::mechanism::known::Order;
+use crate::mechanism::known::DerivativeOrder;
 use crate::mechanism::names::Suspension;
 use crate::mechanism::words::advice;
 use visitor::Visitor;
@@ -70,7 +70,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     pub(crate) fn visit_each(
         &self,
         grid: &Grid,
-        order: Order,
+        order: DerivativeOrder,
         interrupted: &AtomicBool,
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd {

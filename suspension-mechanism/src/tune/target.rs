@@ -4,7 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, CountedFrom, Description, Drive, Grid, Order, Place, Visited};
+use crate::mechanism::{
+    Axis, CountedFrom, DerivativeOrder, Description, Drive, Grid, Place, Visited,
+};
 use crate::quantities::{Column, Reader};
 
 /// A quantity, the places where it is read, and the values wanted there.
@@ -145,6 +147,6 @@ impl Target {
         let never = AtomicBool::new(false);
         let grid = Grid::new(mechanism, over, CountedFrom::Start).ok()?;
         let mut read = |place: &dyn Place| self.reading.at(place);
-        Some(mechanism.visit(&grid, Order::First, &never, &mut read))
+        Some(mechanism.visit(&grid, DerivativeOrder::First, &never, &mut read))
     }
 }

@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use suspension_listing::eliminate::{self, Order};
+use suspension_listing::eliminate::{self, EliminationOrder};
 use suspension_listing::system::System;
 
 use super::substitution;
@@ -53,7 +53,7 @@ pub(crate) struct Step {
 }
 
 impl Elimination {
-    pub(crate) fn new(system: &System, order: &Order) -> Self {
+    pub(crate) fn new(system: &System, order: &EliminationOrder) -> Self {
         let steps = || order.steps.iter().filter(|step| !step.carried);
         let (forward, backward) = (Rows::forward(order), Rows::backward(order));
         let mut elimination = Self {
@@ -122,7 +122,7 @@ impl Elimination {
 }
 
 /// The entries that the factors store, numbered.
-fn stored(order: &Order) -> BTreeMap<(usize, usize), u16> {
+fn stored(order: &EliminationOrder) -> BTreeMap<(usize, usize), u16> {
     let steps = || order.steps.iter().filter(|step| !step.carried);
     let lower = steps().flat_map(|step| {
         let left = substitution::left(order, step);

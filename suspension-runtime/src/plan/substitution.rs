@@ -1,7 +1,7 @@
 //! Solutions with the factors, as indices. A row stands in the place of the unknown that its step finds, so that a
 //! solution is made in place.
 
-use suspension_listing::eliminate::{Order, Step};
+use suspension_listing::eliminate::{EliminationOrder, Step};
 use suspension_listing::system::{Substituted, System};
 
 use super::ZERO;
@@ -77,7 +77,7 @@ pub(crate) struct Reduction {
 
 impl Rows {
     /// The terms that the rows before it subtract from each row.
-    pub(super) fn forward(order: &Order) -> Self {
+    pub(super) fn forward(order: &EliminationOrder) -> Self {
         let mut rows = Self::default();
         for step in &order.steps {
             let left = left(order, step).filter(|_| !step.carried);
@@ -87,7 +87,7 @@ impl Rows {
     }
 
     /// The terms that the unknowns found before subtract from each row.
-    pub(super) fn backward(order: &Order) -> Self {
+    pub(super) fn backward(order: &EliminationOrder) -> Self {
         let mut rows = Self::default();
         for step in stored_steps(order).rev() {
             rows.push(step, step.right.clone());
@@ -107,7 +107,10 @@ impl Rows {
 
 impl Solution {
     /// The solution with the transpose.
-    pub(super) fn transposed(order: &Order, entry: impl Fn(usize, usize) -> u16) -> Self {
+    pub(super) fn transposed(
+        order: &EliminationOrder,
+        entry: impl Fn(usize, usize) -> u16,
+    ) -> Self {
         let mut solution = Self::default();
         for step in stored_steps(order) {
             for &right in &step.right {
@@ -135,18 +138,21 @@ fn term(to: usize, from: usize, number: u16) -> Term {
     }
 }
 
-fn stored_steps(order: &Order) -> impl DoubleEndedIterator<Item = &Step> {
+fn stored_steps(order: &EliminationOrder) -> impl DoubleEndedIterator<Item = &Step> {
     order.steps.iter().filter(|step| !step.carried)
 }
 
 /// The steps before one that reach its row.
-pub(super) fn left<'a>(order: &'a Order, step: &'a Step) -> impl Iterator<Item = &'a Step> {
+pub(super) fn left<'a>(
+    order: &'a EliminationOrder,
+    step: &'a Step,
+) -> impl Iterator<Item = &'a Step> {
     let steps = order.steps.iter();
     steps.filter(|from| from.below.contains(&step.row))
 }
 
 /// The unknown that the step of a row finds.
-fn column_of(order: &Order, row: usize) -> usize {
+fn column_of(order: &EliminationOrder, row: usize) -> usize {
     let mut steps = order.steps.iter();
     steps
         .find(|step| step.row == row)
@@ -154,7 +160,7 @@ fn column_of(order: &Order, row: usize) -> usize {
 }
 
 /// For each unknown, the row of the step that finds it; for unknowns beyond those of the listing, their own row.
-pub(super) fn row_of(order: &Order) -> Vec<u16> {
+pub(super) fn row_of(order: &EliminationOrder) -> Vec<u16> {
     let steps = order.steps.iter();
     let mut rows: Vec<[usize; 2]> = steps.map(|step| [step.column, step.row]).collect();
     rows.sort_unstable();
@@ -166,7 +172,7 @@ pub(super) fn row_of(order: &Order) -> Vec<u16> {
 /// The points that elimination takes out first, by body.
 pub(super) fn carriers(
     system: &System,
-    order: &Order,
+    order: &EliminationOrder,
     entry: impl Fn(usize, usize) -> u16,
     first_edge: usize,
 ) -> Vec<Carrier> {
@@ -192,7 +198,7 @@ pub(super) fn carriers(
 
 fn carried_point(
     system: &System,
-    order: &Order,
+    order: &EliminationOrder,
     point: &Substituted<'_>,
     entry: impl Fn(usize, usize) -> u16,
 ) -> CarriedPoint {

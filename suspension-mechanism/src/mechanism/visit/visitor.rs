@@ -11,7 +11,7 @@ use crate::mechanism::around::Around;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::Gradient;
 use crate::mechanism::grid::Grid;
-use crate::mechanism::known::{Arrival, Known, Lists, Order};
+use crate::mechanism::known::{Arrival, DerivativeOrder, Known, Lists};
 use crate::mechanism::names::Suspension;
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
@@ -31,7 +31,7 @@ struct Reached<const N: usize> {
 pub(super) struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
-    order: Order,
+    order: DerivativeOrder,
     interrupted: &'a AtomicBool,
     on_place: &'a mut OnPlace<'r>,
     lists: Lists,
@@ -44,7 +44,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
     pub(super) fn new(
         mechanism: &'a Mechanism<L, N>,
         grid: &'a Grid,
-        order: Order,
+        order: DerivativeOrder,
         interrupted: &'a AtomicBool,
         on_place: &'a mut OnPlace<'r>,
     ) -> Self {

@@ -1,13 +1,13 @@
 //! A range that seems to count from the design position.
 
-use crate::commands::bake::order::{Along, DIGITS, Ordered};
+use crate::commands::bake::request::{Along, Baking, DIGITS};
 use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::grid::doubt;
 use crate::mechanism::{CountedFrom, Description, Drive};
 use crate::number::{number, rounded};
 
-impl Ordered<'_> {
+impl Baking<'_> {
     /// Says where a range, `stated` in the file's units, seems to count from the design position, as those of other commands do.
     ///
     /// # Errors

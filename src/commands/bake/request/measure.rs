@@ -6,8 +6,8 @@ use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::source::Ranged;
 use crate::bake::widest::widest;
 use crate::bake::{Baked, OutOfReach, Wanted, bake};
-use crate::commands::bake::order::possible::possible_in_few_digits;
-use crate::commands::bake::order::{DIGITS, Ordered};
+use crate::commands::bake::request::possible::possible_in_few_digits;
+use crate::commands::bake::request::{Baking, DIGITS};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
@@ -33,7 +33,7 @@ pub(super) struct AlongMeasure {
     range: [f64; 2],
 }
 
-impl Ordered<'_> {
+impl Baking<'_> {
     pub(super) fn along_measure(&self, wished: &WishedMeasure) -> Result<AlongMeasure, Failure> {
         let names = &self.mechanism.names;
         let (name, all) = (wished.name.as_str(), names.of_measures());
@@ -81,9 +81,9 @@ impl Ordered<'_> {
         let offset = self.mechanism.measure_offsets[along.measure];
         let wanted = Wanted {
             range: along.range.map(|end| end - offset),
-            tolerance: self.order.tolerance * metre,
+            tolerance: self.request.tolerance * metre,
             metre,
-            continuity: self.order.continuity,
+            continuity: self.request.continuity,
         };
         let baked = self.bake_along(along, &wanted);
         let baked = baked.map_err(|unmet| self.unmet_along(along, &wanted, &unmet))?;
@@ -94,7 +94,7 @@ impl Ordered<'_> {
         let AlongMeasure { measure, drive, .. } = *along;
         let path = self
             .mechanism
-            .led_path([measure, drive], wanted.range, self.order.wish)?;
+            .led_path([measure, drive], wanted.range, self.request.wish)?;
         bake(wanted, &*path)
     }
 
@@ -102,7 +102,7 @@ impl Ordered<'_> {
         let name = &self.mechanism.names.measures[along.measure].name;
         let (reason, inside) = match unmet {
             Unmet::TooManySegments { at } => {
-                let tolerance = rounded(self.order.tolerance, 3);
+                let tolerance = rounded(self.request.tolerance, 3);
                 let at = self.of_measure(along, *at);
                 let reason =
                     format!("{MOST_SEGMENTS} segments do not meet {tolerance} m about {at}");
@@ -158,7 +158,7 @@ impl Ordered<'_> {
         let widest = possible_in_few_digits(range, kept, in_file, |range| {
             let path = self
                 .mechanism
-                .led_path([measure, drive], range, self.order.wish);
+                .led_path([measure, drive], range, self.request.wish);
             widest(&Wanted { range, ..*wanted }, &*path.ok()?)
         })?;
         Some(widest.map(|end| rounded(end, DIGITS)))

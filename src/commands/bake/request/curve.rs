@@ -3,21 +3,21 @@
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
 use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
-use crate::commands::bake::order::possible::possible_in_few_digits;
-use crate::commands::bake::order::{Along, DIGITS, Ordered};
+use crate::commands::bake::request::possible::possible_in_few_digits;
+use crate::commands::bake::request::{Along, Baking, DIGITS};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
 
-impl Ordered<'_> {
+impl Baking<'_> {
     pub(super) fn curve(&self, along: &Along) -> Result<Baked, Failure> {
         let metre = self.mechanism.unit.metre();
         let wanted = Wanted {
             range: along.local,
-            tolerance: self.order.tolerance * metre,
+            tolerance: self.request.tolerance * metre,
             metre,
-            continuity: self.order.continuity,
+            continuity: self.request.continuity,
         };
         let baked = self.bake(along.drive, &wanted)?;
         Ok(baked.moved(self.mechanism.origin.into(), along.range))
@@ -34,7 +34,7 @@ impl Ordered<'_> {
         let reason = match unmet {
             Unmet::TooManySegments { at } => format!(
                 "{MOST_SEGMENTS} segments do not meet {} m about {}",
-                rounded(self.order.tolerance, 3),
+                rounded(self.request.tolerance, 3),
                 self.in_words(drive, self.given(drive, at))
             ),
             Unmet::OutOfReach(error) if locks == [None, None] => {
@@ -116,7 +116,7 @@ impl Ordered<'_> {
     }
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        self.mechanism.path(drive, range, self.order.wish)
+        self.mechanism.path(drive, range, self.request.wish)
     }
 
     /// Where the motion is lost within what the drive reaches, in words.

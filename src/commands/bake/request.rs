@@ -1,4 +1,4 @@
-//! An order from the command line, carried out on a mechanism.
+//! What the command line asks for, carried out on a mechanism.
 
 mod curve;
 mod doubt;
@@ -21,9 +21,9 @@ pub use measure::WishedMeasure;
 /// Digits of a range that is possible: it is rounded to lie within what is.
 const DIGITS: usize = 12;
 
-/// An order: what to bake of the mechanism of a file.
+/// What to bake of the mechanism of a file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Order {
+pub struct Request {
     /// The variables of which the motion is a function.
     pub along: Variables,
     /// How far a point may be off, m.
@@ -53,13 +53,13 @@ pub struct Wished {
 }
 
 /// A mechanism and its file.
-pub struct Ordered<'a> {
+pub struct Baking<'a> {
     /// The file's name.
     pub file: &'a str,
     /// The mechanism.
     pub mechanism: &'a dyn Kinematics,
     /// What to bake.
-    pub order: &'a Order,
+    pub request: &'a Request,
     /// Whether the user has interrupted the program.
     pub interrupted: &'a AtomicBool,
 }
@@ -73,7 +73,7 @@ struct Along {
     local: [f64; 2],
 }
 
-impl Ordered<'_> {
+impl Baking<'_> {
     /// Bakes.
     ///
     /// # Errors
@@ -93,7 +93,7 @@ impl Ordered<'_> {
             angle: Angle::Radian,
             ..*unit
         };
-        let (moved, arguments, baked) = match &self.order.along {
+        let (moved, arguments, baked) = match &self.request.along {
             Variables::Drives(drives) => self.by_drives(drives, inside)?,
             Variables::Measure(wished) => {
                 let along = self.along_measure(wished)?;
@@ -123,10 +123,10 @@ impl Ordered<'_> {
 
     /// Refuses a tolerance that is none, and a wheel where there is none.
     fn check(&self) -> Result<(), Failure> {
-        if !(self.order.tolerance > 0.0 && self.order.tolerance.is_finite()) {
+        if !(self.request.tolerance > 0.0 && self.request.tolerance.is_finite()) {
             return Err(self.refuse("a tolerance is a positive number of metres"));
         }
-        if self.order.wish == Wish::Wheel && self.mechanism.names.wheels.is_empty() {
+        if self.request.wish == Wish::Wheel && self.mechanism.names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );

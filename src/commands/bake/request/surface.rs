@@ -2,25 +2,25 @@
 
 use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
-use crate::commands::bake::order::{Along, Ordered, interrupted};
+use crate::commands::bake::request::{Along, Baking, interrupted};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::{Drive, advice};
 use crate::number::{number, rounded};
 
-impl Ordered<'_> {
+impl Baking<'_> {
     pub(super) fn surface(&self, along: [&Along; 2]) -> Result<BakedSurface, Failure> {
-        if self.order.continuity == Continuity::Acceleration {
+        if self.request.continuity == Continuity::Acceleration {
             return Err(self.refuse("over two drives --continuity is 0 or 1"));
         }
         let metre = self.mechanism.unit.metre();
         let wanted = WantedSurface {
             drives: along.map(|along| along.drive),
             ranges: along.map(|along| along.local),
-            tolerance: self.order.tolerance * metre,
+            tolerance: self.request.tolerance * metre,
             metre,
-            smooth: self.order.continuity == Continuity::Velocity,
-            wish: self.order.wish,
+            smooth: self.request.continuity == Continuity::Velocity,
+            wish: self.request.wish,
         };
         let baked = self.mechanism.bake_surface(&wanted, self.interrupted);
         let baked = baked.map_err(|unmet| self.unmet(along, &unmet))?;
@@ -53,7 +53,7 @@ impl Ordered<'_> {
             }
             UnmetSurface::TooManyPatches => format!(
                 "{MOST_PATCHES} patches do not meet {} m; take a larger --tolerance or shorter ranges",
-                rounded(self.order.tolerance, 3)
+                rounded(self.request.tolerance, 3)
             ),
         };
         Failure::Solver(format!(
