@@ -1,0 +1,73 @@
+//! A corner from points.
+
+use super::Corner;
+use super::clock::Clock;
+use crate::arithmetic::scalar::Real;
+use crate::error::{Failure, GeometryError, SolveError};
+use crate::linkage::{Build, Designed};
+use crate::signal::{Inputs, Signal};
+use crate::solve::assemble::assemble;
+use crate::solve::motion::Motion;
+use crate::solve::newton::Newton;
+use crate::step::tracker::Tracker;
+
+impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
+    /// A corner at rest at the points that the listing states: see [`Corner::new`].
+    ///
+    /// # Errors
+    ///
+    /// See [`Build::of`].
+    pub fn design() -> Result<Self, Failure<GeometryError, L::Listing>>
+    where
+        L: Designed<N>,
+    {
+        Self::new(&L::design())
+    }
+
+    /// A corner at rest at the given points, which give links and bodies their lengths. The points need not satisfy
+    /// what else the listing states, for example that a point lies on the line of a `slide`: they are used as given
+    /// until the first step, which moves them to where they do. [`Corner::assembled`] moves them at once.
+    ///
+    /// # Errors
+    ///
+    /// See [`Build::of`].
+    pub fn new(points: &L::Points) -> Result<Self, Failure<GeometryError, L::Listing>> {
+        match L::new(points) {
+            Ok(model) => Ok(Self::of(model, points)),
+            Err(error) => Err(error.named(L::Listing::default())),
+        }
+    }
+}
+
+impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
+    /// A corner at rest at the given points, with a model that was built from them; for any other model see
+    /// [`Corner::assembled`].
+    pub fn of(model: L, points: &L::Points) -> Self {
+        Self {
+            tracker: Tracker::default(),
+            motion: Motion::at_rest(model.unknowns(points)),
+            drives: Signal::still(model.drives_at(points)),
+            clock: Clock::at(T::zero()),
+            model,
+        }
+    }
+
+    /// A corner at rest with a model whose lengths are not those of the points. The drives have the values that the
+    /// points give, and the configuration is the one nearest to the points.
+    ///
+    /// # Errors
+    ///
+    /// As [`assemble()`].
+    pub fn assembled(
+        model: L,
+        points: &L::Points,
+    ) -> Result<Self, Failure<SolveError<T>, L::Listing>> {
+        let mut corner = Self::of(model, points);
+        let inputs = Inputs::still(corner.drives);
+        let unknowns = &mut corner.motion.position;
+        match assemble(&Newton::from_afar(), &corner.model, &inputs, unknowns) {
+            Ok(_) => Ok(corner),
+            Err(error) => Err(error.named(corner.model.listing())),
+        }
+    }
+}
