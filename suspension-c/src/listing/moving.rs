@@ -162,35 +162,18 @@ where
 
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
         let places = self.corner.model().wheel(wheel)?.axis;
-        at(places, &self.corner.points().value)
+        Some(self.corner.points().value.at(places))
     }
 
     fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>> {
         let places = self.corner.model().wheel(wheel)?.carrier;
-        let points = self.corner.points();
-        Some(Signal {
-            value: at(places, &points.value)?,
-            rate: at(places, &points.rate)?,
-            second_rate: at(places, &points.second_rate)?,
-        })
+        Some(self.corner.points().map(|points| points.at(places)))
     }
 
     fn kingpin(&self, wheel: usize) -> Option<[Vector3<f64>; 2]> {
         let places = self.corner.model().wheel(wheel)?.kingpin?;
-        at(places, &self.corner.points().value)
+        Some(self.corner.points().value.at(places))
     }
-}
-
-/// The points at some places.
-fn at<P: Values<Vector3<f64>>, const COUNT: usize>(
-    places: [usize; COUNT],
-    points: &P,
-) -> Option<[Vector3<f64>; COUNT]> {
-    let mut found = [Vector3::zeros(); COUNT];
-    for (place, point) in places.into_iter().zip(&mut found) {
-        *point = points.values().nth(place)?;
-    }
-    Some(found)
 }
 
 /// The drives of a row.
