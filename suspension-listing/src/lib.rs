@@ -61,14 +61,16 @@ pub fn order(system: &System) -> EliminationOrder {
     match system.design() {
         Some(design) => order_at(system, design),
         None => match sample::likely(system) {
-            designs if designs.is_empty() => eliminate::order(system.size(), &system.entries(&[])),
-            designs => eliminate::order_for_most(system.size(), &system.entries(&designs)),
+            designs if designs.is_empty() => {
+                eliminate::order(system.size(), &sample::entries(system, &[]))
+            }
+            designs => eliminate::order_for_most(system.size(), &sample::entries(system, &designs)),
         },
     }
 }
 
 /// As [`order`], by the positions around a given design.
 pub fn order_at(system: &System, design: Positions) -> EliminationOrder {
-    let entries = system.entries(&sample::positions(system, design));
+    let entries = sample::entries(system, &sample::positions(system, design));
     eliminate::order(system.size(), &entries)
 }

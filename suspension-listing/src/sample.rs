@@ -1,11 +1,12 @@
 //! The Jacobian's numbers at the design position that a listing states, and around it. The
 //! choice of pivots uses them; none are emitted.
 
+mod entries;
 mod gradient;
 mod likely;
 mod path;
 
-pub use gradient::{Gradient, gradients};
+pub use entries::entries;
 pub use likely::likely;
 pub use path::positions;
 

@@ -3,6 +3,7 @@
 //! Lengths drift a little on the way, which hardly affects the size of pivots.
 
 use super::MOST_UNKNOWNS;
+use super::entries::value;
 use super::gradient::gradients;
 use crate::system::{Place, Positions, System};
 use crate::vector::{dot, minus};
@@ -110,7 +111,7 @@ pub(super) fn rates(
     let gradients = gradients(system, position)?;
     let mut matrix = vec![vec![0.0; n + 1]; n];
     for place in places {
-        matrix[place.row][place.column] = place.value(&gradients);
+        matrix[place.row][place.column] = value(place, &gradients);
     }
     matrix[row][n] = 1.0;
     solved(matrix, smallest_pivot)

@@ -2,32 +2,24 @@
 
 use std::collections::BTreeSet;
 
-use super::{Positions, Site, System};
-use crate::eliminate::{EliminationOrder, Entry, Step};
+use super::{Site, System};
+use crate::eliminate::{EliminationOrder, Step};
 use crate::form::{Carried, Dependence};
 use crate::name::Name;
-use crate::sample::{Gradient, gradients};
 
 /// An entry of the Jacobian: which row of which equation depends on which coordinate.
 pub struct Place<'a> {
     pub row: usize,
     pub column: usize,
-    equation: usize,
-    row_of_equation: usize,
-    /// See [`Gradient`].
-    argument: usize,
+    pub(crate) equation: usize,
+    pub(crate) row_of_equation: usize,
+    /// The number of the coordinate or scalar among those of the equation: the coordinates of its sites come first.
+    pub(crate) argument: usize,
     point: Option<&'a Name>,
     /// Whether it is 1 in every position.
-    unit: bool,
-    /// See [`Entry::carried`].
-    carried: bool,
-}
-
-impl Place<'_> {
-    /// Its value in the gradients of all equations.
-    pub fn value(&self, gradients: &[Gradient]) -> f64 {
-        gradients[self.equation][self.argument][self.row_of_equation]
-    }
+    pub(crate) unit: bool,
+    /// See [`Entry::carried`](crate::eliminate::Entry::carried).
+    pub(crate) carried: bool,
 }
 
 /// A carried point that elimination substitutes first: it moves with its frame.
@@ -65,24 +57,6 @@ impl System {
             pattern[place.row].push(place.column);
         }
         pattern
-    }
-
-    /// The entries of the Jacobian that are not always zero, with their values in some positions, up to the first
-    /// position whose geometry is degenerate.
-    pub fn entries(&self, positions: &[Positions]) -> Vec<Entry> {
-        let positions = positions.iter();
-        let gradients: Vec<Vec<Gradient>> = positions
-            .map_while(|position| gradients(self, position))
-            .collect();
-        let places = self.places();
-        let entries = places.iter().map(|place| Entry {
-            row: place.row,
-            column: place.column,
-            unit: place.unit,
-            carried: place.carried,
-            values: gradients.iter().map(|each| place.value(each)).collect(),
-        });
-        entries.collect()
     }
 
     /// The free points that one frame carries and that carry no others.

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use suspension_listing::eliminate::{EliminationOrder, Entry, THRESHOLD, order};
+use suspension_listing::sample;
 
 use super::{catalogue_system, positions};
 
@@ -111,7 +112,10 @@ fn largest_difference(a: &Matrix, b: &Matrix) -> f64 {
 fn systems() -> Vec<(usize, Vec<Entry>)> {
     let catalogue = ["attia2003", "five_link"].map(|name| {
         let system = catalogue_system(name);
-        (system.size(), system.entries(&positions(&system)[..1]))
+        (
+            system.size(),
+            sample::entries(&system, &positions(&system)[..1]),
+        )
     });
     let ladders = [1, 2, 7, 20].map(|bodies| (3 * bodies, ladder(bodies)));
     catalogue.into_iter().chain(ladders).collect()
@@ -251,7 +255,10 @@ fn pivots_keep_their_sign() {
 fn the_catalogue_is_eliminated_as_cheaply_as_ever() {
     let of = |name| {
         let system = catalogue_system(name);
-        let order = order(system.size(), &system.entries(&positions(&system)));
+        let order = order(
+            system.size(),
+            &sample::entries(&system, &positions(&system)),
+        );
         println!(
             "{name}: {} operations, chain {}, growth {:.2}",
             order.operations, order.chain, order.growth
