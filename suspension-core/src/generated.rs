@@ -8,9 +8,7 @@ pub use suspension_macros::{Named, linkage as expand};
 
 pub use crate::arithmetic::magnitude::sum_of_squares;
 pub use crate::arithmetic::scalar::{Real, Scalar};
-pub use crate::arithmetic::vector::{
-    difference, dot, gather_vector, gather_vectors, moved_along, opposite, xyz,
-};
+pub use crate::arithmetic::vector::{difference, dot, gather_vector, moved_along, opposite, xyz};
 pub use crate::corner;
 pub use crate::error::GeometryError;
 pub use crate::linkage::{
@@ -29,6 +27,7 @@ pub use crate::model::rows::Rows;
 pub use crate::signal::Signal;
 pub use crate::solve::assemble::best_rigid_fit;
 pub use crate::solve::pivots::check as check_pivots;
+pub use crate::values::gather_vectors;
 
 /// A vector of its entries.
 #[doc(hidden)]

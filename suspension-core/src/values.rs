@@ -1,5 +1,10 @@
 //! Values by name: points, drives, measures, lengths.
 
+use nalgebra::Vector3;
+
+use crate::arithmetic::scalar::Scalar;
+use crate::arithmetic::vector::gather_vector;
+
 /// A fixed number of values in a known order: points, drives, measures or lengths of a linkage.
 ///
 /// There may be room for more values than a model has; those beyond are zero. The model tells what each value is:
@@ -60,4 +65,19 @@ pub trait Named<V>: Values<V> {
 
     /// Fills each field from its name.
     fn from_fn(value: impl FnMut(&'static str) -> V) -> Self;
+}
+
+/// Vectors in another number type: see [`Listing::gather`](crate::linkage::Listing::gather).
+#[doc(hidden)]
+pub fn gather_vectors<M, V, W, S: Scalar, T: Scalar>(
+    of: impl Fn(&M) -> V,
+    number: &impl Fn(&dyn Fn(&M) -> S) -> T,
+) -> W
+where
+    V: Values<Vector3<S>>,
+    W: Values<Vector3<T>>,
+{
+    let vector = |model: &M, index| of(model).values().nth(index).unwrap_or_default();
+    let vectors = (0..).map(|index| gather_vector(|model| vector(model, index), number));
+    W::from_values(vectors)
 }

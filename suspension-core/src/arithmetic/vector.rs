@@ -4,7 +4,6 @@
 use nalgebra::Vector3;
 
 use crate::arithmetic::scalar::Scalar;
-use crate::values::Values;
 
 /// `a - b`.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -98,18 +97,4 @@ pub fn gather_vector<M, S: Scalar, T: Scalar>(
         number(&|model| of(model).y),
         number(&|model| of(model).z),
     )
-}
-
-/// The same vectors in another number type.
-pub fn gather_vectors<M, V, W, S: Scalar, T: Scalar>(
-    of: impl Fn(&M) -> V,
-    number: &impl Fn(&dyn Fn(&M) -> S) -> T,
-) -> W
-where
-    V: Values<Vector3<S>>,
-    W: Values<Vector3<T>>,
-{
-    let vector = |model: &M, index| of(model).values().nth(index).unwrap_or_default();
-    let vectors = (0..).map(|index| gather_vector(|model| vector(model, index), number));
-    W::from_values(vectors)
 }
