@@ -13,9 +13,9 @@ use crate::mechanism::derivatives::{Along, Derivatives};
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::{DRIVES_AT_ONCE, Graded};
 use crate::mechanism::known::{DerivativeOrder, Known, Lists};
-use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 use crate::mechanism::state::{Moved, State};
+use crate::mechanism::suspension::Suspension;
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// A state at a position with the velocities of travel and steering there.

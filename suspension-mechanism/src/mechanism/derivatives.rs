@@ -8,8 +8,8 @@ use suspension_core::directions::{Direction, Directions};
 
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::known::Arrival;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
+use crate::mechanism::suspension::Suspension;
 
 /// Derivatives at a place; none exist if the mechanism locks.
 pub(crate) struct Derivatives<'a, L: Suspension<N>, const N: usize> {

@@ -7,7 +7,7 @@ use suspension_core::{Motion, Values};
 use crate::mechanism::changing::Changing;
 use crate::mechanism::description::Description;
 use crate::mechanism::lead::Lead;
-use crate::mechanism::names::Suspension;
+use crate::mechanism::suspension::Suspension;
 
 /// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.
 pub type WhereItStarts<L, const N: usize> =

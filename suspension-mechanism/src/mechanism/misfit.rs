@@ -7,7 +7,8 @@ use suspension_core::{Linkage, Values};
 
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::hinge::Hinge;
-use crate::mechanism::names::{Names, Suspension};
+use crate::mechanism::names::Names;
+use crate::mechanism::suspension::Suspension;
 use crate::mechanism::words::listed;
 use crate::number::rounded;
 use suspension_motion_file::Unit;

@@ -10,8 +10,8 @@ use crate::mechanism::drives::{DriveLaws, advance, follow};
 use crate::mechanism::end::Stop;
 use crate::mechanism::lead::Lead;
 use crate::mechanism::locking::Lock;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::polynomial::Polynomial;
+use crate::mechanism::suspension::Suspension;
 
 /// A mechanism in motion.
 pub(crate) enum Moving<'a, const N: usize> {

@@ -2,7 +2,6 @@
 
 use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
-use suspension_core::{Build, Linkage, Listing};
 use suspension_listing::did_you_mean::unknown;
 
 use crate::mechanism::guide::Guide;
@@ -11,19 +10,6 @@ use crate::mechanism::mass::Mass;
 use crate::mechanism::spring::Spring;
 use crate::mechanism::vehicle::{Coupling, Vehicle, Wheel};
 use crate::mechanism::zero_length::DrivenLength;
-
-/// A linkage that this program can run.
-pub trait Suspension<const N: usize>:
-    Build<N, Scalar = f64>
-    + Linkage<N, Listing: Listing<N, Model<f64> = Self, Model<f32>: Build<N, Scalar = f32>>>
-{
-}
-
-impl<L, const N: usize> Suspension<N> for L where
-    L: Build<N, Scalar = f64>
-        + Linkage<N, Listing: Listing<N, Model<f64> = L, Model<f32>: Build<N, Scalar = f32>>>
-{
-}
 
 /// The parts of a listing in lists, independent of its types.
 #[derive(Clone, Debug, Default, PartialEq)]

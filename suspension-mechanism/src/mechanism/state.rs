@@ -7,9 +7,9 @@ use suspension_core::{Signal, Values};
 
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::mass::Mass;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::points::Points;
 use crate::mechanism::spring::Spring;
+use crate::mechanism::suspension::Suspension;
 use suspension_motion_file::Axes;
 
 /// A mechanism at one place of its motion: positions and rates, from which all quantities follow.

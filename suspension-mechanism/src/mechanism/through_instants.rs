@@ -8,8 +8,8 @@ use suspension_core::{Inputs, Motion, Still};
 use crate::failure::Failure;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::end::End;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::state::State;
+use crate::mechanism::suspension::Suspension;
 use suspension_motion_file::Instants;
 
 /// Receives the state at one instant; may end the motion.

@@ -10,8 +10,8 @@ use suspension_core::{Inputs, Signal, Values};
 use suspension_runtime::PartForces;
 
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::state::State;
+use crate::mechanism::suspension::Suspension;
 
 /// The effect of forces at the points on a mechanism.
 #[derive(Clone, Debug, PartialEq)]

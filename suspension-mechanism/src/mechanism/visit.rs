@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::grid::Grid;
 use crate::mechanism::known::DerivativeOrder;
-use crate::mechanism::names::Suspension;
+use crate::mechanism::suspension::Suspension;
 use crate::mechanism::words::advice;
 use visitor::Visitor;
 

@@ -4,8 +4,8 @@ use nalgebra::{Matrix2, Vector2};
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::around::Around;
-use crate::mechanism::names::Suspension;
 use crate::mechanism::state::{Moved, Movement};
+use crate::mechanism::suspension::Suspension;
 use crate::mechanism::vehicle::Pair;
 
 impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {

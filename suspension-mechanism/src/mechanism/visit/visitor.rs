@@ -12,9 +12,9 @@ use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::Gradient;
 use crate::mechanism::grid::Grid;
 use crate::mechanism::known::{Arrival, DerivativeOrder, Known, Lists};
-use crate::mechanism::names::Suspension;
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
+use crate::mechanism::suspension::Suspension;
 
 /// The mechanism on its way, at a place it has reached.
 #[derive(Clone)]
