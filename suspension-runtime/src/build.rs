@@ -1,17 +1,14 @@
 //! The model from positions.
 
 use nalgebra::Vector3;
-use suspension_core::generated::dot;
 use suspension_core::model::constraint::{
     Bilinear, Carried, Distance, Frame, Held, InPlane, OnLine, Product, Stretch, Turn,
 };
 use suspension_core::model::handedness::Linked;
-use suspension_core::{GeometryError, Real, Signal, Values, model::parts};
+use suspension_core::{GeometryError, Real, Values, model::parts};
 
 use crate::fitted::Fitted;
 use crate::model::Model;
-use crate::plan::Measure;
-use crate::readout::{coordinate, measured, sum};
 use crate::site::Site;
 use crate::size::{Few, Points, Room, Size, Unknowns};
 use crate::table::Table;
@@ -228,34 +225,6 @@ where
             .chain(stretches.map(|(_, stretch)| stretch.length()));
         let size = lengths.fold(T::zero(), |longest, length| longest.max(length));
         Self { size, ..self }
-    }
-
-    pub(crate) fn drives_at(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
-        let drives = self
-            .plan()
-            .drives
-            .iter()
-            .map(|drive| match &drive.quantity {
-                Measure::Sum(terms) => sum(terms, |place| points.get(place)),
-                Measure::Angle { axis, line } => {
-                    let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
-                    let of = drive.angle_of;
-                    let distance = of.map(|distance| self.distances.get(distance));
-                    let length = distance.map_or(T::zero(), |distance| distance.length());
-                    parts::angle(to - from, length)
-                }
-                Measure::Between { .. } => {
-                    measured(&drive.quantity, |place| Signal::still(points.get(place))).value
-                }
-                Measure::Length { line } => {
-                    let [from, to] = line.map(|point| points.get(point));
-                    (to - from).norm()
-                }
-                Measure::Along { point, direction } => {
-                    dot(points.get(*point), direction.map(T::constant).into())
-                }
-            });
-        Few::<T, N>::from_values(drives)
     }
 }
 

@@ -1,9 +1,10 @@
-//! All points and their rates from the unknowns, the measures of the listing, and how drives enter.
+//! All points and their rates from the unknowns, the measures of the listing, the values of drives and how they enter.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::generated::{dot, moved_along};
 use suspension_core::model::constraint::{Carried, Frame, angle_to_coordinate, turn_to_coordinate};
-use suspension_core::{Real, Scalar, Signal, Values, model::measure};
+use suspension_core::model::{measure, parts};
+use suspension_core::{Real, Scalar, Signal, Values};
 
 use crate::equations::rows;
 use crate::form::{Walked, walk};
@@ -141,6 +142,35 @@ where
         quantities.map(move |quantity| measured(quantity, |place| point(place.into())))
     }
 
+    /// The values of the drives at points.
+    pub(crate) fn drives_at(&self, points: &Points<Vector3<T>, N>) -> Few<T, N> {
+        let drives = self
+            .plan()
+            .drives
+            .iter()
+            .map(|drive| match &drive.quantity {
+                Measure::Sum(terms) => sum(terms, |place| points.get(place)),
+                Measure::Angle { axis, line } => {
+                    let [from, to] = line.map(|point| coordinate(&points.get(point), *axis));
+                    let of = drive.angle_of;
+                    let distance = of.map(|distance| self.distances.get(distance));
+                    let length = distance.map_or(T::zero(), |distance| distance.length());
+                    parts::angle(to - from, length)
+                }
+                Measure::Between { .. } => {
+                    measured(&drive.quantity, |place| Signal::still(points.get(place))).value
+                }
+                Measure::Length { line } => {
+                    let [from, to] = line.map(|point| points.get(point));
+                    (to - from).norm()
+                }
+                Measure::Along { point, direction } => {
+                    dot(points.get(*point), direction.map(T::constant).into())
+                }
+            });
+        Few::<T, N>::from_values(drives)
+    }
+
     pub(crate) fn measures(&self, points: &Signal<Points<Vector3<T>, N>>) -> Signal<Few<T, N>> {
         let mut measures: Signal<Few<T, N>> = Signal::default();
         for (place, quantity) in (0..).zip(&self.plan().measures) {
@@ -194,7 +224,7 @@ pub(crate) fn measured<T: Real>(
 }
 
 /// A sum of coordinates.
-pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], point: impl Fn(u16) -> Vector3<T>) -> T {
+fn sum<T: Scalar>(terms: &[Coordinate], point: impl Fn(u16) -> Vector3<T>) -> T {
     let terms = terms.iter();
     let values =
         terms.map(|term| T::constant(term.factor) * coordinate(&point(term.point), term.axis));
@@ -203,7 +233,7 @@ pub(crate) fn sum<T: Scalar>(terms: &[Coordinate], point: impl Fn(u16) -> Vector
         .unwrap_or_else(T::zero)
 }
 
-pub(crate) fn coordinate<T: Scalar>(vector: &Vector3<T>, axis: u16) -> T {
+fn coordinate<T: Scalar>(vector: &Vector3<T>, axis: u16) -> T {
     match axis {
         0 => vector.x,
         1 => vector.y,
