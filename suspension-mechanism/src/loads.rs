@@ -7,12 +7,12 @@ mod in_measures;
 mod moments;
 mod on_chassis;
 mod outcome;
+mod shares;
 mod site;
 mod unborne;
 
 use nalgebra::Vector3;
 use suspension_core::listing::{self, Parts};
-use suspension_listing::Kind;
 use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
@@ -20,6 +20,7 @@ use crate::mechanism::{Borne, Description, Names, State};
 use bearing::bearing;
 use forces::{Force, Here, summed};
 use in_measures::with_stated;
+use shares::Shared;
 
 pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
@@ -58,6 +59,8 @@ pub struct Structure<'l> {
     chassis: usize,
     /// Markers with three points of the body that carries each.
     carriers: Vec<(usize, [usize; 3])>,
+    /// The pairs of joints that share the force along their line.
+    shared: Vec<Shared>,
 }
 
 impl<'l> Structure<'l> {
@@ -66,6 +69,8 @@ impl<'l> Structure<'l> {
     pub fn of(listing: &'l Listing) -> Self {
         let actuators: Vec<Statement<'l>> = listing.actuators().collect();
         let of_actuators = actuators.iter().map(PartForces::of_own);
+        let statements: Vec<Statement<'l>> = listing.parts().collect();
+        let chassis = listing.count(listing::Kind::ChassisPoint);
         Self {
             part_forces: listing
                 .part_forces()
@@ -76,8 +81,9 @@ impl<'l> Structure<'l> {
             measured: listing.shares_in_measures(),
             measured_points: listing.points_of_measures(),
             carriers: listing.carriers(),
-            chassis: listing.count(listing::Kind::ChassisPoint),
-            statements: listing.parts().collect(),
+            shared: Shared::all(&statements, chassis),
+            chassis,
+            statements,
         }
     }
 
@@ -120,6 +126,9 @@ impl<'l> Structure<'l> {
             self.add(&mut outcome, number, (by, own.collect()), here.points());
             self.add_at_markers(&mut outcome, number, &at_ends);
         }
+        for shared in &self.shared {
+            shared.halve(&mut outcome.joints, here.points());
+        }
         outcome.joints.extend(at_ends);
         outcome.on_chassis = self.on_chassis(&outcome, &by_actuators, here.points());
         Some(outcome)
@@ -134,19 +143,11 @@ impl<'l> Structure<'l> {
         }
     }
 
-    /// Whether it is a hinge on two bushes, which share the force along their line.
-    pub fn is_on_two_bushes(&self, by: By) -> bool {
-        matches!(by, By::Part(number) if self.bushes(number).is_some())
-    }
-
-    /// The two chassis points of a hinge.
-    fn bushes(&self, number: usize) -> Option<[usize; 2]> {
-        let statement = &self.statements[number];
-        let points = statement.points.iter().copied();
-        let axis: Vec<usize> = points.filter(|point| *point < self.chassis).collect();
-        axis.try_into()
-            .ok()
-            .filter(|_| statement.kind == Kind::HINGE)
+    /// The pairs of joints that share the force along their line, by the part on them and the other part; without it they are
+    /// the bushes of a hinge.
+    pub fn shared(&self) -> impl Iterator<Item = (By, Option<By>)> {
+        let parts = self.shared.iter().map(|shared| shared.parts);
+        parts.map(|(part, with)| (By::Part(part), with.map(By::Part)))
     }
 
     /// The places where the loads of a case act, in the file's coordinates, and their forces, N.
@@ -199,22 +200,10 @@ impl<'l> Structure<'l> {
         for force in own {
             by[force.point] += force.force;
         }
-        if let Some(bushes) = self.bushes(number) {
-            share_along(&mut by, bushes, at);
-        }
         let joints = statement.points.iter();
         let joints = joints.map(|point| (By::Part(number), *point, by[*point]));
         outcome.joints.extend(joints);
     }
-}
-
-/// Rigid parts do not determine how two bushes on the axis of a hinge share the force along it: each has half of it.
-fn share_along(by: &mut [Vector3<f64>], ends: [usize; 2], at: &[Vector3<f64>]) {
-    let [first, second] = ends;
-    let axis = (at[second] - at[first]).normalize();
-    let apart = 0.5 * (by[second] - by[first]).dot(&axis);
-    by[first] += axis * apart;
-    by[second] -= axis * apart;
 }
 
 /// Converts moments about angles to newton metres from newtons times the unit of lengths.

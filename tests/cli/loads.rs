@@ -8,6 +8,7 @@ mod moments_of_measures;
 mod moments_of_statements;
 mod on_chassis;
 mod places;
+mod shared_points;
 mod springs;
 mod unloaded;
 

@@ -1,4 +1,4 @@
-//! Notes on drives that bear loads while the springs of the file bear nothing, or only those of one side do; and on bushes
+//! Notes on drives that bear loads while the springs of the file bear nothing, or only those of one side do; and on joints
 //! that share a load.
 
 use std::collections::BTreeMap;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use nalgebra::Vector3;
 
 use crate::commands::loads::found::Found;
-use crate::loads::{OneSided, Structure, Unborne};
+use crate::loads::{By, OneSided, Structure, Unborne};
 use crate::mechanism::{Names, listed};
 
 /// What to write for springs to bear the loads of drives: one note for all cases in which the same drives bear them.
@@ -27,32 +27,41 @@ pub(super) fn springs_bear_nothing(
     notes.map(|note| format!("note: {file}: {note}")).collect()
 }
 
-/// The hinges on two bushes that bear a load, and that its parts along their axes are assumed.
-pub(super) fn shared_along_hinges(
+/// The hinges on two bushes and the pairs of bodies with two joints that bear a load, and that its parts along the lines of
+/// these are assumed.
+pub(super) fn shared_along_lines(
     file: &str,
     (names, structure): (&Names, &Structure<'_>),
     found: &[Option<Found<'_>>],
-) -> Option<String> {
-    let joints = found.iter().flatten().flat_map(|found| &found.first.joints);
-    let shared = joints
-        .filter(|(by, _, force)| structure.is_on_two_bushes(*by) && *force != Vector3::zeros());
-    let mut hinges: Vec<String> = Vec::new();
-    for (by, ..) in shared {
-        let name = format!("`{}`", structure.name_of(*by, names));
-        if !hinges.contains(&name) {
-            hinges.push(name);
+) -> Vec<String> {
+    let bears = |part: By| {
+        let mut joints = found.iter().flatten().flat_map(|found| &found.first.joints);
+        joints.any(|(by, _, force)| *by == part && *force != Vector3::zeros())
+    };
+    let name = |part: By| format!("`{}`", structure.name_of(part, names));
+    let (mut hinges, mut pairs) = (Vec::new(), Vec::new());
+    for (part, with) in structure.shared().filter(|(part, _)| bears(*part)) {
+        match with {
+            None => hinges.push(name(part)),
+            Some(with) => pairs.push(format!("{} and {}", name(part), name(with))),
         }
     }
-    let of = match hinges.as_slice() {
-        [] => return None,
-        [_] => "the hinge",
-        _ => "the hinges",
+    let of_hinges = match hinges.len() {
+        0 => None,
+        1 => Some(format!("bushes of the hinge {}", hinges[0])),
+        _ => Some(format!("bushes of the hinges {}", listed(hinges))),
     };
-    Some(format!(
-        "note: {file}: each of the two bushes of {of} {} is given half of the load along the axis: rigid parts do not determine the \
-         shares",
-        listed(hinges)
-    ))
+    let of_pairs = pairs
+        .into_iter()
+        .map(|pair| format!("points that {pair} share"));
+    let each = of_hinges.map(|of| (of, "axis")).into_iter();
+    let each = each.chain(of_pairs.map(|of| (of, "line of these points")));
+    each.map(|(of, line)| {
+        format!(
+            "note: {file}: each of the two {of} is given half of the load along the {line}: rigid parts do not determine the shares"
+        )
+    })
+    .collect()
 }
 
 /// The cases in which drives are borne alike, by their names.

@@ -10,7 +10,7 @@ use suspension_runtime::Listing;
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
-use crate::commands::loads::note::{shared_along_hinges, springs_bear_nothing};
+use crate::commands::loads::note::{shared_along_lines, springs_bear_nothing};
 use crate::commands::loads::report::Report;
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
@@ -188,7 +188,7 @@ impl<'a> Run<'a> {
         let names = &self.mechanism.names;
         springs_bear_nothing(self.source, names, found)
             .into_iter()
-            .chain(shared_along_hinges(
+            .chain(shared_along_lines(
                 self.source,
                 (names, self.structure),
                 found,
