@@ -15,6 +15,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     }
     let message = message.trim_end().replace('\n', ", ");
     let message = message.replace("expected f64", "expected a number");
+    let message = message.replace("expected a sequence", "expected a list in brackets, [...]");
     let message = message.replace("unknown variant", "unknown word");
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();

@@ -38,6 +38,11 @@ fn what_is_no_mass_is_refused_with_its_place() {
             "no principal one negative or larger",
         ),
         (
+            "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = { xx = 1.0 } }",
+            "",
+            "invalid type: map, expected a list in brackets, [...]",
+        ),
+        (
             "upright = { mass = 1.0, centre = [nan, 1.0, 2.0] }",
             "",
             "the centre of mass of `upright` is not finite",
