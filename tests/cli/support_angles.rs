@@ -132,7 +132,10 @@ fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
 fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
     for (vehicle, expected) in [
         (CAR, "axle = \"front\" or \"rear\" is missing"),
-        ("axle = \"rear\"\nwheelbase = 2.5\n", "cg_height is missing"),
+        (
+            "axle = \"rear\"\nwheelbase = 2.5\nbrake_share = 0.4\n",
+            "cg_height is missing",
+        ),
         ("axle = \"rear\"\ncg_height = 0.5\n", "wheelbase is missing"),
         ("axle = \"middle\"\n", "unknown word `middle`"),
         (
@@ -149,6 +152,24 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
         assert_eq!(message.lines().count(), 1, "{message}");
         assert!(message.contains(expected), "{message}");
     }
+}
+
+/// The change of wheelbase needs no more, and a steered rear axle no turning circle.
+#[test]
+fn an_axle_alone_tells_which_way_is_away_from_the_other() {
+    let slope = |axle: &str| {
+        let folder = folder();
+        let vehicle = format!("axle = \"{axle}\"\n");
+        std::fs::write(folder.path().join("a.toml"), file(&vehicle)).expect("written");
+        let output = run(
+            folder.path(),
+            &["sweep", "a.toml", "--drive=bump=0.0", "--csv", "-"],
+        );
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        rows(&output.stdout)[0]["wheelbase_change_m_per_bump"]
+    };
+    let [front, rear] = ["front", "rear"].map(slope);
+    assert!(front == -rear && front != 0.0, "{front} {rear}");
 }
 
 /// Dual wheels on an oblique arm, both left: each is what it is alone on the arm, no live axle, whose body would bear the drive's torque.

@@ -119,7 +119,8 @@ The file:
   steering_box_ratio = 16.0          # in place of rack_per_turn if that drive is an angle, such as that of a pitman arm: the
                                      # angle of the steering wheel per angle of the arm, in degrees per degree
   wheelbase = 2.6                    # in the unit; gives Ackermann and turning circle
-  axle = "front"                     # or "rear"; gives, with wheelbase and the next three, anti-dive, anti-lift, anti-squat
+  axle = "front"                     # or "rear"; gives the change of wheelbase, with wheelbase and the next three also
+                                     # anti-dive, anti-lift and anti-squat
   cg_height = 0.5                    # the height of the car's centre of gravity above the ground, in the unit
   brake_share = 0.6                  # the axle's share of the brake force, from 0 to 1; for several axles, whose wheels
                                      # are named front_left and so on, { front = 0.6, rear = 0.4 } and no `axle`

@@ -1,6 +1,6 @@
 //! Ackermann and turning circle.
 
-use super::{DESIGN, Row, assert_near, steered, table};
+use super::{DESIGN, Row, assert_near, file, steered, table};
 
 const TRACK: f64 = 1.5;
 const WHEELBASE: f64 = 2.6;
@@ -44,5 +44,26 @@ fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
         let across = WHEELBASE / outer.tan();
         let radius = across.hypot(WHEELBASE);
         assert_near(row["turning_radius_m"], radius, 1e-10 * radius, "radius");
+    }
+}
+
+/// Its turning circle would be about a centre on the line of the front axle, on the other side.
+#[test]
+fn a_rear_axle_that_steers_has_no_turning_circle() {
+    for (axle, has_circle) in [("front", true), ("rear", false)] {
+        let drives = DESIGN.lines().map(|drive| format!("{axle}_{drive}\n"));
+        let file = file("", "wheelbase = 2.6", &drives.collect::<String>());
+        let statements = format!("statements = \"include {axle}: steered_axle;\"");
+        let file = file.replace("linkage = \"\"", &statements);
+        let row = &table(&file, &["sweep", &format!("--drive={axle}_steer=0.02")])[0];
+        for name in [
+            "ackermann_percent",
+            "ackermann_error_rad",
+            "turning_radius_m",
+        ] {
+            assert_eq!(row.contains_key(name), has_circle, "{axle} {name}");
+        }
+        let moved = row.contains_key(&format!("{axle}_left_wheelbase_change_m"));
+        assert!(moved, "the wheel's name tells its axle");
     }
 }

@@ -9,7 +9,8 @@ use crate::load::task::Task;
 use crate::mechanism::{Axle, Torque, Wheel};
 use crate::number::number;
 
-/// Sets the axle of each wheel and its shares of the forces, if the file describes a car.
+/// Sets the axle of each wheel, from its name if the file does not state it, and its shares of the forces, if the file
+/// describes a car.
 pub(super) fn car(
     task: &Task<'_>,
     wheels: &mut [Wheel],
@@ -23,13 +24,8 @@ pub(super) fn car(
     } = stated;
     let brakes = optional(task, wheels, brake_share)?;
     let drives = optional(task, wheels, drive_share)?;
-    let is_described = stated.axle.is_some()
-        || stated.cg_height.is_some()
-        || brake_share.is_some()
-        || drive_share.is_some();
-    if !is_described {
-        return Ok(());
-    }
+    // An axle alone tells which way is away from the other one.
+    let is_described = stated.cg_height.is_some() || brake_share.is_some() || drive_share.is_some();
     // A wheel between the axles of a longer vehicle belongs to neither.
     let tells_no_name = wheels.iter().all(|wheel| Axle::of(&wheel.name).is_none());
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
@@ -44,6 +40,9 @@ pub(super) fn car(
             return Err(task.source.refuse(&table.span(), message));
         }
         wheel.axle = stated.axle.or(told);
+        if !is_described {
+            continue;
+        }
         wheel.brake_share = share(task, "brake_share", brake)?;
         wheel.drive_share = share(task, "drive_share", drive)?;
         let missing = [
