@@ -1,6 +1,8 @@
 //! The limits of a text read at run time: large enough for any corner of a vehicle, and small enough that
 //! no text takes long or much memory.
 
+use std::fmt::Display;
+
 use syn::{Error, Ident};
 
 use crate::lexed::MOST_BYTES;
@@ -53,21 +55,28 @@ pub(super) fn listing(listing: &Listing) -> syn::Result<()> {
             return Err(refused(listing, &too_many(count, most, what, "")));
         }
     }
-    unknowns(listing, 3 * listing.free.len())
+    // Slides, planes and driven lengths have further ones.
+    let of_points = 3 * listing.free.len();
+    few_unknowns(listing, of_points, &format!("at least {of_points}"))
 }
 
 /// Refuses a system that is too large.
 pub(super) fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
+    few_unknowns(listing, count, &count.to_string())
+}
+
+/// Refuses more unknowns than are allowed, with their count in words.
+fn few_unknowns(listing: &Listing, count: usize, told: &str) -> syn::Result<()> {
     if count > MOST_UNKNOWNS {
         let savings = savings(listing);
-        let message = too_many(count, MOST_UNKNOWNS, "unknowns", &savings);
+        let message = too_many(told, MOST_UNKNOWNS, "unknowns", &savings);
         return Err(refused(listing, &message));
     }
     Ok(())
 }
 
 /// The message that a listing has too many of something, with the remedy: first what should be `tried`, if anything.
-pub fn too_many(count: usize, most: usize, what: &str, tried: &str) -> String {
+pub fn too_many(count: impl Display, most: usize, what: &str, tried: &str) -> String {
     format!(
         "{count} {what}; at most {most} are allowed in a listing read at run time: {tried}state parts that do not meet, as two \
          corners or two axles, in listings of their own, or write it with `linkage!`, which has no such limit"

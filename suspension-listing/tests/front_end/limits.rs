@@ -24,7 +24,7 @@ fn what_is_too_large_is_refused() {
     let unknowns = format!("fixed: a;\nfree: {};", points(21));
     assert_eq!(
         only_message(&unknowns),
-        "63 unknowns; at most 60 are allowed in a listing read at run time: state parts that do not meet, as two corners or two \
+        "at least 63 unknowns; at most 60 are allowed in a listing read at run time: state parts that do not meet, as two corners or two \
          axles, in listings of their own, or write it with `linkage!`, which has no such limit"
     );
     let names = format!("fixed: a; free: p; body long: {};", points(129));
