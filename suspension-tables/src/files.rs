@@ -173,7 +173,8 @@ pub fn refuse_plot(table: &Path, option: &str, plots: &[PathBuf]) -> Result<(), 
 
 /// Where a path leads, whether there is something or not.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let path = followed(path).unwrap_or_else(|_| path.to_owned());
+    let path = std::path::absolute(&path).unwrap_or(path);
     let mut found = PathBuf::new();
     for component in path.components() {
         match component {

@@ -82,6 +82,36 @@ fn a_table_and_a_plot_are_two_files() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
+/// The second file would take the place of the first, also where the link leads to what is not there yet.
+#[cfg(unix)]
+#[test]
+fn a_link_to_another_result_is_the_same_place() {
+    use std::os::unix::fs::symlink;
+    let folder = with_input();
+    let at = |name: &str| folder.path().join(name);
+    for name in ["plots", "runs"] {
+        std::fs::create_dir(at(name)).expect("a folder");
+    }
+    symlink("../runs/both", at("plots/a_height.svg")).expect("a link");
+    symlink("plots/a_height.svg", at("link")).expect("a link");
+    for (other, expected) in [
+        (["--json", "link"], "--csv and --json name the same place"),
+        (
+            ["--plots", "plots"],
+            "runs/both: --plots draws to this file",
+        ),
+    ] {
+        let output = run(
+            folder.path(),
+            &[&["motion", "a.toml", "--csv", "runs/both"], &other[..]].concat(),
+        );
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.starts_with(expected), "{message}");
+        assert!(!at("runs/both").exists(), "nothing was written");
+    }
+}
+
 /// Limits of the shell are those of its children. A block is 512 or 1,024 bytes.
 #[cfg(unix)]
 #[test]
