@@ -12,6 +12,7 @@ mod derivatives;
 #[path = "support/double_wishbone.rs"]
 mod double_wishbone;
 mod elimination;
+mod forces;
 mod guarantees;
 mod imports;
 mod inertia;

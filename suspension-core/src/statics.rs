@@ -44,7 +44,7 @@ use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::listing::{Kind, Parts};
+use crate::listing::{Kind, Part, Parts};
 use crate::solve::factored::{Factored, with_factors};
 use crate::values::Values;
 use configuration::Configuration;
@@ -96,7 +96,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] if a force, or a force that results from it, is not finite.
+    /// [`SolveError::Overflow`] if a force that the equations or a drive must bear, or a force that results from it, is
+    /// not finite.
     pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
         let on_unknowns = on_unknowns(self.at.linkage, forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
@@ -142,11 +143,17 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
         magnitude(&multipliers).map_err(SolveError::overflow)?;
-        Ok(Self {
-            on_drives: at.on_drives(&multipliers, forces),
-            at,
-            multipliers,
-        })
+        let on_drives = at.on_drives(&multipliers, forces);
+        match on_drives.values().position(|load| !load.is_finite()) {
+            Some(drive) => Err(SolveError::Overflow {
+                part: Part::Drive(drive),
+            }),
+            None => Ok(Self {
+                on_drives,
+                at,
+                multipliers,
+            }),
+        }
     }
 
     /// The multiplier of each equation.
