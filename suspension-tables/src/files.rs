@@ -136,16 +136,23 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
     file.finish()
 }
 
-/// Writes to standard output.
+/// Writes to standard output. Where its reader has gone the program goes on: there may be files to write.
 ///
 /// # Errors
 ///
-/// [`Failure::ReaderGone`] where it was closed, else [`Failure::Output`].
+/// [`Failure::Output`].
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
-        .and_then(|()| out.flush())
-        .map_err(|error| Failure::writing("standard output", &error))
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    unless_reader_gone(written.map_err(|error| Failure::writing("standard output", &error)))
+}
+
+/// What a reader who has gone does not get is no failure.
+pub(crate) fn unless_reader_gone(written: Result<(), Failure>) -> Result<(), Failure> {
+    match written {
+        Err(Failure::ReaderGone) => Ok(()),
+        written => written,
+    }
 }
 
 /// Names the files that were written.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::csv_file::CsvFile;
-use crate::files::refuse_input;
+use crate::files::{refuse_input, unless_reader_gone};
 use crate::heading::{Header, Heading};
 use crate::json_file::JsonFile;
 use crate::parquet_file::{self, ParquetFile};
@@ -117,22 +117,23 @@ impl Rows {
         })
     }
 
-    /// Adds a row; zeros have no sign.
+    /// Adds a row; zeros have no sign. A form whose reader has gone is left out from then on.
     ///
     /// # Errors
     ///
-    /// See [`Failure::writing`].
+    /// See [`Failure::writing`]; [`Failure::ReaderGone`] if no form is left.
     pub fn add(&mut self, values: &[f64]) -> Result<(), Failure> {
         self.row.clear();
         self.row.extend(values.iter().copied().map(unsigned_zero));
-        if let Some(csv) = &mut self.csv {
-            csv.row(&self.row)?;
-        }
-        if let Some(json) = &mut self.json {
-            json.row(&self.row)?;
-        }
-        if let Some(parquet) = &mut self.parquet {
-            parquet.row(&self.row)?;
+        let row = &self.row;
+        let gone = [
+            has_gone(&mut self.csv, |csv| csv.row(row))?,
+            has_gone(&mut self.json, |json| json.row(row))?,
+            has_gone(&mut self.parquet, |parquet| parquet.row(row))?,
+        ];
+        let is_left = self.csv.is_some() || self.json.is_some() || self.parquet.is_some();
+        if gone.contains(&true) && !is_left {
+            return Err(Failure::ReaderGone);
         }
         Ok(())
     }
@@ -143,8 +144,24 @@ impl Rows {
     ///
     /// See [`Failure::writing`].
     pub fn finish(self) -> Result<(), Failure> {
-        self.csv.map_or(Ok(()), CsvFile::finish)?;
-        self.json.map_or(Ok(()), JsonFile::finish)?;
+        let csv = self.csv.map_or(Ok(()), CsvFile::finish);
+        unless_reader_gone(csv)?;
+        let json = self.json.map_or(Ok(()), JsonFile::finish);
+        unless_reader_gone(json)?;
         self.parquet.map_or(Ok(()), ParquetFile::finish)
+    }
+}
+
+/// Writes to a form. If its reader has gone, leaves it out and says so.
+fn has_gone<F>(
+    form: &mut Option<F>,
+    write: impl FnOnce(&mut F) -> Result<(), Failure>,
+) -> Result<bool, Failure> {
+    match form.as_mut().map_or(Ok(()), write) {
+        Err(Failure::ReaderGone) => {
+            *form = None;
+            Ok(true)
+        }
+        written => written.map(|()| false),
     }
 }
