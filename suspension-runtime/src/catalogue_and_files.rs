@@ -1,9 +1,11 @@
 //! The listings that a listing may include: those of the catalogue, and files.
 
 use std::fs::read_to_string;
-use std::path::PathBuf;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 use suspension_listing::include::{IncludeSource, Wanted};
+use suspension_listing::text::MOST_BYTES;
 
 use crate::catalogue;
 
@@ -39,16 +41,27 @@ impl IncludeSource for CatalogueAndFiles {
                     );
                 };
                 let path = file.with_file_name(path);
-                // Reading from anything but a file may never end.
-                if path.metadata().is_ok_and(|found| !found.is_file()) {
-                    return Err(format!(
-                        "cannot read {}: it is no regular file",
-                        path.display()
-                    ));
-                }
-                read_to_string(&path)
-                    .map_err(|cause| format!("cannot read {}: {cause}", path.display()))
+                read(&path).map_err(|cause| format!("cannot read {}: {cause}", path.display()))
             }
         }
     }
+}
+
+/// The text of a file, or why there is none.
+fn read(path: &Path) -> Result<String, String> {
+    let found = path.metadata().map_err(|error| error.to_string())?;
+    // Reading from anything but a file may never end.
+    if !found.is_file() {
+        return Err("it is no regular file".to_owned());
+    }
+    let bytes = found.len();
+    if bytes > MOST_BYTES as u64 {
+        return Err(format!(
+            "it is {bytes} bytes long; at most {MOST_BYTES} are allowed"
+        ));
+    }
+    read_to_string(path).map_err(|error| match error.kind() {
+        ErrorKind::InvalidData => "it is not text in UTF-8; save it in that encoding".to_owned(),
+        _ => error.to_string(),
+    })
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{edited, example, folder, rows, run, text};
+use super::program::{CORNER, edited, example, folder, rows, run, text};
 
 /// The message with which a file is refused.
 fn refused(folder: &Path, file: &str) -> String {
@@ -51,6 +51,43 @@ fn files_of_any_size() {
     assert!(message.contains("must run one way"), "{message}");
     let folder = folder();
     assert!(refused(folder.path(), "/dev/zero").contains("larger than 4 MiB"));
+}
+
+/// A listing that is included is read by the same rules as the one that includes it.
+#[test]
+fn included_files_of_any_size_and_bytes() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    let main = CORNER.replace(
+        "linkage = \"double_wishbone_pushrod\"",
+        "listing = \"main.linkage\"",
+    );
+    std::fs::write(at("main.toml"), main).expect("written");
+    std::fs::write(at("main.linkage"), "include left: \"part.linkage\";\n").expect("written");
+    let part = std::fs::File::create(at("part.linkage")).expect("a file");
+    // More than there is memory for; on the disk it takes no place.
+    part.set_len(1 << 37).expect("a file with a hole");
+    for (content, expected) in [
+        (
+            None,
+            "part.linkage: it is 137438953472 bytes long; at most 65536 are allowed",
+        ),
+        (
+            Some(b"fixed: a\xff;"),
+            "part.linkage: it is not text in UTF-8; save it in that encoding",
+        ),
+    ] {
+        if let Some(content) = content {
+            std::fs::write(at("part.linkage"), content).expect("written");
+        }
+        let output = run(folder.path(), &["check", "main.toml"]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert_eq!(
+            message,
+            format!("main.linkage:1:15: cannot read {expected}\n")
+        );
+    }
 }
 
 #[test]
