@@ -24,7 +24,7 @@ use crate::mistyped::with_suggestion;
 #[derive(Debug, Parser)]
 #[command(name = "suspension", version, verbatim_doc_comment, after_long_help = NOTES)]
 pub struct Options {
-    /// What to do instead of the published motion.
+    /// The command; without one the program solves the published motion.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
@@ -96,7 +96,7 @@ pub enum Command {
 }
 
 impl Options {
-    /// What the program was given. Prints the help that was asked for, or a mistake with what may have been meant, and ends.
+    /// Parses the command line. Prints the help or the mistake, and exits, if there is one to print.
     pub fn given() -> Self {
         let arguments: Vec<OsString> = std::env::args_os().collect();
         let mut program = program(&arguments);
@@ -106,7 +106,7 @@ impl Options {
             .unwrap_or_else(|mistake| end(&with_suggestion(mistake, &program, &arguments)))
     }
 
-    /// Does what the command asks for, or without one the published motion.
+    /// Runs the command, or without one solves the published motion.
     ///
     /// # Errors
     ///
@@ -133,8 +133,9 @@ impl Options {
     }
 }
 
-/// The commands and their options. The help of `motion` is only written where it is asked for: it names the quantities of a listing,
-/// whose equations take longer to order than most commands take.
+/// Returns the commands and their options. The help of `motion` is written only if it is asked for: it names the quantities
+/// of a
+/// listing, whose equations take longer to order than most commands take.
 fn program(arguments: &[OsString]) -> clap::Command {
     let program = Options::command();
     let has = |word: &str| arguments.iter().any(|argument| argument == word);
@@ -145,7 +146,8 @@ fn program(arguments: &[OsString]) -> clap::Command {
     }
 }
 
-/// Ends with help, or a mistake in the options; where help that was asked for cannot be written, as where a result cannot.
+/// Prints help or a mistake in the options and exits. If the help cannot be written, the exit code is that of a result that
+/// cannot be written.
 fn end(told: &clap::Error) -> ! {
     let written = told.print().and_then(|()| std::io::stdout().flush());
     let code = match written {
@@ -157,7 +159,7 @@ fn end(told: &clap::Error) -> ! {
     std::process::exit(code)
 }
 
-/// Says why the program fails; gives its exit code.
+/// Prints why the program fails and returns its exit code.
 fn code_of(failure: &Failure) -> u8 {
     if !matches!(failure, Failure::ReaderGone) {
         tell(failure);
@@ -165,7 +167,7 @@ fn code_of(failure: &Failure) -> u8 {
     failure.exit_code()
 }
 
-/// Does a job of a program; an interrupt sets the flag that it looks at. Says why where it fails.
+/// Runs a job, with a flag that an interrupt sets. If the job fails, prints why and returns the exit code.
 pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
     if let Err(error) = interrupt::catch_signals() {
         tell(format_args!("note: an interrupt will lose rows: {error}"));

@@ -9,7 +9,7 @@ use crate::mechanism::{
     Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, evenly_spaced,
 };
 
-/// A drive and the values that it takes, as `bump=-0.08:0.08:161`.
+/// A drive and its values, for example `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
     name: String,
@@ -64,7 +64,7 @@ impl FromStr for Swept {
 }
 
 impl Swept {
-    /// The drives that move together, each with 1 or, behind a minus, with -1.
+    /// Returns the drives that move together, each with the factor 1, or -1 after a minus.
     fn drives(&self) -> impl Iterator<Item = (&str, f64)> {
         let names = self.name.split(',').map(str::trim);
         names.map(|name| match name.strip_prefix('-') {
@@ -78,11 +78,11 @@ impl Swept {
     }
 }
 
-/// The grid of drives that options name, for the file `source`. What is doubtful in them goes to standard error.
+/// Returns the grid that options describe, for the file `source`. Prints notes on doubtful values to standard error.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] with what is wrong with the options.
+/// [`Failure::Input`] if an option is wrong.
 pub fn grid(
     mechanism: &dyn Kinematics,
     source: &str,
@@ -130,7 +130,7 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
     Grid::new(mechanism, axes, from)
 }
 
-/// Doubts about the values that options give drives, in words.
+/// Returns sentences on doubtful values of drives in options.
 fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
     let (from, way) = if absolute {
         (CountedFrom::Zero, "; leave out --absolute to state changes")
@@ -150,8 +150,8 @@ fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<St
     doubts.map(|doubt| format!("--drive: {doubt}")).collect()
 }
 
-/// What is doubtful in the values between two that a drive is to take, which are in the file's unit and count `from`; `way`
-/// says what to write instead.
+/// Returns a sentence if the range `between` of a drive, in the file's unit and counted `from`, is doubtful; `way` says what
+/// to write instead.
 pub fn doubt(
     mechanism: &dyn Kinematics,
     drive: usize,

@@ -1,6 +1,6 @@
 //! The description of a listing in its own text.
 
-/// The first sentence of what a listing says of itself.
+/// Returns the first sentence of a listing's description.
 pub fn first_sentence(text: &str) -> String {
     let lines = text.lines().map_while(|line| line.strip_prefix("//! "));
     let paragraph = lines.collect::<Vec<_>>().join(" ");

@@ -1,7 +1,7 @@
 //! The program `suspension`: it reads motion files and writes tables, CSV files and plots.
 //!
 //! From the top: [`cli`] reads options and returns exit codes; each of the [`commands`] works on a mechanism that
-//! [`suspension_mechanism`] makes from a motion file, and [`output`] writes the results.
+//! [`suspension_mechanism`] builds from a motion file, and [`output`] writes the results.
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

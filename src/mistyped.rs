@@ -1,5 +1,5 @@
-//! Suggestions for mistyped options for which clap has none: clap counts exchanged letters as different ones, so for it
-//! `--cvs` is not near `--csv`. Also the command for a file that is named without one.
+//! Suggestions for mistyped options. clap has none for exchanged letters: it counts them as different, so that `--cvs` is
+//! not near `--csv` for it. Also the command to use with a file that is given without one.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -8,7 +8,7 @@ use clap::Command;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use suspension_listing::did_you_mean::nearest;
 
-/// The mistake in the arguments of `program`, with the option that was meant where one is near, or the command for a file.
+/// Returns the mistake in the arguments of `program`, with the nearest option, or the command to use with a file.
 pub(crate) fn with_suggestion(
     mut mistake: clap::Error,
     program: &Command,
@@ -35,7 +35,7 @@ pub(crate) fn with_suggestion(
     mistake
 }
 
-/// What to do with a file in the place of a command.
+/// Returns the advice for a file in place of a command.
 fn of_file(name: &str) -> Option<String> {
     match Path::new(name).extension()?.to_str()? {
         "toml" => Some(format!(
@@ -51,7 +51,7 @@ fn of_file(name: &str) -> Option<String> {
     }
 }
 
-/// The nearest long option of the command that the arguments name.
+/// Returns the nearest long option of the command that the arguments name.
 fn meant(wanted: &str, program: &Command, arguments: &[OsString]) -> Option<String> {
     let wanted = wanted.strip_prefix("--")?;
     let named = arguments.get(1)?.to_str()?;

@@ -1,16 +1,16 @@
-//! Options that take numbers: what is wrong is answered by what to write.
+//! Parsers of numbers in options, whose errors say what to write.
 
 use std::fmt::Display;
 use std::str::FromStr;
 
 use clap::builder::TypedValueParser;
 
-/// A number; `wanted` says what to write.
+/// Parses a number; `wanted` says what to write.
 pub(crate) fn number(wanted: impl Into<String>) -> impl TypedValueParser<Value = f64> {
     number_where(wanted.into(), |_| true)
 }
 
-/// A whole number, `called` so in the help.
+/// Parses a whole number, which the help names `called`.
 pub(crate) fn whole_number<T>(called: &str, least: T) -> impl TypedValueParser<Value = T> + use<T>
 where
     T: FromStr + PartialOrd + Display + Clone + Send + Sync + 'static,
@@ -19,7 +19,7 @@ where
     number_where(wanted, move |number| *number >= least)
 }
 
-/// How many derivatives: none, the first, or the second too.
+/// Parses the order of derivatives: 0, 1 or 2.
 pub(crate) fn derivatives() -> impl TypedValueParser<Value = u8> {
     number_where("write 0, 1 or 2".to_owned(), |order| *order <= 2)
 }

@@ -136,7 +136,7 @@ impl Arguments {
         Ok(request::Variables::Drives(drives))
     }
 
-    /// The measure in place of the drive that is named.
+    /// Returns the measure with its range and the drive that it replaces.
     fn in_place_of(&self, along: &WishedMeasure) -> Result<request::Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
@@ -194,7 +194,7 @@ fn own_value(called: char) -> impl TypedValueParser<Value = f64> {
     ))
 }
 
-/// From where to where, not from the design position as elsewhere.
+/// Parses a range of the drive's own values, which do not count from the design position as those of other commands do.
 fn own_values(range: &str) -> Result<[f64; 2], String> {
     let Span(range) = range
         .parse()

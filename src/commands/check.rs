@@ -105,7 +105,7 @@ fn ranges(
     ranges.collect()
 }
 
-/// Whether the file's own motion is within reach, or why it ends.
+/// Says whether the file's own motion is within reach, or why it ends.
 fn in_words(ends: Option<&str>) -> String {
     match ends {
         None => "the file's own is within reach, from its first instant to its last".to_owned(),
@@ -121,7 +121,7 @@ fn singular(name: &str, mechanism: &dyn Kinematics) -> Failure {
     ))
 }
 
-/// Adds to the report how many assemblies there are.
+/// Adds the number of assemblies to the report.
 fn count_assemblies(
     report: &Report<'_>,
     mechanism: &dyn Kinematics,

@@ -51,7 +51,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Where a mechanism locks within the travel, its curves end there, and what there is is compared.
+    /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let csv = self.csv.clone().map(Target::from);
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
@@ -104,7 +104,7 @@ impl Arguments {
     }
 }
 
-/// From what to what the numbers of a file are converted, where they are, in words.
+/// Says from which unit or axes to which the numbers of a file are converted; `None` if they are not.
 fn converted([own, first]: [&Loaded<'_>; 2]) -> Option<String> {
     let [from, to] = [own, first].map(|loaded| loaded.unit().symbol());
     let unit = (from != to).then(|| format!("from {from} to {to}"));

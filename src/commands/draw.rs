@@ -34,7 +34,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Draws chassis points, links, bodies and the wheel.
+    /// Draws the mechanism into an SVG file.
     ///
     /// # Errors
     ///

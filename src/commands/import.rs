@@ -85,7 +85,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where the file is wrong or not enough, or the suspension cannot be built of it.
+    /// [`Failure::Input`] if the file is wrong or incomplete, or the suspension cannot be built from it.
     pub fn run(self) -> Result<(), Failure> {
         let names = Names::read()?;
         let Some(file) = self.file.as_ref().filter(|_| !self.names) else {
@@ -102,7 +102,7 @@ impl Arguments {
         Ok(())
     }
 
-    /// Refuses to write over the file that is read, and unasked over another.
+    /// Refuses to overwrite the file that is read, and any other file unless `--out` names it.
     fn check_place(&self, out: &Path) -> Result<(), Failure> {
         refuse_input(out, "--out")?;
         match self.out {
@@ -111,7 +111,7 @@ impl Arguments {
         }
     }
 
-    /// Writes the motion file, and what it needs beside it.
+    /// Writes the motion file and the listing that it includes.
     fn import(
         &self,
         stated: &Hardpoints<'_>,
@@ -142,7 +142,7 @@ impl Arguments {
         })
     }
 
-    /// What the file has of a corner.
+    /// Reads the points of a corner from the file.
     fn corner<'a>(
         &self,
         stated: &'a Hardpoints<'a>,
@@ -173,7 +173,7 @@ impl Arguments {
         })
     }
 
-    /// The right corner, in the layout, axes and unit of the left one.
+    /// Returns the right corner, in the layout, axes and unit of the left one.
     fn beside<'a>(&self, left: &Imported<'a>) -> Result<Imported<'a>, Failure> {
         let as_left = Self {
             linkage: Some(left.choice.linkage.to_owned()),
@@ -185,7 +185,7 @@ impl Arguments {
     }
 }
 
-/// The file, its lines ended by line feeds where carriage returns alone end them, as spreadsheets on a Mac write them.
+/// Returns the file with line feeds at the ends of lines if it has only carriage returns, as spreadsheets on a Mac write it.
 fn with_line_ends(source: Source) -> Source {
     if source.text().contains('\n') {
         return source;
@@ -197,13 +197,13 @@ fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
     Failure::Input(format!("{}: {message}", stated.source.name()))
 }
 
-/// The text of the motion file that is to be called `out`.
+/// Returns the text of the motion file at the path `out`.
 fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
     for remark in &draft.remarks {
         tell(format_args!("note: {}: {remark}", draft.source));
     }
     let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
-    // The drives' values at the design position are those of the mechanism.
+    // The drives' values at the design position come from the mechanism, so it is built first.
     let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
     let text = draft.text(&load(&unmoved)?.at_design_without_notes()?.design);
     let written = file(&text);

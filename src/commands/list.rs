@@ -24,7 +24,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where the catalogue has no such layout, otherwise as writing fails.
+    /// [`Failure::Input`] if the catalogue has no such layout, and the failures of writing.
     pub fn run(self) -> Result<(), Failure> {
         let Some(name) = self.name else {
             let entries = LISTINGS.iter().map(|(name, text)| entry(name, text));
@@ -37,7 +37,7 @@ impl Arguments {
     }
 }
 
-/// What the list says of a layout.
+/// Returns the entry of a layout in the list.
 fn entry(name: &str, text: &str) -> Result<String, Failure> {
     let listing = Listing::parse_file(text, name);
     let listing = listing.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
@@ -46,14 +46,14 @@ fn entry(name: &str, text: &str) -> Result<String, Failure> {
     let measures = parts(&listing, Kind::Measure, Part::Measure);
     for (what, names) in [("drives", drives), ("measures", measures)] {
         if !names.is_empty() {
-            // Writing into a string has no way to fail.
+            // Writing into a string cannot fail.
             let _ = writeln!(entry, "  {what:8}  {names}");
         }
     }
     Ok(entry)
 }
 
-/// The names of all parts of a kind.
+/// Returns the names of all parts of a kind.
 fn parts(listing: &Listing, kind: Kind, part: fn(usize) -> Part) -> String {
     let names = (0..listing.count(kind)).map(|index| listing.name(part(index)));
     names.collect::<Vec<_>>().join(", ")

@@ -64,7 +64,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Places that have no configuration have no rows.
+    /// See [`Failure`]. The tables omit places that have no configuration.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let forms = self.forms();
@@ -179,7 +179,8 @@ no answer, 130 interrupted.
 Example:
   suspension loads examples/double_wishbone_rocker.toml --drive bump=-0.05:0.05:21";
 
-/// What to write in a file without a load case, with a drive of travel and a spring of the file that bears its load.
+/// Returns the lines to add to a file without a load case, for a drive of travel and a spring of the file that bears its
+/// load.
 fn no_case(names: &Names, sprung: Option<(usize, usize)>) -> String {
     let borne = sprung.map(|(drive, spring)| {
         let drive = &names.drives[drive].name;

@@ -42,7 +42,7 @@ pub struct Arguments {
     plots: Option<PathBuf>,
 }
 
-/// The heading of options that write tables.
+/// The heading of the options that write tables.
 const TABLES: &str = "Tables";
 
 /// States kept of a motion for the summary and as marks in the plots.
@@ -53,7 +53,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Where the solver stops or the user interrupts, what was solved is written.
+    /// See [`Failure`]. If the solver stops or the user interrupts, the files hold what was solved.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let forms = Forms {

@@ -1,4 +1,4 @@
-//! Without a command: the published motion, and the paper's tables beside our results.
+//! The program without a command: the published motion, and the paper's tables beside our results.
 
 mod beside;
 mod comparison;
@@ -21,20 +21,20 @@ use crate::output::target::Target;
 use paper::Paper;
 use timing::Timing;
 
-/// The file that the published motion is solved from, and its name.
+/// The name and the text of the motion file of the published motion.
 const BUILT_IN: (&str, &str) = (
     "examples/attia2003.toml",
     include_str!("../../examples/attia2003.toml"),
 );
 
-/// The folder of all that is written, and how the files' names begin.
+/// The folder of the results, and the beginning of the files' names.
 const WRITTEN: (&str, &str) = ("out", "attia2003");
 
 /// Solves the published motion, compares it with the paper and writes `out/attia2003*`.
 ///
 /// # Errors
 ///
-/// Where a result cannot be written, or the user interrupts.
+/// If a result cannot be written, or the user interrupts.
 pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let (name, text) = BUILT_IN;
     let source = Source::new(name, text);

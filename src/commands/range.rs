@@ -1,4 +1,4 @@
-//! `suspension range`: the range of each drive, and what is beyond it.
+//! `suspension range`: the range of each drive, and the curve beyond it.
 
 mod columns;
 mod picture;
@@ -46,7 +46,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. What was found before the user interrupts is written.
+    /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let csv = self.csv.clone().map(Target::from);
@@ -59,7 +59,7 @@ impl Arguments {
         let chosen =
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
         let ranges = self.ranges((mechanism, &chosen), csv.as_ref(), interrupted);
-        // There the curves of other drives have no start.
+        // At the end of an angle the curves of other drives cannot start.
         let at_end = mechanism.end_of_angle(&mechanism.given(&mechanism.first_drives()));
         ranges.map_err(|failure| match (failure, at_end) {
             (Failure::Solver(_), Some(why)) => Failure::Solver(format!(
@@ -77,7 +77,7 @@ impl Arguments {
         Ok(())
     }
 
-    /// The drives that are looked at, by number, each once and in the order of the listing.
+    /// Returns the chosen drives by number, each once and in the order of the listing.
     fn chosen(&self, names: &Names) -> Result<Vec<usize>, String> {
         if self.drives.is_empty() {
             return Ok((0..names.drives.len()).collect());

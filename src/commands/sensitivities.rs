@@ -55,7 +55,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Finds the sensitivities, and prints or writes them.
+    /// Computes the sensitivities, and prints or writes them.
     ///
     /// # Errors
     ///
@@ -111,7 +111,7 @@ impl Arguments {
         Ok(())
     }
 
-    /// How quantities scatter, where the file has tolerances.
+    /// Computes the scatter of quantities if the file has tolerances.
     fn scatter(
         &self,
         mechanism: &dyn Kinematics,
@@ -165,7 +165,7 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
     Ok(())
 }
 
-/// Where options do not say others.
+/// The default number of suspensions.
 const SAMPLES: usize = 1000;
 const SEED: u64 = 1;
 

@@ -47,7 +47,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Where the mechanism locks, the curves end there, and the page is written.
+    /// See [`Failure`]. If the mechanism locks, the curves end there, and the page is still written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let beside = || in_out(&self.file, "_sheet.html");
         let out = Target::from(self.out.clone().unwrap_or_else(beside));
@@ -70,7 +70,7 @@ impl Arguments {
         missing.map_or(Ok(()), Err)
     }
 
-    /// The page, and what could not be solved.
+    /// Returns the page, and the failures of what could not be solved.
     fn page(
         &self,
         mechanism: &dyn Kinematics,
@@ -106,7 +106,8 @@ impl Arguments {
     }
 }
 
-/// The curves along all that moves; where drives of travel are no heights of the wheels, then those over the travel of the wheel too.
+/// Returns the curves along all drives of travel and steering, and over the travel of the wheel if the drives of travel are
+/// not heights of wheels.
 fn all_curves(mechanism: &dyn Kinematics, ways: &[Along], rises: &[Option<Rise>]) -> Vec<Curves> {
     let unit = mechanism.unit;
     let is_no_height = |(drive, _): &(usize, f64)| {
@@ -122,7 +123,7 @@ fn all_curves(mechanism: &dyn Kinematics, ways: &[Along], rises: &[Option<Rise>]
     each.collect()
 }
 
-/// Curves over the travel of the first wheel that rises all along.
+/// Returns curves over the travel of the first wheel that rises everywhere.
 fn over_wheel(curves: &Curves, unit: Unit) -> Option<Curves> {
     let mut wheels = curves.lines.iter().filter(|line| line.is_wheel_travel());
     let wheel = wheels.find(|line| line.is_rising())?;
@@ -132,10 +133,10 @@ fn over_wheel(curves: &Curves, unit: Unit) -> Option<Curves> {
     Some(Curves { title, ..over })
 }
 
-/// Width and height of a drawing as shown.
+/// Width and height of a drawing in pixels.
 const DRAWING: (u32, u32) = (620, 480);
 
-/// The mechanism from all sides, and faintly where travel ends.
+/// Draws the mechanism from all sides, with faint lines at the ends of travel.
 fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Vec<String> {
     let travel = ways.iter().take(1);
     let reached = travel.flat_map(|along| along.visited.places.iter().flatten());

@@ -1,4 +1,4 @@
-//! `suspension sweep`: all quantities, and their derivatives, on a grid of the drives.
+//! `suspension sweep`: all quantities and their derivatives on a grid of the drives.
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -61,8 +61,8 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Places that have no configuration have no rows; the others are written, also where the user
-    /// interrupts.
+    /// See [`Failure`]. The table omits places that have no configuration, and places that are not solved before an
+    /// interrupt.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let beside = || in_out(&self.file, "_sweep.csv");

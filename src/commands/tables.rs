@@ -43,7 +43,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-/// A program that takes tables of kinematics.
+/// A program for vehicle models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Program {
     /// Tables over jounce: camber, toe, dive, longitudinal and lateral movement, in mm and deg.
@@ -57,7 +57,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]. Where the mechanism locks, tables end there, and what there is is written.
+    /// See [`Failure`]. If the mechanism locks, the tables end there and are still written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let ending = match self.program {
             Program::Carsim => "_carsim.par",
@@ -81,7 +81,7 @@ impl Arguments {
         missing.map_or(Ok(()), Err)
     }
 
-    /// The text, and what could not be solved.
+    /// Returns the text, and the failures of what could not be solved.
     fn tables(
         &self,
         mechanism: &dyn Kinematics,
@@ -117,7 +117,7 @@ impl Arguments {
                 carmaker::text(file, mechanism, &wheel, opposite.as_ref())
             }
         };
-        // Derivatives at the design position are whole wherever travel ends.
+        // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
             Program::Carsim => travel.visited.failure(file),
             Program::Carmaker => None,
@@ -125,7 +125,7 @@ impl Arguments {
         Ok((text, missing))
     }
 
-    /// The number of the wheel.
+    /// Returns the number of the wheel.
     fn number(&self, mechanism: &dyn Kinematics) -> Result<usize, Failure> {
         let wheels = &mechanism.names.wheels;
         if wheels.is_empty() {

@@ -39,7 +39,7 @@ impl Arguments {
     ///
     /// # Errors
     ///
-    /// See [`Failure`]; [`Failure::Solver`] too where a target is not met, the file being written.
+    /// See [`Failure`]; also [`Failure::Solver`] if a target is not met, although the file is written.
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let out = self.out.clone();
@@ -92,7 +92,7 @@ impl Arguments {
     }
 }
 
-/// Doubts about the values of drives over which targets are stated, in words.
+/// Returns sentences on doubtful values of drives in the targets.
 fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String> {
     let of_axis = |target: &Target, axis: &Axis| {
         let [(drive, _)] = *axis.drives else {
@@ -117,7 +117,7 @@ fn beside(file: &Path) -> PathBuf {
     file.with_file_name(format!("{}_tuned.toml", name_of(file)))
 }
 
-/// What a file names from its folder may not be there in another one.
+/// Refuses a folder in which the files that the motion file names are missing.
 fn refuse_unreadable(out: &Path, source: &Source) -> Result<(), Failure> {
     let read_there = load(&Source::new(out.display().to_string(), source.text())).map(|_| ());
     read_there.map_err(|failure| {
@@ -128,7 +128,7 @@ fn refuse_unreadable(out: &Path, source: &Source) -> Result<(), Failure> {
     })
 }
 
-/// Points that lengths correct are not those of the design.
+/// Refuses a file with `[lengths]` or `[design]`: its points are a start of the assembly, not those of the design.
 fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure> {
     let lengths = file.lengths.as_ref().map(toml::Spanned::span);
     let design = file.design.as_ref().map(toml::Spanned::span);
@@ -139,7 +139,7 @@ fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure
     })
 }
 
-/// Whether a file gives the points that were found.
+/// Checks that the written file gives the points that were found.
 fn check(out: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
     let source = Source::new(out.display().to_string(), text);
     let loaded = load(&source)?;

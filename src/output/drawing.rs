@@ -22,14 +22,14 @@ pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
 
-/// What there is to draw.
+/// The contents of a drawing.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     /// Names and positions.
     pub points: Vec<(String, [f64; 3])>,
     /// The axes of all positions.
     pub axes: Axes,
-    /// How many of them, the first ones, are on the chassis.
+    /// The number of chassis points, which come first.
     pub chassis: usize,
     /// Links: each joins two points, by their indices.
     pub links: Vec<[usize; 2]>,
@@ -41,15 +41,15 @@ pub struct Drawing {
     pub bodies: Vec<Vec<usize>>,
     /// The wheels.
     pub wheels: Vec<Wheel>,
-    /// All points at other places of the motion, drawn faintly.
+    /// All points at other places of the motion, which are drawn faintly.
     pub others: Vec<Vec<[f64; 3]>>,
-    /// What acts and what links bear, where that is shown.
+    /// Loads and the forces in links, if the drawing shows them.
     pub forces: Option<Forces>,
     /// The symbol of the unit of lengths.
     pub unit: &'static str,
 }
 
-/// A wheel: a circle about its centre, square to the spin axis.
+/// A wheel: a circle about its centre, perpendicular to the spin axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Wheel {
     /// The ends of the spin axis, by their indices, the wheel centre last.
@@ -60,9 +60,9 @@ pub struct Wheel {
     pub radius: f64,
 }
 
-/// Width and height as shown.
+/// Width and height in pixels.
 pub const SIZE: (u32, u32) = (900, 640);
-/// Drawing units to one of those: plotters rounds to whole units.
+/// Drawing units per pixel: plotters rounds to whole units.
 const FINE: u32 = 8;
 const MARGIN: f64 = 70.0;
 const FONT_SIZE: u32 = 14;
@@ -77,17 +77,17 @@ const AXIS: RGBColor = RGBColor(160, 40, 110);
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
-/// How much of a colour a mechanism has that is drawn faintly.
+/// The opacity of a mechanism that is drawn faintly.
 const FAINT: f64 = 0.25;
 
 impl Drawing {
-    /// The drawing as an SVG document of a width and a height as shown; `None` where there are no points.
+    /// Returns the drawing as an SVG document of the given width and height in pixels; `None` if there are no points.
     pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
         let view = View::around(&self.outline(), self.axes, seen, shown, MARGIN)?;
         let mut text = String::new();
         let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        // Drawing into memory has no way to fail but a mistake in this file.
+        // Drawing into memory fails only by a mistake in this file.
         self.draw(&area, &view, shown).ok()?;
         drop(area);
         let [drawn, shown] =
@@ -109,7 +109,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Wheel, bodies and lines at some place of the motion, in a part of their colours.
+    /// Draws wheel, bodies and lines at a place of the motion, with the opacity `part`.
     fn draw_mechanism(&self, area: &Area<'_>, view: &View, at: &[[f64; 3]], part: f64) -> Drawn {
         let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
         for rim in self.wheels.iter().filter_map(|wheel| rim(wheel, at)) {
@@ -156,7 +156,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Kingpin and spin axis, drawn beyond their points by a part of the wheel's radius.
+    /// Returns kingpin and spin axis, extended beyond their points by a part of the wheel's radius.
     fn axes(&self, at: &[[f64; 3]]) -> Vec<[[f64; 3]; 2]> {
         const BEYOND: f64 = 0.4;
         let line = |([from, to], radius): ([usize; 2], f64)| {
@@ -208,7 +208,7 @@ impl Drawing {
         self.draw_numbers(area, view, &mut labels)
     }
 
-    /// The lines that names keep clear of.
+    /// Returns the lines that labels must avoid.
     fn segments(&self, view: &View) -> Vec<Segment> {
         let at: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
         let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
@@ -231,7 +231,7 @@ impl Drawing {
         lines.chain(edges).chain(axes).collect()
     }
 
-    /// All that the picture must hold.
+    /// Returns all points that the drawing must contain.
     fn outline(&self) -> Vec<[f64; 3]> {
         let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
         let each = [&design].into_iter().chain(&self.others);

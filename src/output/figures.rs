@@ -12,21 +12,21 @@ use crate::output::record::{Outcome, record};
 use crate::output::rows::Forms;
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, columns};
 
-/// Instants behind a line.
+/// Instants per line.
 const DENSE: usize = 401;
 
 /// The horizontal axis.
 pub const TIME: &str = "time t (s)";
 
-/// Plots by what they show, made of a dense sequence of states and of those to mark.
+/// Plots with their names, made of a dense sequence of states for lines and of the states to mark.
 pub type Charts = Vec<(&'static str, Chart)>;
 
-/// Draws the part of a motion that was recorded, into `folder` under names that begin with `stem`; no file
-/// where nothing was, or where the user has no time. Says which files were written.
+/// Draws the recorded part of a motion into `folder` under names that begin with `stem`, and prints which files it wrote.
+/// Draws nothing if nothing was recorded or the user interrupts.
 ///
 /// # Errors
 ///
-/// [`Failure::Output`] where a file cannot be written.
+/// [`Failure::Output`] if a file cannot be written.
 pub fn draw(
     mechanism: &dyn Kinematics,
     outcome: &Outcome,
@@ -63,12 +63,12 @@ pub fn draw(
     Ok(written)
 }
 
-/// Where a plot is drawn.
+/// Returns the path of a plot.
 pub fn path(folder: &Path, stem: &str, name: &str) -> PathBuf {
     folder.join(format!("{stem}_{name}.svg"))
 }
 
-/// Those of any linkage.
+/// Returns the plots for any linkage.
 pub fn height_and_angles(mechanism: &Description, states: [&[State]; 2]) -> Charts {
     let Description { names, unit, .. } = mechanism;
     vec![
@@ -77,7 +77,7 @@ pub fn height_and_angles(mechanism: &Description, states: [&[State]; 2]) -> Char
     ]
 }
 
-/// Heights are drawn upwards, whichever way z points: the sign of z, and what stands at the axis.
+/// Returns the sign of z upwards, so that heights point up in any axes, and the label of the vertical axis.
 pub fn upwards(mechanism: &Description) -> (f64, String) {
     let [.., up] = mechanism.axes.signs();
     let sign = if up < 0.0 { "-" } else { "" };
@@ -121,7 +121,7 @@ fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
     }
 }
 
-/// A quantity over time, as people read it: a dense line, and marks.
+/// Returns the curve of a quantity over time in the unit of plots: a dense line, and marks.
 fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Curve {
     let (scale, _) = column.dimension.for_people(unit);
     let [line, marks] = states.map(|states| {
@@ -132,7 +132,7 @@ fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Cu
     Curve { name, line, marks }
 }
 
-/// A quantity of a wheel, and of which points where that is the kingpin.
+/// Returns the title of a wheel's quantity, with the points of the kingpin if it depends on them.
 fn with_points(column: &Column, names: &Names) -> String {
     let name = column.wheel.as_deref().unwrap_or_default();
     let mut wheels = names.wheels.iter().filter(|wheel| wheel.name == name);
@@ -149,7 +149,7 @@ fn with_points(column: &Column, names: &Names) -> String {
     }
 }
 
-/// What a point is and its name, where that says something else.
+/// Returns the purpose of a point and its name, if these differ.
 fn named(what: &str, point: &str) -> String {
     if point.replace('_', " ") == what.replace('_', " ") {
         what.to_owned()

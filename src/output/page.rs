@@ -32,13 +32,13 @@ tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; pad
 }
 ";
 
-/// Width and height of a chart.
+/// Width and height of a chart in pixels.
 const CHART: (u32, u32) = (480, 330);
 
 /// Digits of a number in a table.
 const DIGITS: usize = 6;
 
-/// A page.
+/// Returns a page.
 pub fn page(title: &str, body: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
@@ -58,7 +58,7 @@ pub fn page(title: &str, body: &Markup) -> String {
     page.into_string()
 }
 
-/// Charts beside and below each other.
+/// Returns charts beside and below each other.
 pub fn charts(charts: &[Chart]) -> Markup {
     html! {
         div.charts {
@@ -69,10 +69,9 @@ pub fn charts(charts: &[Chart]) -> Markup {
     }
 }
 
-/// The cells of a column of numbers, their decimal points in a line; a dash where a number does not exist, nothing where
-/// there is none.
+/// Returns the cells of a column of numbers with aligned decimal points; a dash for NaN, an empty cell for `None`.
 pub fn numbers(values: impl Iterator<Item = Option<f64>>) -> Vec<Markup> {
-    /// As wide as a digit, and as a point.
+    /// As wide as a digit, and as a decimal point.
     const SPACES: [char; 2] = ['\u{2007}', '\u{2008}'];
     let shown = |value: Option<f64>| value.map_or_else(String::new, in_digits);
     let cells = aligned(values.map(shown).collect(), SPACES);
@@ -82,7 +81,7 @@ pub fn numbers(values: impl Iterator<Item = Option<f64>>) -> Vec<Markup> {
         .collect()
 }
 
-/// In the digits of tables; what is rounding is zero.
+/// Formats a value with the digits of tables; rounding errors become zero.
 pub fn in_digits(value: f64) -> String {
     if value.is_finite() {
         rounded(without_rounding(value), DIGITS)

@@ -9,11 +9,11 @@ use crate::number::fixed;
 /// A plot.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// Above the plot.
+    /// The title.
     pub title: String,
-    /// The horizontal axis, with its unit.
+    /// The label of the horizontal axis, with its unit.
     pub across: String,
-    /// The vertical axis, with its unit.
+    /// The label of the vertical axis, with its unit.
     pub quantity: String,
     /// The curves.
     pub curves: Vec<Curve>,
@@ -22,17 +22,17 @@ pub struct Chart {
 /// A curve.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// In the legend, which is left out where no curve has a name.
+    /// The name in the legend, which is omitted if no curve has a name.
     pub name: String,
-    /// Points of the line: across and up; where one is not finite the line is broken.
+    /// Points of the line, horizontal and vertical; a point that is not finite interrupts the line.
     pub line: Vec<(f64, f64)>,
-    /// Points that are marked.
+    /// Points with a mark.
     pub marks: Vec<(f64, f64)>,
 }
 
-/// Width and height as shown.
+/// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
-/// Drawing units to one of those: plotters rounds to whole units, which would be seen as steps.
+/// Drawing units per pixel: plotters rounds to whole units, which would be visible as steps.
 const FINE: u32 = 8;
 const FONT: &str = "sans-serif";
 
@@ -40,7 +40,7 @@ fn font(size: u32) -> (&'static str, u32) {
     (FONT, size * FINE)
 }
 
-/// The size of type, `size` at most, at which a text has a width as shown.
+/// Returns the font size, `size` at most, at which a text fits a width in pixels.
 fn fitting(text: &str, size: u32, width: u32) -> u32 {
     // Letters are half as wide as high.
     let letters = text.chars().count() as u32;
@@ -64,18 +64,18 @@ type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 impl Chart {
-    /// The plot as an SVG document; `None` where there is nothing to draw.
+    /// Returns the plot as an SVG document; `None` if it has no points.
     pub fn svg(&self) -> Option<String> {
         self.svg_of(SIZE)
     }
 
-    /// The same of a width and a height as shown.
+    /// Returns the plot with a width and a height in pixels.
     pub fn svg_of(&self, shown: (u32, u32)) -> Option<String> {
         let axes = self.axes()?;
         let mut text = String::new();
         let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        // Drawing into memory has no way to fail but a mistake in this file.
+        // Drawing into memory fails only by a mistake in this file.
         self.draw(&area, &axes, shown.0).ok()?;
         drop(area);
         let [drawn, shown] =
@@ -85,7 +85,7 @@ impl Chart {
 
     fn draw(&self, area: &Area<'_>, axes: &[Axis; 2], width: u32) -> Drawn {
         const MARGIN: [u32; 2] = [14, 28];
-        /// Of the vertical axis: its name, its ticks and what is between them and the numbers.
+        /// The width of the vertical axis without its numbers: its label, its ticks and gaps.
         const BESIDE_NUMBERS: u32 = 32;
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
@@ -130,7 +130,7 @@ impl Chart {
     ) -> Drawn {
         const MOST: u32 = 11;
         const ROWS: usize = 10;
-        // As wide a gap as two digits.
+        // The gap between numbers is at least two digits wide.
         let numbers = width / (x.label_width() + 2 * DIGIT);
         plane
             .configure_mesh()
@@ -167,7 +167,7 @@ impl Chart {
         Ok(())
     }
 
-    /// Time and value: all points and a margin, above them the legend.
+    /// Returns the horizontal and the vertical axis: all points and a margin, with the legend above them.
     fn axes(&self) -> Option<[Axis; 2]> {
         const MARGIN: f64 = 0.08;
         const LEGEND_LINE: f64 = 0.17;
@@ -182,27 +182,27 @@ impl Chart {
     }
 }
 
-/// Whether a point can be drawn: it is finite, and an axis spans it and others without overflow.
+/// Returns whether a point can be drawn: it is finite, and so is a range that contains it and others.
 fn is_finite((across, up): &(f64, f64)) -> bool {
     const GREATEST: f64 = 1e300;
     across.abs() < GREATEST && up.abs() < GREATEST
 }
 
-/// The width of a digit in a label, as shown.
+/// The width of a digit in a label, in pixels.
 const DIGIT: u32 = 8;
 
-/// What an axis spans.
+/// The range of an axis.
 struct Axis {
     low: f64,
     high: f64,
 }
 
 impl Axis {
-    /// All of the values, and below and above them these parts of what they span.
+    /// Returns the range of all values, extended by these parts of it below and above.
     fn around(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<Self> {
-        /// What spans less is one value and its rounding, which is not drawn as a wave.
+        /// A smaller range is a constant with rounding errors, which are not drawn as a wave.
         const CONSTANT: f64 = 1e-9;
-        /// Of its size, or else of one: what is shown around a constant.
+        /// The range around a constant, relative to its size or to one.
         const AROUND_CONSTANT: f64 = 0.1;
         let (low, high) = values.fold(None, |ends: Option<(f64, f64)>, value| {
             let (low, high) = ends.unwrap_or((value, value));
@@ -221,14 +221,14 @@ impl Axis {
         })
     }
 
-    /// With decimals that tell labels apart on an axis of about ten.
+    /// Formats a label, with enough decimals to distinguish about ten of them.
     fn label(&self, value: f64) -> String {
         let step = (self.high - self.low) / 10.0;
         let digits = (-step.log10()).ceil().clamp(0.0, 12.0) as usize;
         fixed(value, digits)
     }
 
-    /// Of the widest label, as shown.
+    /// Returns the width of the widest label in pixels.
     fn label_width(&self) -> u32 {
         let lengths = [self.low, self.high].map(|end| self.label(end).len() as u32);
         lengths[0].max(lengths[1]) * DIGIT

@@ -1,4 +1,4 @@
-//! The progress of work that takes more than a second, on standard error.
+//! The progress on standard error of work that takes more than a second.
 
 use std::fmt::Display;
 use std::io::{IsTerminal, stderr};
@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::file::tell;
 
-/// What takes longer is shown.
+/// Progress of longer work is shown.
 const LONG: Duration = Duration::from_secs(1);
 
 /// Counts steps; shows a bar once the work has taken a second and only on a terminal.
@@ -24,7 +24,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Of work in `total` steps, each one of the `units`.
+    /// Starts the progress of work in `total` steps, which are called `units`.
     pub fn new(total: usize, units: &'static str) -> Self {
         Self {
             began: Instant::now(),
@@ -36,9 +36,9 @@ impl Progress {
         }
     }
 
-    /// One more step is done.
+    /// Counts a step.
     pub fn step(&mut self) {
-        /// Reading the clock takes as long as a step of a small mechanism.
+        /// Steps between two readings of the clock, which takes as long as a step of a small mechanism.
         const STEPS_A_LOOK: usize = 64;
         self.done += 1;
         if !self.visible || !self.done.is_multiple_of(STEPS_A_LOOK) {
@@ -71,8 +71,7 @@ fn bar(total: usize, units: &str) -> ProgressBar {
     }
 }
 
-/// Tells how many are found so far, of what nobody knows the number of; shown once the search has taken a second and only
-/// on a terminal.
+/// Shows how many things a search of unknown length has found, once it has taken a second and only on a terminal.
 #[derive(Debug)]
 pub struct Found {
     began: Instant,
@@ -82,7 +81,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// None yet of the `units`.
+    /// Starts the search for `units`.
     pub fn new(units: &'static str) -> Self {
         Self {
             began: Instant::now(),
@@ -92,7 +91,7 @@ impl Found {
         }
     }
 
-    /// So many are found.
+    /// Shows the count.
     pub fn show(&self, count: usize) {
         if self.visible && self.began.elapsed() > LONG {
             let line = self.line.get_or_init(|| counter(self.units));
@@ -100,7 +99,7 @@ impl Found {
         }
     }
 
-    /// Tells something above what is shown.
+    /// Prints a note above the progress.
     pub fn tell(&self, note: impl Display) {
         match self.line.get() {
             Some(line) => line.suspend(|| tell(note)),
@@ -108,7 +107,7 @@ impl Found {
         }
     }
 
-    /// Takes the line away for good, before something else is written.
+    /// Removes the progress before other output.
     pub fn clear(&self) {
         if let Some(line) = self.line.get() {
             line.finish_and_clear();

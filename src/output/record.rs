@@ -13,32 +13,32 @@ use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
 use crate::quantities::{self, Shown, catalogue};
 
-/// What a motion came to.
+/// The result of a motion.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// How it ended.
+    /// The reason for its end.
     pub end: End,
-    /// Instants solved.
+    /// The number of instants solved.
     pub solved: usize,
-    /// The last of them, s; the first to solve where there is none.
+    /// The last instant solved, s; the first instant of the motion if none was solved.
     pub last: f64,
-    /// Newton iterations of all instants.
+    /// The number of Newton iterations of all instants.
     pub iterations: usize,
-    /// The most that one instant took.
+    /// The largest number of iterations of an instant.
     pub most_iterations: usize,
     /// The largest residual.
     pub residual: f64,
-    /// States kept: evenly spread, the first and the last among them.
+    /// Some states, evenly spread, the first and the last among them.
     pub kept: Vec<State>,
 }
 
 /// Moves through the instants, writes every state in all `forms` and keeps about `keep` of them.
 ///
-/// A file is complete and named even where the solver stops or the user interrupts.
+/// A file is complete and has its name even if the solver stops or the user interrupts.
 ///
 /// # Errors
 ///
-/// Where a row cannot be written.
+/// If a row cannot be written.
 pub fn record(
     mechanism: &dyn Kinematics,
     instants: &Instants,
@@ -75,7 +75,7 @@ pub fn record(
     Ok(outcome)
 }
 
-/// The catalogue's quantities, a column each number.
+/// Returns the columns of the catalogue's quantities, one per number.
 fn columns_of(mechanism: &Description) -> Vec<Column<State>> {
     let all = quantities::columns(catalogue(), &mechanism.names).into_iter();
     let tabled = all.filter(|column| column.quantity.shown != Shown::InSummaries);
@@ -85,7 +85,7 @@ fn columns_of(mechanism: &Description) -> Vec<Column<State>> {
 }
 
 impl Outcome {
-    /// Counts a state and keeps one of `every`; gives back what it does not keep.
+    /// Counts a state and keeps one of `every`; returns the state if it is not kept.
     fn add(&mut self, state: State, every: usize) -> Option<State> {
         let is_kept = self.solved.is_multiple_of(every);
         self.solved += 1;
@@ -101,7 +101,7 @@ impl Outcome {
         }
     }
 
-    /// The last time at which the mechanism is known to have a configuration, s.
+    /// Returns the last time at which the mechanism is known to have a configuration, s.
     pub fn farthest(&self) -> f64 {
         match &self.end {
             End::Stopped(stop) => stop.reached,
@@ -109,8 +109,8 @@ impl Outcome {
         }
     }
 
-    /// What remains to be said where the motion did not reach its last instant. Rows are kept
-    /// where a table was written.
+    /// Returns the failure of a motion that did not reach its last instant. It says that rows are kept if a table was
+    /// written.
     pub fn failure(&self, source: &str, forms: &Forms) -> Option<Failure> {
         let done = self.done_in_words(!forms.is_empty());
         self.end.failure(source, &done)

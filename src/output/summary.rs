@@ -1,4 +1,4 @@
-//! A motion in a few lines of text.
+//! The summary of a motion.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use crate::output::record::Outcome;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{Shown, catalogue, columns};
 
-/// The catalogue's quantities at the kept instants, and the totals.
+/// Returns the catalogue's quantities at the kept instants, and the totals.
 pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     let Description {
         linkage,
@@ -39,7 +39,7 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     out
 }
 
-/// What the solver did.
+/// Returns a sentence on the solver's iterations and residual.
 pub fn totals(outcome: &Outcome, unit: Unit) -> String {
     format!(
         "Newton iterations: {} for {} instant{}, at most {} for one, steps in between included\nLargest residual: {:.1e} {}\n",

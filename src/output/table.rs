@@ -8,14 +8,14 @@ use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
 use crate::quantities::{self, is_driven_angle};
 
-/// A column of numbers that are read off things.
+/// A column: a name and a function from an item to a number.
 pub struct Column<T> {
     heading: Heading,
     value: Box<dyn Fn(&T) -> f64>,
 }
 
 impl<T: 'static> Column<T> {
-    /// Numbers with a fraction, under a name.
+    /// Makes a column of real numbers.
     pub fn new(name: impl Into<String>, value: fn(&T) -> f64) -> Self {
         Self {
             heading: Heading {
@@ -26,14 +26,14 @@ impl<T: 'static> Column<T> {
         }
     }
 
-    /// Counts, under a name.
+    /// Makes a column of whole numbers.
     pub fn of_counts(name: impl Into<String>, value: fn(&T) -> f64) -> Self {
         let mut column = Self::new(name, value);
         column.heading.counts = true;
         column
     }
 
-    /// One of the catalogue's, of the state of the thing.
+    /// Makes the column of a quantity of the catalogue, from the state of an item.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
         let scale = column.dimension.in_file(unit);
         let stated_in = is_driven_angle(&column).then_some(unit.angle);
@@ -50,7 +50,7 @@ impl<T: 'static> Column<T> {
     }
 }
 
-/// A table being written.
+/// A table that is being written.
 pub struct Table<T> {
     rows: Rows,
     columns: Vec<Column<T>>,
@@ -67,7 +67,7 @@ impl<T: 'static> Table<T> {
         Self::of(columns, |headings| Rows::csv(target, headings))
     }
 
-    /// Starts a table in the forms that are wanted.
+    /// Starts a table in several formats.
     ///
     /// # Errors
     ///
@@ -92,7 +92,7 @@ impl<T: 'static> Table<T> {
         })
     }
 
-    /// Adds the row of a thing.
+    /// Adds the row of an item.
     ///
     /// # Errors
     ///
@@ -104,7 +104,7 @@ impl<T: 'static> Table<T> {
         self.rows.add(&self.row)
     }
 
-    /// Ends the table; a file takes its name.
+    /// Ends the table; a file gets its name.
     ///
     /// # Errors
     ///

@@ -4,7 +4,7 @@ use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::number::{aligned, fixed};
 
-/// A column: what stands above its cells, and these.
+/// A column: its heading and its cells.
 pub struct TextColumn {
     heading: String,
     cells: Vec<String>,
@@ -12,7 +12,7 @@ pub struct TextColumn {
 }
 
 impl TextColumn {
-    /// Texts that begin below each other.
+    /// Makes a column of left-aligned texts.
     pub fn left(cells: impl IntoIterator<Item = impl ToString>) -> Self {
         Self {
             heading: String::new(),
@@ -21,7 +21,7 @@ impl TextColumn {
         }
     }
 
-    /// Texts that end below each other.
+    /// Makes a column of right-aligned texts.
     pub fn right(cells: impl IntoIterator<Item = impl ToString>) -> Self {
         Self {
             is_at_right: true,
@@ -29,31 +29,31 @@ impl TextColumn {
         }
     }
 
-    /// Numbers whose decimal points are below each other; their heading ends where they do.
+    /// Makes a column of numbers with aligned decimal points and a right-aligned heading.
     pub fn numbers(numbers: impl IntoIterator<Item = String>) -> Self {
         Self::right(aligned(numbers.into_iter().collect(), [' ', ' ']))
     }
 
-    /// Values in the unit that people read, with as many decimals as suit it.
+    /// Makes a column of values in the unit of summaries, with the decimals that suit it.
     pub fn values(values: impl Iterator<Item = f64>, dimension: Dimension, unit: Unit) -> Self {
         let ((scale, _), decimals) = (dimension.for_people(unit), dimension.decimals(unit));
         Self::right(values.map(|value| fixed(value * scale, decimals)))
     }
 
-    /// The column under a heading.
+    /// Sets the heading.
     pub fn under(self, heading: impl Into<String>) -> Self {
         let heading = heading.into();
         Self { heading, ..self }
     }
 
-    /// Numbers, each with the text of another column behind it, as its unit: one column whose heading begins at the left.
+    /// Joins the cells of another column to this one's, for example units; the heading becomes left-aligned.
     pub fn then(self, between: &str, next: Self) -> Self {
         let cells = self.cells.iter().zip(next.cells);
         let cells = cells.map(|(cell, next)| format!("{cell}{between}{next}"));
         Self::left(cells).under(self.heading)
     }
 
-    /// The heading and the cells, all as wide as the widest.
+    /// Returns the heading and the cells, padded to the same width.
     fn padded(&self) -> Vec<String> {
         let texts = || [&self.heading].into_iter().chain(&self.cells);
         let width = texts().map(|text| text.chars().count()).max().unwrap_or(0);
@@ -65,7 +65,7 @@ impl TextColumn {
     }
 }
 
-/// Columns of equally many cells as lines, so many spaces from the left: the headings, where there are any, and the cells.
+/// Returns columns of the same number of cells as lines, indented: the headings, if there are any, and the cells.
 pub fn laid_out(indent: usize, columns: impl IntoIterator<Item = TextColumn>) -> String {
     let columns = Vec::from_iter(columns);
     let is_without_headings = columns.iter().all(|column| column.heading.is_empty());

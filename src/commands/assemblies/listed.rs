@@ -8,12 +8,12 @@ use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
 
-/// Where assemblies are wanted.
+/// A request for assemblies.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wish {
-    /// The drive; `None` where there is only one.
+    /// The drive; `None` if the linkage has only one.
     pub drive: Option<String>,
-    /// Its values; none for those of the file's first instant.
+    /// Values of the drive; empty for the drives at the file's first instant.
     pub at: Vec<f64>,
 }
 
@@ -22,21 +22,21 @@ pub struct Wish {
 pub struct Listed {
     /// The drives in words.
     pub drives_in_words: String,
-    /// The real ones, nearest to the file's configuration first.
+    /// The real assemblies, nearest to the file's configuration first.
     pub assemblies: Vec<Assembly>,
-    /// These and the others, by number.
+    /// The numbers of real and of other assemblies.
     pub tally: Tally,
 }
 
-/// Takes the assemblies at one value of the drives.
+/// Called with the assemblies at each value of the drives.
 pub type OnListed<'a> = dyn FnMut(&Listed) -> Result<(), Failure> + 'a;
 
 /// Lists all assemblies of the file's mechanism, value by value.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where the wish makes no sense, [`Failure::Solver`] where there is no assembly at a value,
-/// [`Failure::Interrupted`], and what `on_listed` fails with.
+/// [`Failure::Input`] if the request is wrong, [`Failure::Solver`] if there is no assembly at a value,
+/// [`Failure::Interrupted`], and any failure of `on_listed`.
 pub fn list(
     mechanism: &dyn Kinematics,
     file: &str,
@@ -81,7 +81,7 @@ pub fn list(
     )))
 }
 
-/// The drives at each value of the wish, of the first instant without one, in local coordinates.
+/// Returns the drives at each requested value, or at the first instant if none is requested, in local coordinates.
 fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec<f64>>, Failure> {
     let first = mechanism.first_drives();
     if wish.at.is_empty() {

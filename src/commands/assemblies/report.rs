@@ -10,7 +10,7 @@ use crate::output::table::Column;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{self, CAMBER, CENTRE, DRIVES, MARKERS, POSITIONS, Quantity, TOE};
 
-/// The columns of a table, one row an assembly.
+/// Returns the columns of the table with one assembly per row.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     let of_state = |quantities: &[&'static Quantity]| {
         let columns = quantities::columns(quantities.iter().copied(), names).into_iter();
@@ -32,10 +32,10 @@ pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     columns
 }
 
-/// Assemblies for people.
+/// The report of assemblies as text.
 pub(super) struct Report {
     unit: Unit,
-    /// What is shown of the wheel.
+    /// The columns of the wheel.
     wheel: Vec<quantities::Column>,
 }
 
@@ -45,7 +45,7 @@ impl Report {
         Self { unit, wheel }
     }
 
-    /// The assemblies in a table, and how sure it is that they are all.
+    /// Returns the table of assemblies, and a sentence on whether the list is complete.
     pub(super) fn text(&self, listed: &Listed) -> String {
         let table = match listed.assemblies.as_slice() {
             [] => "  no assembly: the mechanism cannot be put together there\n".to_owned(),
@@ -79,13 +79,13 @@ impl Report {
             TextColumn::right(singular_values).under("smallest singular value"),
         ];
         columns.extend(wheel);
-        // Many names run on, to the right of the heading.
+        // A long list of names continues to the right of the heading.
         columns.push(TextColumn::left(mirrored).under(" mirrored"));
         columns
     }
 }
 
-/// How sure it is that the list is complete, and why.
+/// Says whether the list is complete, and why.
 fn certainty(listed: &Listed) -> String {
     let tally = &listed.tally;
     let verdict = match tally.doubts().as_slice() {
@@ -113,7 +113,7 @@ fn certainty(listed: &Listed) -> String {
     }
 }
 
-/// What the numbers are of.
+/// The explanation of the counts.
 const WORDS: &str = "\
 Only real ones can be built: a complex assembly has coordinates that are complex numbers, and one at infinity has moved there as \
 general\ndimensions become the file's. They are counted, as with them the number of all is known; the trace test fails if one is missing.\n";
@@ -132,7 +132,7 @@ fn one_of_several(part: &PartTally) -> String {
     )
 }
 
-/// What became of the assemblies of a part that are not real, and how sure it is.
+/// Says for one part how many assemblies are not real, and whether its count is complete.
 fn of_part(part: &PartTally, whole: &str) -> String {
     let unconfirmed = match part.unconfirmed {
         0 => String::new(),

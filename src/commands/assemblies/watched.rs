@@ -6,7 +6,7 @@ use crate::assemblies::Stage;
 use crate::failure::Failure;
 use crate::output::progress::Found;
 
-/// Shows how many are found, and ends the search at an interrupt, and at another what comes after it.
+/// Shows how many assemblies are found. A first interrupt ends the search; a second one ends the work that follows it.
 pub struct Watched<'a> {
     file: &'a str,
     found: Found,
@@ -15,7 +15,7 @@ pub struct Watched<'a> {
 }
 
 impl<'a> Watched<'a> {
-    /// Of a file's mechanism.
+    /// Starts to watch the search in a file's mechanism.
     pub fn new(file: &'a str, interrupted: &'a AtomicBool) -> Self {
         Self {
             file,
@@ -25,7 +25,7 @@ impl<'a> Watched<'a> {
         }
     }
 
-    /// Whether it goes on, where so many are known.
+    /// Shows the count; returns whether the search goes on.
     pub fn goes_on(&self, stage: Stage, count: usize) -> bool {
         self.found.show(count);
         if stage == Stage::Follow {
@@ -42,21 +42,21 @@ impl<'a> Watched<'a> {
         !ends
     }
 
-    /// Takes what it shows away.
+    /// Removes the progress line.
     pub fn clear(&self) {
         self.found.clear();
     }
 
-    /// What was given up at the second interrupt, after `done`.
+    /// Returns the failure of a second interrupt, which says what was given up after `done`.
     pub fn given_up(&self, done: &str) -> Failure {
         Failure::Interrupted(format!("{}: interrupted {done}", self.file))
     }
 
-    /// Whether a search was ended.
+    /// Returns an error if an interrupt ended the search.
     ///
     /// # Errors
     ///
-    /// [`Failure::Interrupted`] where it was.
+    /// [`Failure::Interrupted`].
     pub fn ended(&self) -> Result<(), Failure> {
         if self.is_ended.load(Ordering::Relaxed) {
             return Err(self.given_up("in its search for assemblies, of which there may be more"));

@@ -18,23 +18,23 @@ use crate::number::exact;
 
 pub use measure::WishedMeasure;
 
-/// Digits of a range that is possible: it is rounded to lie within what is.
+/// Digits of a range that is proposed, rounded to lie within the possible one.
 const DIGITS: usize = 12;
 
 /// What to bake of the mechanism of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The variables of which the motion is a function.
+    /// The variables on which the baked functions depend.
     pub along: Variables,
-    /// How far a point may be off, m.
+    /// The largest error of a point, m.
     pub tolerance: f64,
-    /// How segments join.
+    /// How many derivatives are continuous where segments join.
     pub continuity: Continuity,
-    /// Which points.
+    /// The points to bake.
     pub wish: Wish,
 }
 
-/// The variables of which a motion is a function.
+/// The variables on which the baked functions depend.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Variables {
     /// One drive for a curve, two for a surface.
@@ -43,7 +43,7 @@ pub enum Variables {
     Measure(WishedMeasure),
 }
 
-/// A drive and how far it goes.
+/// A drive and its range.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wished {
     /// The drive's name; `None` where there is only one.
@@ -52,7 +52,7 @@ pub struct Wished {
     pub range: [Option<f64>; 2],
 }
 
-/// A mechanism and its file.
+/// An order with the mechanism and the name of its file.
 pub struct Baking<'a> {
     /// The file's name.
     pub file: &'a str,
@@ -60,26 +60,26 @@ pub struct Baking<'a> {
     pub mechanism: &'a dyn Kinematics,
     /// What to bake.
     pub request: &'a Request,
-    /// Whether the user has interrupted the program.
+    /// Set when the user interrupts the program.
     pub interrupted: &'a AtomicBool,
 }
 
 /// A drive over its range.
 struct Along {
     drive: usize,
-    /// In the file's coordinates.
+    /// The range in the file's coordinates.
     range: [f64; 2],
-    /// In local ones.
+    /// The range in local coordinates.
     local: [f64; 2],
 }
 
 impl Baking<'_> {
-    /// Bakes.
+    /// Bakes the ordered motion.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where drives, ranges or tolerance make no sense, [`Failure::Solver`] where
-    /// the mechanism does not go through the ranges or the tolerance is not met.
+    /// [`Failure::Input`] if drives, ranges or tolerance are wrong, [`Failure::Solver`] if the mechanism does not pass
+    /// through the ranges or the tolerance is not met.
     pub fn sheet(&self) -> Result<Sheet, Failure> {
         self.check()?;
         let Description {
@@ -88,7 +88,7 @@ impl Baking<'_> {
             unit,
             ..
         } = &**self.mechanism;
-        // Programs that read what is baked have angles in radians.
+        // Programs that read the baked file use radians.
         let inside = Unit {
             angle: Angle::Radian,
             ..*unit
@@ -121,7 +121,7 @@ impl Baking<'_> {
         Ok(sheet)
     }
 
-    /// Refuses a tolerance that is none, and a wheel where there is none.
+    /// Refuses a tolerance that is not positive, and the wheel of a listing without one.
     fn check(&self) -> Result<(), Failure> {
         if !(self.request.tolerance > 0.0 && self.request.tolerance.is_finite()) {
             return Err(self.refuse("a tolerance is a positive number of metres"));
@@ -134,7 +134,7 @@ impl Baking<'_> {
         Ok(())
     }
 
-    /// The drives that are not `moved`, with the values at which they are held, in a unit.
+    /// Lists the drives that are not `moved` with the values at which they are held, in a unit.
     fn held(&self, moved: &[usize], unit: Unit) -> String {
         let drives = self.mechanism.names.drives.iter().enumerate();
         let held = drives.filter(|(drive, _)| !moved.contains(drive));
@@ -145,7 +145,7 @@ impl Baking<'_> {
         held.collect::<Vec<_>>().join(", ")
     }
 
-    /// The drives that move, what is said of them, and what is baked; `unit` is that of the last.
+    /// Returns the ranges of the drives, their description, and the baked functions; `unit` is that of the functions.
     fn by_drives(
         &self,
         drives: &[Wished],
@@ -195,7 +195,7 @@ impl Baking<'_> {
         }
     }
 
-    /// A drive's range in the file's coordinates.
+    /// Returns a drive's range in the file's coordinates.
     fn range(&self, drive: usize, wished: &Wished) -> Result<[f64; 2], Failure> {
         let times = self.mechanism.instants.iter();
         let through = times.map(|t| self.given(drive, self.value(drive, t)));
@@ -222,12 +222,12 @@ impl Baking<'_> {
         Ok(range)
     }
 
-    /// A drive's value in the file's coordinates, from a local one.
+    /// Converts a drive's local value to the file's coordinates.
     fn given(&self, drive: usize, local: f64) -> f64 {
         local + self.mechanism.drive_offsets[drive]
     }
 
-    /// A drive's local value at the first instant.
+    /// Returns a drive's local value at the first instant.
     fn first(&self, drive: usize) -> f64 {
         self.value(drive, self.mechanism.instants.ends()[0])
     }
@@ -250,7 +250,7 @@ impl Baking<'_> {
     }
 }
 
-/// Of a file that is not baked to the end.
+/// Returns the failure of an interrupt before the file is complete.
 fn interrupted(file: &str) -> Failure {
     Failure::Interrupted(format!("{file}: interrupted; nothing was written"))
 }

@@ -7,15 +7,15 @@ use suspension_core::solve::pivots::Elimination;
 use crate::kinematics::{Equations, Kinematics};
 use crate::mechanism::Names;
 
-/// A singular value that is smaller counts as zero: no digit of a velocity is known there.
+/// Smaller singular values count as zero: they leave no correct digit in a velocity.
 const ZERO: f64 = 1e-7;
 
-/// Of the largest entry of a null vector: what an equation or an unknown must have to be named.
+/// An equation or unknown is named if its entry is at least this part of the largest entry of a null vector.
 const SHARE: f64 = 0.05;
 
-/// What is known of the Jacobian.
+/// Rank, conditioning and order of elimination of the Jacobian.
 pub(super) struct Condition {
-    /// How many equations are independent.
+    /// The number of independent equations.
     pub(super) rank: usize,
     /// Equations that depend on each other.
     pub(super) redundant: Vec<String>,
@@ -30,7 +30,7 @@ pub(super) struct Condition {
 }
 
 impl Condition {
-    /// Of the mechanism where it starts.
+    /// Analyses the Jacobian of a mechanism at its design position.
     pub(super) fn of(mechanism: &dyn Kinematics) -> Self {
         let names = &mechanism.names;
         let Equations {
@@ -62,13 +62,13 @@ impl Condition {
         }
     }
 
-    /// Whether drives do not determine the motion.
+    /// Returns whether the drives do not determine the motion.
     pub(super) fn is_singular(&self) -> bool {
         !self.undetermined.is_empty()
     }
 }
 
-/// The parts that have a share in any of the vectors.
+/// Returns the names of the parts with a share in any of the vectors.
 fn named<'a>(
     names: &Names,
     vectors: impl Iterator<Item = DVectorView<'a, f64>>,

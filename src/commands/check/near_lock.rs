@@ -1,4 +1,4 @@
-//! Locks that are nearer to the design than the travel of any suspension.
+//! Locks so near to the design position that any suspension's travel passes them.
 
 use suspension_core::listing::DriveKind;
 
@@ -7,10 +7,10 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{DriveAtDesign, from_design};
 use crate::reach::{DriveRange, Limit, RangeEnd};
 
-/// How near is noted: as a part of the suspension's size, or as an angle in radians.
+/// Locks within this distance are noted: a part of the suspension's size, or an angle in radians.
 const NEAR: f64 = 1e-3;
 
-/// A note on each lock that is so near.
+/// Returns a note for each lock that is near the design position.
 pub(super) fn notes(
     mechanism: &dyn Kinematics,
     ranges: &[DriveRange],
@@ -37,7 +37,7 @@ pub(super) fn notes(
     })
 }
 
-/// Not the end of an angle, at which a design may well stand.
+/// Returns whether the range ends at a lock. The end of an angle is none: a design may well stand there.
 fn is_lock(end: &RangeEnd) -> bool {
     matches!(
         end.limit,

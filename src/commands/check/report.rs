@@ -1,4 +1,4 @@
-//! The report of a check, for people.
+//! The report of a check as text.
 
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
@@ -8,7 +8,7 @@ use crate::number::rounded;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
 
-/// All that the report tells.
+/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) linkage: &'a str,
@@ -18,22 +18,22 @@ pub(super) struct Report<'a> {
     pub(super) design: &'a [f64],
     pub(super) condition: Condition,
     pub(super) ranges: Vec<DriveRange>,
-    /// Whether the file's own motion is within reach.
+    /// Whether the file's own motion is within reach, in words.
     pub(super) motion: Option<String>,
     pub(super) notes: &'a [String],
 }
 
-/// The widest heading that is no drive's name.
+/// The widest heading that is not the name of a drive.
 const CONDITIONING: &str = "conditioning";
 
-/// Digits of a number that tells how large something is.
+/// Digits of residuals, pivots and singular values.
 const DIGITS: usize = 3;
 
 /// Digits of a drive's value where it ends.
 const DIGITS_OF_END: usize = 4;
 
 impl Report<'_> {
-    /// The report as text.
+    /// Returns the report as text.
     pub(super) fn text(&self) -> String {
         let Self { names, unit, .. } = self;
         let symbol = unit.symbol();
@@ -78,7 +78,7 @@ impl Report<'_> {
         )
     }
 
-    /// The line of the assemblies, below the others.
+    /// Returns the line of the assemblies, which stands below the others.
     pub(super) fn assemblies(&self, tally: &Tally) -> String {
         let names = self.ranges.iter().map(|range| range.name.as_str());
         let headings = names.chain([CONDITIONING]).map(|name| name.chars().count());
@@ -189,7 +189,7 @@ impl Report<'_> {
         )
     }
 
-    /// A drive and where it ends to either side.
+    /// Returns the ends of a drive's range and what limits each.
     fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
         let dimension = Dimension::from(range.kind);
         let (symbol, scale) = (dimension.symbol(self.unit), dimension.in_file(self.unit));

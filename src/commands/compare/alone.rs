@@ -4,7 +4,8 @@ use crate::characteristics::Parameter;
 use crate::commands::compare::differences::is_same;
 use crate::commands::compare::side::Side;
 
-/// Names what only `own` has, which is called so, in a sentence; `None` where the other has it all.
+/// Names the quantities that only `own` has, in a sentence in which `called` is its file; `None` if the other has all of
+/// them.
 pub(super) fn alone(own: &Side, other: &Side, called: &str) -> Option<String> {
     let has = |parameter: &Parameter| {
         let mut theirs = other.parameters.iter();

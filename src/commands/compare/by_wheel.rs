@@ -1,10 +1,10 @@
-//! Curves over the travel of the wheel, where equal changes of two drives are not equal travels.
+//! Curves over the travel of the wheel, for drives of which equal changes do not move the wheels equally far.
 
 use crate::characteristics::{Curves, Does, Line};
 use crate::commands::compare::differences::{ALIKE, pairs, title_of_both};
 use crate::mechanism::{Unit, evenly_spaced};
 
-/// Whether equal changes of the two drives do not move the wheels equally far; not asked of drives that steer.
+/// Returns whether equal changes of the two drives move the wheels unequally far; `false` for drives that steer.
 pub(super) fn are_unlike(both: [&Curves; 2]) -> bool {
     let [a, b] = both;
     if a.way.does == Does::Steer {
@@ -14,7 +14,7 @@ pub(super) fn are_unlike(both: [&Curves; 2]) -> bool {
     a.dimension != b.dimension || rises(both).is_some_and(is_further)
 }
 
-/// How far the wheel of each rises per change of its drive, on average over the curve.
+/// Returns how far the wheel of each rises per change of its drive, on average over the curve.
 pub(super) fn rises([a, b]: [&Curves; 2]) -> Option<[f64; 2]> {
     let [of_a, of_b] = rising([a, b]).or_else(|| wheels([a, b]).next())?;
     Some([rise(a, of_a)?, rise(b, of_b)?])
@@ -27,18 +27,19 @@ fn rise(curves: &Curves, line: &Line) -> Option<f64> {
     Some((last.1 - first.1) / (last.0 - first.0))
 }
 
-/// How far wheels travel along both.
+/// Pairs the heights of the wheels along both curves.
 fn wheels([a, b]: [&Curves; 2]) -> impl Iterator<Item = [&Line; 2]> {
     let is_travel = |pair: &[&Line; 2]| pair[0].is_wheel_travel();
     pairs(a, b).into_iter().filter(is_travel)
 }
 
-/// The first wheel that rises all along both.
+/// Returns the first wheel that rises everywhere along both curves.
 fn rising(both: [&Curves; 2]) -> Option<[&Line; 2]> {
     wheels(both).find(|pair| pair.iter().all(|line| line.is_rising()))
 }
 
-/// Both over the travel of the first wheel that rises all along, as far as both go, with lengths in `unit`; `None` where there is none.
+/// Returns both curves over the travel of the first wheel that rises everywhere, over their common range, with lengths in
+/// `unit`; `None` if there is no such wheel.
 pub(super) fn by_wheel([a, b]: [&Curves; 2], unit: Unit) -> Option<[Curves; 2]> {
     let [of_a, of_b] = rising([a, b])?;
     let ([from_a, to_a], [from_b, to_b]) = (of_a.ends()?, of_b.ends()?);

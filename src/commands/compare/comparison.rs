@@ -7,14 +7,14 @@ use crate::commands::compare::differences::{
 use crate::commands::compare::over::Over;
 use crate::commands::compare::side::Side;
 
-/// All that both have.
+/// The quantities and curves that both suspensions have.
 pub(super) struct Comparison<'a> {
     pub(super) parts: Vec<Part>,
     pub(super) over: Vec<Over<'a>>,
 }
 
 impl<'a> Comparison<'a> {
-    /// Of both sides.
+    /// Compares two suspensions.
     pub(super) fn of(sides: [&'a Side; 2]) -> Self {
         let design =
             |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
@@ -34,7 +34,7 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// The derivatives along what a drive of the first does, where one of the second does the same.
+/// Compares the derivatives with respect to a drive of the first and the drive of the second with the same purpose.
 fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     let ways = [of_a, sides[0].same_way(sides[1], of_a)?];
     let by_wheel = are_unlike_travels(sides, ways);
@@ -58,7 +58,7 @@ fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     })
 }
 
-/// Which wheels or drives move, in words.
+/// Names the wheels or drives that move.
 fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
     let [of_a, of_b] = [a.moved(of_a, b), b.moved(of_b, a)];
     if of_a == of_b {
@@ -68,7 +68,7 @@ fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
     }
 }
 
-/// Whether equal changes of two drives of travel do not move the same wheels equally far.
+/// Returns whether equal changes of two drives of travel move the same wheels unequally far.
 fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
     let (Some(in_a), Some(in_b)) = (&a.rises, &b.rises) else {
         return false;
@@ -85,8 +85,8 @@ fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
     in_a.symbol(of_a) != in_b.symbol(of_b) || a.wheels_beside(b).into_iter().any(is_unlike)
 }
 
-/// The derivative of a parameter along a drive, or with respect to the height of its wheel, the other wheels held; of a wheel or an axle
-/// that is compared with one without a name, along its own drive of travel.
+/// Returns the derivative of a parameter with respect to a drive, or to the height of its wheel with the other wheels held.
+/// A wheel or axle that is compared with one without a name takes its own drive of travel.
 fn derivative(
     side: &Side,
     (way, by_wheel): (usize, bool),
@@ -105,10 +105,10 @@ fn derivative(
     derivative.map(|derivative| (derivative.value, derivative.symbol))
 }
 
-/// Reads a number of a parameter, with its unit; with whether only one of the two that are compared names its wheel.
+/// Reads a number of a parameter, with its unit. The flag says that only one of the two suspensions names its wheel.
 type Read<'a> = dyn Fn(&Parameter, bool) -> Option<(f64, String)> + 'a;
 
-/// The numbers that parameters of the same name and unit have.
+/// Pairs the numbers of parameters of the same name and unit.
 fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
     let difference = |[a, b]: [&Parameter; 2]| {
         let is_alone = a.title.wheel != b.title.wheel;

@@ -7,15 +7,16 @@ use crate::commands::compare::by_wheel::{are_unlike, by_wheel};
 use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
 use crate::mechanism::Unit;
 
-/// Curves of both along what does the same.
+/// The curves of both suspensions over the same kind of motion.
 pub(super) struct Over<'a> {
-    /// As `over travel`.
+    /// The title, for example `over travel`.
     of: String,
     pub(super) curves: [Cow<'a, Curves>; 2],
 }
 
 impl<'a> Over<'a> {
-    /// Over equal changes of the drives or, where these are not alike, over the travel of the wheel.
+    /// Pairs the curves over equal changes of the drives, or over the travel of the wheel if equal changes move the wheels
+    /// unequally far.
     pub(super) fn of(both: [&'a Curves; 2], unit: Unit) -> Option<Self> {
         let [a, b] = both;
         if are_unlike(both)
@@ -34,7 +35,7 @@ impl<'a> Over<'a> {
         })
     }
 
-    /// Where the curves differ most.
+    /// Returns the differences, each at the place where the curves differ most.
     pub(super) fn part(&self, unit: Unit) -> Part {
         let [a, b] = self.curves.each_ref().map(|curves| &**curves);
         let differences = pairs(a, b).into_iter();
@@ -48,10 +49,10 @@ impl<'a> Over<'a> {
     }
 }
 
-/// A change, and the values of both there.
+/// A change of the drive, and the values of both curves there.
 type Place = (f64, [f64; 2]);
 
-/// Where two lines differ most, of the places where both are.
+/// Returns the largest difference of two lines, over the places where both have values.
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
     let both = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));

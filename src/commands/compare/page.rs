@@ -1,4 +1,4 @@
-//! The page: differences, and the curves of both in one chart each.
+//! The page of HTML: differences, and the curves of both suspensions in one chart each.
 
 use maud::{Markup, html};
 
@@ -10,7 +10,7 @@ use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
 
-/// The page as HTML.
+/// Returns the page as HTML.
 pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let body = html! {

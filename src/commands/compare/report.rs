@@ -20,7 +20,7 @@ use crate::output::target::Target;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{Axis, CENTRE};
 
-/// Which file is which, a line each.
+/// Returns one line for each file, with its letter and name.
 pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
     sides.map(|side| {
         let converted = side.converted.as_ref();
@@ -29,7 +29,7 @@ pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
     })
 }
 
-/// Above a part.
+/// Returns the heading of a table.
 pub(super) fn heading(part: &Part) -> String {
     match (part.of.as_str(), &part.across) {
         (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
@@ -42,12 +42,12 @@ pub(super) fn heading(part: &Part) -> String {
     }
 }
 
-/// The comparison for people.
+/// Returns the comparison as text.
 pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");
     for note in notes(sides) {
-        // Writing into a string has no way to fail.
+        // Writing into a string cannot fail.
         let _ = writeln!(out, "{note}");
     }
     for part in &comparison.parts {
@@ -57,7 +57,7 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     out
 }
 
-/// What cannot be compared, or not at equal changes, a sentence each.
+/// Returns a sentence for everything that cannot be compared, or not at equal changes.
 pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let unit = sides[0].unit;
     let unlike = same_ways(sides).into_iter();
@@ -78,7 +78,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     notes.collect()
 }
 
-/// Says so where steering holds the wheels at their height in one of the suspensions alone.
+/// Notes that steering holds the wheels at their height in only one of the suspensions.
 fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
     let (in_a, in_b) = (a.keeps_height_in_steering()?, b.keeps_height_in_steering()?);
     let [keeps, other] = if in_a { ["A", "B"] } else { ["B", "A"] };
@@ -90,7 +90,7 @@ fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
     })
 }
 
-/// Says so where the drives of steering count opposite ways.
+/// Notes that the drives of steering have opposite signs.
 fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
     let [(a, to_a), (b, to_b)] = [sides[0].steering()?, sides[1].steering()?];
     (to_a * to_b < 0.0 && across(sides).is_none()).then(|| {
@@ -101,7 +101,7 @@ fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
     })
 }
 
-/// Says so where a wheel on the left is compared with one on the right.
+/// Notes that a wheel on the left is compared with one on the right.
 fn across([a, b]: [&Side; 2]) -> Option<String> {
     let centres = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
     let across = centres.into_iter().filter(|[a, b]| {
@@ -124,7 +124,7 @@ fn across([a, b]: [&Side; 2]) -> Option<String> {
     })
 }
 
-/// Says so where drives are of different kinds, or equal changes of them are not equal travels of the wheels.
+/// Notes that drives are of different kinds, or that equal changes of them move the wheels unequally far.
 fn unlike_drives(both: [&Curves; 2], unit: Unit) -> Option<String> {
     let [a, b] = both;
     let titles = both.map(|curves| &curves.title);
@@ -158,7 +158,7 @@ fn unlike_drives(both: [&Curves; 2], unit: Unit) -> Option<String> {
     ))
 }
 
-/// The differences; the last column, where the curves differ most, is of curves alone.
+/// Returns the columns of a table; the last one, the place of the largest difference, is for curves only.
 fn columns(part: &Part) -> Vec<TextColumn> {
     let differences = || part.differences.iter();
     let numbers = |title, value: &dyn Fn(&Difference) -> f64| {
@@ -181,7 +181,7 @@ fn columns(part: &Part) -> Vec<TextColumn> {
     columns
 }
 
-/// The comparison as comma-separated values.
+/// Writes the comparison as comma-separated values.
 pub(super) fn table(comparison: &Comparison<'_>, target: &Target) -> Result<(), Failure> {
     let names = ["of", "quantity", "unit", "at", "a", "b", "difference"];
     let headings = names.map(|name| Heading {

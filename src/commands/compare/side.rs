@@ -10,33 +10,33 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
 use crate::quantities::{Axis, CENTRE, TOE};
 
-/// What is compared of a suspension, with lengths in the unit of the first.
+/// The compared results of a suspension, with lengths in the unit of the first.
 pub(super) struct Side {
     pub(super) file: String,
     pub(super) linkage: String,
-    /// From what to what its numbers were converted, where they were.
+    /// From which unit or axes to which the numbers were converted; `None` if they were not.
     pub(super) converted: Option<String>,
-    /// The unit of lengths here.
+    /// The unit of lengths of these results.
     pub(super) unit: Unit,
-    /// What the drives do with respect to which the parameters have derivatives.
+    /// The purposes of the drives with respect to which the parameters have derivatives.
     pub(super) ways: Vec<Way>,
     /// The names of these drives.
     drives: Vec<String>,
-    /// How far the wheels of those of travel rise.
+    /// How far the wheels rise per unit of the drives of travel.
     pub(super) rises: Option<Rises>,
-    /// The drive of travel of each wheel, by its place in these.
+    /// The name of each wheel with the index of its drive of travel in `ways`.
     travel_of: Vec<(String, usize)>,
-    /// The same of both wheels of each axle.
+    /// The name of each axle with the indices of the drives of travel of its wheels.
     axles: Vec<(String, Vec<usize>)>,
     pub(super) parameters: Vec<Parameter>,
-    /// Over travel, and over steering where a drive steers.
+    /// Curves over travel, and over steering if a drive steers.
     pub(super) curves: Vec<Curves>,
-    /// What could not be solved.
+    /// The failures of curves that could not be solved.
     pub(super) missing: Vec<Failure>,
 }
 
 impl Side {
-    /// Of a file's mechanism, with lengths in `unit`, and what else of it is converted in words.
+    /// Computes the results of a file's mechanism, with lengths in `unit`; `converted` names the other conversions.
     pub(super) fn of(
         mechanism: &dyn Kinematics,
         (source, converted): (&Source, Option<String>),
@@ -78,12 +78,12 @@ impl Side {
         })
     }
 
-    /// Whether a drive steers.
+    /// Returns whether a drive steers.
     pub(super) fn steers(&self) -> bool {
         self.ways.iter().any(|way| way.does == Does::Steer)
     }
 
-    /// Whether the wheel centres stay at their height as the drive of steering turns the wheels; `None` where no drive does.
+    /// Returns whether steering keeps the wheel centres at their height; `None` if no drive steers.
     pub(super) fn keeps_height_in_steering(&self) -> Option<bool> {
         /// Per unit of the drive.
         const ROUNDING: f64 = 1e-9;
@@ -98,13 +98,14 @@ impl Side {
         Some(rates?.iter().all(|rate| rate.abs() < ROUNDING))
     }
 
-    /// The drive of steering, and how fast it turns the wheels to the side of positive y, all together; `None` where no drive does.
+    /// Returns the drive of steering, and how fast it turns all wheels together towards positive y; `None` if no drive
+    /// steers.
     pub(super) fn steering(&self) -> Option<(&str, f64)> {
         let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
         let of_wheel = |toe: &Parameter| {
             let mut others = self.parameters.iter().filter(|of| of.is(&CENTRE, Axis::Y));
             let centre = others.find(|centre| centre.title.wheel == toe.title.wheel)?;
-            // Toe points inboard.
+            // Toe is positive inboard.
             Some(-toe.per[steer].as_ref()?.value * centre.value.signum())
         };
         let toes = self.parameters.iter();
@@ -112,7 +113,8 @@ impl Side {
         Some((&self.drives[steer], toes.filter_map(of_wheel).sum()))
     }
 
-    /// The place of what does the same in another suspension: of the drive of travel of a wheel whose name both have, that wheel's.
+    /// Returns the index of the drive with the same purpose in another suspension: for travel of a wheel whose name both
+    /// have, the drive of that wheel.
     pub(super) fn same_way(&self, other: &Self, way: usize) -> Option<usize> {
         let place_of = |side: &Self, name: &str| {
             let mut wheels = side.travel_of.iter();
@@ -133,8 +135,8 @@ impl Side {
         }
     }
 
-    /// The drive of travel that stands for another one at a wheel or an axle of this name: its own, of an axle the one on the same
-    /// side.
+    /// Returns the drive of travel of the wheel or axle `name` in place of drive `way`: its own, or for an axle the one on
+    /// the same side.
     pub(super) fn own_way(&self, way: usize, name: &str) -> usize {
         let Way {
             does: Does::Travel,
@@ -155,8 +157,8 @@ impl Side {
         }
     }
 
-    /// What a drive moves, in words: the wheels whose travel it is by their names, else its own name; beside a suspension whose wheel
-    /// has no name, that each wheel moves by its own.
+    /// Names what a drive moves: its wheels, or else the drive itself; `each wheel by its own drive` in a comparison with a
+    /// suspension whose wheel has no name.
     pub(super) fn moved(&self, way: usize, other: &Self) -> String {
         let named = |side: &Self| side.travel_of.iter().any(|(wheel, _)| !wheel.is_empty());
         let own = self.travel_of.iter().filter(|(_, own)| *own == way);
@@ -169,8 +171,8 @@ impl Side {
         }
     }
 
-    /// How the wheels of drives of travel are paired with those of another suspension: places of both, `None` of one that the other has
-    /// not.
+    /// Pairs the wheels of drives of travel with those of another suspension, by index; `None` for a wheel that the other
+    /// one lacks.
     pub(super) fn wheels_beside(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
         let travels = |side: &Self| {
             let ways = side.ways.iter();

@@ -1,4 +1,4 @@
-//! An axle of both corners: the catalogue's corner and its image, and one rack where they are steered.
+//! An axle of both corners: the corner of the catalogue and its mirror image, with one rack if they are steered.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,19 +12,19 @@ use crate::failure::Failure;
 use crate::output::beside::name_of;
 use crate::output::files::{refuse_input, write_file};
 
-/// An axle of a layout of the catalogue.
+/// An axle made of a layout of the catalogue.
 pub(super) struct Axle {
-    /// What the motion file states.
+    /// The statements of the motion file.
     pub(super) statements: String,
-    /// The listing that it includes where the catalogue's has a rack of its own, and its file.
+    /// The listing that the motion file includes, with its path, if the catalogue's listing has a rack of its own.
     pub(super) corner: Option<(PathBuf, String)>,
 }
 
-/// How the catalogue states a rack, and what moves it.
+/// How the catalogue's listings state a rack and its drive.
 const RACK: &str = "fixed: rack at";
 const STEER: &str = "/// Lateral position of the rack.\ndrive steer: rack.y;\n";
 
-/// The same of a rack that both corners share: its ends move across the vehicle, and stay as far apart as they are.
+/// The statements of a rack that both corners share: its ends move across the vehicle at a constant distance.
 const FREE_RACK: &str = "free:  rack at";
 const SHARED_RACK: &str = "\
 /// A point that the rack moves past.
@@ -36,14 +36,14 @@ couple rack:        left_rack.y = right_rack.y;
 drive steer: left_rack.y;
 ";
 
-/// What is said above a corner's listing, which states no coordinates.
+/// The comment at the top of a corner's listing, which states no coordinates.
 const ABOVE_CORNER: &str = "\
 //! A corner of the axle: statements of the catalogue, without a rack of its own. The motion file that includes it states the
 //! hardpoints, under [points].
 ";
 
-/// A point of layouts with an anti-roll bar, and how much that is twisted. The bar's middle may be in the middle of the
-/// vehicle, where both corners have it.
+/// A point of layouts with an anti-roll bar, and the measure of the bar's twist. If the bar's middle is in the middle of the
+/// vehicle, both corners have that point.
 const BAR: &str = "bar_outer";
 const TWIST: &str = "\
 /// Twist of the anti-roll bar, between its arms.
@@ -52,7 +52,7 @@ measure bar_twist: angle(right_bar_outer -> right_drop_lower, left_bar_outer -> 
 ";
 
 impl Axle {
-    /// Of a layout, for a motion file.
+    /// Makes an axle of a layout, for a motion file.
     pub(super) fn of(choice: &Choice<'_>, out: &Path) -> Self {
         let twist = choice.listing.point(BAR).map_or("", |_| TWIST);
         let mirrored =
@@ -71,7 +71,7 @@ impl Axle {
         }
     }
 
-    /// Name, position and origin of the point that the rack moves past: in the middle of the vehicle.
+    /// Returns name, position and origin of the rack housing, which is in the middle of the vehicle.
     pub(super) fn housing(&self, left: &Imported<'_>) -> Option<[String; 3]> {
         self.corner.as_ref()?;
         let [x, _, z] = left.at("rack")?;
@@ -82,7 +82,7 @@ impl Axle {
         ])
     }
 
-    /// Refuses to lose a listing that is not as import writes it for one of the layouts: the option names the motion file alone.
+    /// Refuses to overwrite a listing that differs from what import writes: the option `--out` names only the motion file.
     pub(super) fn check_corner(&self, out: &Path) -> Result<(), Failure> {
         let Some((path, _)) = &self.corner else {
             return Ok(());
@@ -103,8 +103,8 @@ impl Axle {
         Err(Failure::Input(message))
     }
 
-    /// Writes the motion file, `text` of the axle's listing, and the listing that it includes; where it cannot be built all is as
-    /// it was.
+    /// Writes the motion file, with `text`, and the listing that it includes. If the axle cannot be built, both files stay
+    /// as they were.
     pub(super) fn written(
         &self,
         out: &Path,
@@ -114,12 +114,12 @@ impl Axle {
             write_file(out, &text(&self.listing(out)?)?)?;
             return Ok(vec![out.to_owned()]);
         };
-        // It is there before what includes it is read.
+        // The listing must exist before the motion file that includes it is read.
         let before = path.is_file().then(|| fs::read(path)).and_then(Result::ok);
         write_file(path, corner)?;
         let text = self.listing(out).and_then(|listing| text(&listing));
         if text.is_err() {
-            // What is wrong with the axle is worth more than what is wrong with this.
+            // A mistake in the axle is reported rather than a failure to restore the listing.
             let _ = match before {
                 Some(before) => fs::write(path, before),
                 None => fs::remove_file(path),
@@ -140,13 +140,13 @@ impl Axle {
     }
 }
 
-/// The listing of a corner on a rack that both share, of a layout of the catalogue.
+/// Returns the listing of a corner of a layout, without its own rack.
 fn corner_of(layout: &str) -> String {
     let corner = layout.replace(RACK, FREE_RACK).replace(STEER, "");
     format!("{ABOVE_CORNER}{}", without_places(&corner))
 }
 
-/// The statements of a layout of the catalogue without their coordinates, which are in metres, and without what is said above them.
+/// Returns the statements of a layout without their coordinates, which are in metres, and without the comment at their top.
 fn without_places(text: &str) -> String {
     let statements = text.lines().skip_while(|line| line.starts_with("//!"));
     let unplaced = statements.map(|line| {

@@ -1,4 +1,4 @@
-//! The listing of the catalogue for a file: the one that uses most of its points and lacks none.
+//! The choice of the layout for a file: the one that uses most of its points and lacks none.
 
 use std::cmp::Reverse;
 
@@ -11,33 +11,33 @@ use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::{MOST_NAMES, Names, and_more};
 use super::stand_in::has_stand_in;
 
-/// A listing, with the points of the file that are its own.
+/// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
     pub(super) linkage: &'static str,
     /// The text of the listing.
     pub(super) text: &'static str,
     pub(super) listing: Listing,
-    /// The points that the file has, in the order of the listing, each with its name there.
+    /// The points that the file has, in the order of the listing, each with its name in the listing.
     pub(super) found: Vec<(String, &'a Hardpoint)>,
-    /// The points that others of the file determine.
+    /// Missing points that are computed from others.
     pub(super) spare: Vec<String>,
 }
 
 impl<'a> Choice<'a> {
-    /// The point of the file that is one of the listing.
+    /// Returns the file's point for a point of the listing.
     pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
         let mut found = self.found.iter();
         found.find_map(|(other, point)| (other == name).then_some(*point))
     }
 }
 
-/// A listing that may be chosen, and which of its points the file has.
+/// A listing that may be chosen, with the points that the file has for it.
 #[derive(Debug)]
 struct Candidate<'a> {
     linkage: &'static str,
     text: &'static str,
-    /// As in a [`Choice`].
+    /// As in [`Choice`].
     found: Vec<(String, &'a Hardpoint)>,
     spare: Vec<String>,
     /// The points that are missing.
@@ -82,7 +82,7 @@ impl<'a> Candidate<'a> {
         })
     }
 
-    /// The points that are missing, with the names that would do, but for those that the others place.
+    /// Lists the missing points with the names that import knows for them, without those that can be placed from others.
     fn lacks(&self, names: &Names) -> String {
         let found = self.found.iter().map(|(name, _)| name);
         let with_missing: Vec<&String> = found.chain(&self.missing).collect();
@@ -98,7 +98,7 @@ impl<'a> Candidate<'a> {
         each.collect::<Vec<_>>().join("; ")
     }
 
-    /// The names of the file that are not known, each with the one of a missing point that may have been meant.
+    /// Lists the unknown names of the file, each with the missing point that may have been meant.
     fn unknown(&self, points: &[&Hardpoint], names: &Names, stated: &Hardpoints<'_>) -> String {
         let missing = self.missing.iter();
         let wanted: Vec<&str> = missing.flat_map(|name| names.of_point(name)).collect();
@@ -120,7 +120,7 @@ impl<'a> Candidate<'a> {
         }
     }
 
-    /// Why the points are not those of the listing, in words; `None` where they are.
+    /// Says why the points do not suit the listing; `None` if they do.
     fn does_not_fit(
         &self,
         stated: &Hardpoints<'_>,
@@ -155,7 +155,7 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// The names of a listing's points, which take none of the search for an order of elimination.
+/// Returns the names of a listing's points without the search for an order of elimination.
 fn points_of(linkage: &str, text: &str) -> Result<Vec<String>, Mistakes> {
     let system = text::parse(text, linkage, &CatalogueAndFiles::beside(linkage))?;
     let points = system.fixed.iter().chain(&system.free);
@@ -164,11 +164,11 @@ fn points_of(linkage: &str, text: &str) -> Result<Vec<String>, Mistakes> {
     Ok(points.chain(markers).map(ToString::to_string).collect())
 }
 
-/// The listing that is wanted, or else the one that takes most of the points.
+/// Returns the listing that the user names, or else the one that uses most of the points.
 ///
 /// # Errors
 ///
-/// What is missing, or that several listings take as many, in words.
+/// A sentence that names the missing points, or the listings that use equally many.
 pub(super) fn choose<'a>(
     stated: &Hardpoints<'_>,
     points: &[&'a Hardpoint],
@@ -183,7 +183,7 @@ pub(super) fn choose<'a>(
     let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
     candidates.sort_by_key(|candidate| {
         let (found, missing) = (candidate.found.len(), candidate.missing.len());
-        // Of two with as many points, the one with a spin axis of its own.
+        // Of two listings with equally many points, prefer the one that states its spin axis.
         (
             found == 0,
             missing,
@@ -213,7 +213,7 @@ pub(super) fn choose<'a>(
     }
 }
 
-/// The names by which the points of each listing are known, a line each.
+/// Lists the names that import knows for the points of each layout, one line per point.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The points of a file in our axes, on the requested side.
+//! The points of a file in the axes of ISO 8855, on the requested side.
 
 use nalgebra::Vector3;
 
@@ -6,25 +6,25 @@ use super::choice::Choice;
 use super::hardpoints::Side;
 use crate::mechanism::Axes;
 
-/// The points that the file has, in ISO 8855.
+/// The points of a corner, in ISO 8855.
 #[derive(Debug)]
 pub(super) struct Corner {
-    /// In the order of the choice.
+    /// Coordinates in the order of the choice.
     pub(super) at: Vec<[f64; 3]>,
-    /// Where it is now.
+    /// The side on which the points are.
     pub(super) side: Side,
-    /// Whether it was on the other side before.
+    /// Whether the points were mirrored to that side.
     pub(super) mirrored: bool,
-    /// The side that the file has its points and numbers of.
+    /// The side for which the file states its points and numbers.
     pub(super) stated_side: Side,
 }
 
 impl Corner {
-    /// The points of a choice.
+    /// Converts the points of a choice.
     ///
     /// # Errors
     ///
-    /// If the coordinates put the corner on the other side than its names do, and no option says on which side it belongs.
+    /// If the coordinates put the corner on the other side than its names do, and no option states the side.
     pub(super) fn of(
         choice: &Choice<'_>,
         axes: Axes,
@@ -32,7 +32,7 @@ impl Corner {
     ) -> Result<Self, String> {
         let iso = |at: [f64; 3]| {
             let turned = axes.turned(Vector3::from(at));
-            // A zero keeps no sign.
+            // Adding zero turns -0 into 0.
             turned.map(|x| x + 0.0).into()
         };
         let at = choice.found.iter().map(|(_, point)| iso(point.at));
@@ -77,7 +77,7 @@ impl Corner {
         })
     }
 
-    /// The largest distance of two points along an axis.
+    /// Returns the largest distance of two points along an axis.
     pub(super) fn apart(&self) -> f64 {
         let along = |axis: usize| {
             let values = self.at.iter().map(|at| at[axis]);

@@ -11,31 +11,32 @@ use super::stand_in::number;
 use crate::mechanism::Length;
 use crate::number::rounded;
 
-/// What the motion file says, but for the drives' values.
+/// The contents of the motion file except for the drives' values.
 #[derive(Debug)]
 pub(super) struct Draft<'a> {
-    /// The file that it comes of.
+    /// The name of the file of hardpoints.
     pub(super) source: &'a str,
     listing: &'a Listing,
-    /// How the motion file says which listing that is.
+    /// The statement of the listing in the motion file.
     stated: String,
     unit: Length,
-    /// What was assumed and done, a sentence each.
+    /// Assumptions and conversions, one sentence each.
     pub(super) remarks: Vec<String>,
     /// Name, position and origin of each point.
     points: Vec<[String; 3]>,
-    /// As the motion file has it, with its origin.
+    /// The wheel radius as the motion file states it, with its origin.
     wheel_radius: Option<[String; 2]>,
 }
 
-/// How far the travel goes in the motion, m and degrees.
+/// The change of the drive of travel in the example motion, m or degrees.
 const TRAVEL: f64 = 0.03;
 const TURN: f64 = 5.0;
 
-/// The drive of travel where no drive has another name.
+/// The default name of the drive of travel.
 const BUMP: &str = "bump";
 
-/// Name, position and origin of each point of a corner, and remarks on it, with `before` before the names of points.
+/// Returns name, position and origin of each point of a corner, and remarks on it; `before` is the prefix of its point
+/// names.
 fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<String>) {
     let points = imported.placed(before);
     let spare = &imported.choice.spare;
@@ -47,7 +48,7 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     (points, remarks)
 }
 
-/// The wheel's radius, and its origin.
+/// Returns the wheel's radius and its origin.
 fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
     let Imported {
         stated,
@@ -59,7 +60,7 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
     Some([format!("{:?}", radius.value), stated.line(&radius.place)])
 }
 
-/// Which line stands in for the spin axis where that is of two points of the hardpoint file.
+/// Says which line replaces the spin axis if the spin axis is between two points of the hardpoint file.
 fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
     let [inner, centre] = listing.wheel(0)?.axis;
     let moving = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| listing.count(kind));
@@ -71,7 +72,7 @@ fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
 }
 
 impl<'a> Draft<'a> {
-    /// Of what was found of a corner.
+    /// Drafts the motion file of one corner.
     pub(super) fn of(imported: &'a Imported<'_>) -> Self {
         let stated = format!("linkage = \"{}\"", imported.choice.linkage);
         let corner = corner(imported, "");
@@ -79,7 +80,7 @@ impl<'a> Draft<'a> {
         Self::new(imported, &imported.choice.listing, stated, corner, radius)
     }
 
-    /// Of both corners, the left one first.
+    /// Drafts the motion file of an axle, the left corner first.
     pub(super) fn of_axle(sides: [&'a Imported<'_>; 2], axle: &Axle, listing: &'a Listing) -> Self {
         let mut points: Vec<[String; 3]> = axle.housing(sides[0]).into_iter().collect();
         let mut remarks = vec!["the motion file has an axle, both corners".to_owned()];
@@ -130,7 +131,7 @@ impl<'a> Draft<'a> {
         draft
     }
 
-    /// That the motion is made up.
+    /// Says that the motion is an example.
     fn of_motion(&self) -> String {
         let travel = (0..self.drives()).filter(|drive| self.is_travel(*drive));
         let travel = travel.map(|drive| {
@@ -150,7 +151,7 @@ impl<'a> Draft<'a> {
         )
     }
 
-    /// The file, the drives starting where they are at the design position, whose values are in radians where they are angles.
+    /// Returns the motion file. The drives start at their values at the `design` position, angles in radians.
     pub(super) fn text(&self, design: &[f64]) -> String {
         let mut text = format!("# Of {}, by suspension import:\n", self.source);
         for remark in &self.remarks {
@@ -196,7 +197,7 @@ impl<'a> Draft<'a> {
         text
     }
 
-    /// How many drives there are.
+    /// Returns the number of drives.
     pub(super) fn drives(&self) -> usize {
         self.listing.count(Kind::Drive)
     }
@@ -205,13 +206,13 @@ impl<'a> Draft<'a> {
         self.listing.name(Part::Drive(drive))
     }
 
-    /// Whether a drive moves a wheel up and down: one of that name, or else the first of each corner.
+    /// Returns whether a drive moves a wheel up and down: the one called so, or else the first of each corner.
     fn is_travel(&self, drive: usize) -> bool {
         let of_bump = |drive: usize| self.drive(drive).split('_').any(|word| word == BUMP);
         of_bump(drive) || !(0..self.drives()).any(of_bump) && (drive == 0 || self.wheels() > 1)
     }
 
-    /// What [vehicle] says of travel; drives that are found by their names need no word.
+    /// Returns the lines of `[vehicle]` on travel; drives with the usual names need none.
     fn stated_travel(&self) -> Option<String> {
         let mut travel = (0..self.drives()).filter(|drive| self.is_travel(*drive));
         let first = self.drive(travel.next()?);
@@ -233,6 +234,6 @@ impl<'a> Draft<'a> {
 }
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    // Writing into a string has no way to fail.
+    // Writing into a string cannot fail.
     let _ = writeln!(text, "{line}");
 }

@@ -1,4 +1,4 @@
-//! The format of a file.
+//! The format of a hardpoint file.
 
 use super::hardpoints::Hardpoints;
 use super::names::Names;
@@ -6,11 +6,11 @@ use super::{shark, subsystem, table};
 use crate::failure::Failure;
 use crate::file::{Source, is_listing, is_motion};
 
-/// Reads a file of hardpoints, by what is in it.
+/// Reads a file of hardpoints in the format that its content shows.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] with a place where the file is wrong, or has no points.
+/// [`Failure::Input`] with the line of a mistake, or if the file has no points.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let other = [
         (

@@ -20,7 +20,7 @@ pub(super) enum Side {
 }
 
 impl Side {
-    /// The one across the vehicle.
+    /// Returns the other side.
     pub(super) fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -28,7 +28,7 @@ impl Side {
         }
     }
 
-    /// In words.
+    /// Returns the side in words.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
@@ -40,11 +40,11 @@ impl Side {
 /// The sides of the vehicle to which a row of a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sides {
-    /// The row does not say, or its point is in the middle.
+    /// The row does not say, or its point is in the middle of the vehicle.
     Unsaid,
-    /// One.
+    /// One side.
     One(Side),
-    /// Both: it has the left one, and the right one is its mirror image.
+    /// Both: the row states the left one, and the right one is its mirror image.
     Mirrored,
 }
 
@@ -53,15 +53,15 @@ pub(super) enum Sides {
 pub(super) struct Hardpoint {
     /// As the file writes it.
     pub(super) name: String,
-    /// In the spelling that names are compared in.
+    /// The name in the spelling in which names are compared.
     pub(super) key: String,
     pub(super) side: Option<Side>,
-    /// In the file's axes.
+    /// Coordinates in the file's axes.
     pub(super) at: [f64; 3],
     pub(super) place: Range<usize>,
 }
 
-/// A number of a file that is no coordinate.
+/// A number of a file that is not a coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct Number {
     pub(super) key: String,
@@ -70,27 +70,27 @@ pub(super) struct Number {
     pub(super) place: Range<usize>,
 }
 
-/// How the names of points end that Lotus has for the masses of parts.
+/// The end of Lotus' names for centres of mass.
 const CENTRE_OF_MASS: &str = "c_of_g";
 
-/// What a file says.
+/// The contents of a file.
 #[derive(Debug)]
 pub(super) struct Hardpoints<'a> {
     pub(super) source: &'a Source,
     pub(super) points: Vec<Hardpoint>,
     pub(super) numbers: Vec<Number>,
-    /// What is to be said of rows that are not used, a sentence each.
+    /// Sentences about rows that are not used.
     pub(super) unread: Vec<String>,
-    /// The unit of lengths, where the file states it.
+    /// The unit of lengths; `None` if the file does not state it.
     pub(super) unit: Option<Length>,
-    /// Whether its angles are in radians.
+    /// Whether the file's angles are in radians.
     pub(super) radians: bool,
-    /// The axes that are usual in such files.
+    /// The usual axes of such files.
     pub(super) usual: Axes,
 }
 
 impl<'a> Hardpoints<'a> {
-    /// Of a file that has not been read yet.
+    /// Starts the contents of a file, without points.
     pub(super) fn new(source: &'a Source, usual: Axes) -> Self {
         Self {
             source,
@@ -103,7 +103,7 @@ impl<'a> Hardpoints<'a> {
         }
     }
 
-    /// Adds a point, on both sides where it is mirrored; a centre of mass is none.
+    /// Adds a point, on both sides if it is mirrored. Skips centres of mass.
     pub(super) fn add_point(
         &mut self,
         name: &str,
@@ -138,7 +138,7 @@ impl<'a> Hardpoints<'a> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where its side has another one under the name.
+    /// [`Failure::Input`] if the file has another number of that name on the same side.
     pub(super) fn add_number(
         &mut self,
         name: &str,
@@ -174,11 +174,12 @@ impl<'a> Hardpoints<'a> {
         Ok(())
     }
 
-    /// The points of one corner, and those of no side; of two corners the left one unless the other is wanted.
+    /// Returns the points of one corner and those without a side. Of two corners it takes the left one unless `wanted` is
+    /// the right one.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where a name stands twice.
+    /// [`Failure::Input`] if a name occurs twice.
     pub(super) fn of_side(&self, wanted: Option<Side>) -> Result<Vec<&Hardpoint>, Failure> {
         let has = |side: Side| self.points.iter().any(|point| point.side == Some(side));
         let wanted = wanted.unwrap_or(Side::Left);
@@ -200,7 +201,7 @@ impl<'a> Hardpoints<'a> {
         Ok(points)
     }
 
-    /// `file:line` of a place.
+    /// Returns `file:line` of a place.
     pub(super) fn line(&self, place: &Range<usize>) -> String {
         let place = self.source.place(place);
         let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
@@ -208,8 +209,8 @@ impl<'a> Hardpoints<'a> {
     }
 }
 
-/// A name as it is compared, without what Adams/Car puts before it: the model, and hpl_, hpr_ or hps_ for left, right
-/// and single; and the side that this says.
+/// Returns a name as it is compared, and the side that it states. It omits the prefixes of Adams/Car: the model, and hpl_,
+/// hpr_ or hps_ for left, right and single.
 pub(super) fn key_of(name: &str) -> (String, Sides) {
     let own = name.rsplit('.').next().unwrap_or(name);
     let key = spelled(own);

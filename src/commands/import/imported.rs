@@ -11,37 +11,37 @@ use super::stand_in::{Spin, stand_in};
 use crate::load;
 use crate::mechanism::Length;
 
-/// What was found of a corner.
+/// The data that the file has for a corner.
 pub(super) struct Imported<'a> {
     pub(super) stated: &'a Hardpoints<'a>,
     pub(super) names: &'a Names,
-    /// Those of the corner, and those of no side.
+    /// The points of the corner and those without a side.
     pub(super) points: Vec<&'a Hardpoint>,
     pub(super) choice: Choice<'a>,
     pub(super) orientation: Orientation,
     pub(super) corner: Corner,
     /// The unit that the user states.
     pub(super) unit: Option<Length>,
-    /// What is to be said beside what was assumed of the corner, a sentence each.
+    /// Sentences about the other corner of the file.
     pub(super) said: Vec<String>,
 }
 
-/// What a file has of the other side.
+/// The data of a file on the other side of the vehicle.
 pub(super) enum Other {
     Nothing,
-    /// Not all of its points.
+    /// The file lacks some of its points.
     Part,
-    /// The mirror image.
+    /// The other side is the mirror image.
     Image,
-    /// Another suspension: this is not as in a mirror, for one.
+    /// The other side is another suspension: the named point or number differs from the mirror image.
     Unlike(String),
 }
 
-/// How far points may be off a mirror image, as a part of the suspension's size: as files are rounded.
+/// The largest deviation from a mirror image, as a part of the suspension's size: files round their numbers.
 const ROUNDING: f64 = 1e-6;
 
 impl Other {
-    /// What the user is to know of it.
+    /// Returns a sentence on the other side for the user.
     pub(super) fn said(&self, is_axle: bool) -> Option<String> {
         match self {
             Self::Image if !is_axle => Some(
@@ -59,7 +59,7 @@ impl Other {
 }
 
 impl Imported<'_> {
-    /// What the file has of the other side, of the points that the layout takes.
+    /// Compares the points of the layout with those of the other side.
     pub(super) fn other_side(&self) -> Other {
         let found = self.choice.found.iter().map(|(_, point)| *point);
         let sided = found.filter(|point| point.side.is_some());
@@ -82,7 +82,7 @@ impl Imported<'_> {
         }
     }
 
-    /// The same point on the other side.
+    /// Returns the point of the same name on the other side.
     fn image(&self, point: &Hardpoint) -> Option<&Hardpoint> {
         let mut points = self.stated.points.iter();
         points.find(|other| other.key == point.key && is_other_side(other.side, point.side))
@@ -95,7 +95,7 @@ impl Imported<'_> {
         apart.iter().all(|by| by.abs() <= off)
     }
 
-    /// A number, an angle for one, that is another on the other side.
+    /// Returns a number, for example an angle, that differs between the sides.
     fn unlike_number(&self) -> Option<(&String, &Range<usize>)> {
         let numbers = &self.stated.numbers;
         let is_unlike = |number: &&Number| {
@@ -110,8 +110,8 @@ impl Imported<'_> {
         unlike.map(|number| (&number.key, &number.place))
     }
 
-    /// Name, position and origin of each point, in the order of the listing, its names and those of the corner's points having
-    /// `before` before them.
+    /// Returns name, position and origin of each point, in the order of the listing; `before` is the prefix of the point
+    /// names.
     pub(super) fn placed(&self, before: &str) -> Vec<[String; 3]> {
         let Self { choice, stated, .. } = self;
         let (unit, _) = self.unit();
@@ -138,7 +138,8 @@ impl Imported<'_> {
         each.collect()
     }
 
-    /// The middle of a bar is a point of both corners, of which each needs its own on the line that the bar twists about.
+    /// Moves the middle of a bar, which both corners would share, outboard along the axis of the bar's twist so that each
+    /// corner has its own.
     fn halved(&self, name: &str, at: [f64; 3]) -> Option<[f64; 3]> {
         if name != "bar_inner" || at[1] != 0.0 {
             return None;
@@ -147,7 +148,7 @@ impl Imported<'_> {
         Some([0, 1, 2].map(|axis| 0.5 * (at[axis] + outer[axis])))
     }
 
-    /// Where a point of the listing is, where the file has it.
+    /// Returns the coordinates of a point of the listing, if the file has it.
     pub(super) fn at(&self, name: &str) -> Option<[f64; 3]> {
         let place = self
             .choice

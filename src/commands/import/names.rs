@@ -1,4 +1,4 @@
-//! The names by which hardpoint files call points and numbers: `names.toml`.
+//! The names that hardpoint files use for points and numbers: `names.toml`.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use suspension_listing::did_you_mean::nearest;
 
 use crate::failure::Failure;
 
-/// What `names.toml` says.
+/// The contents of `names.toml`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Names {
@@ -16,7 +16,7 @@ pub(super) struct Names {
     pub(super) arrangement: Arrangement,
 }
 
-/// How points lie to one another.
+/// The usual order of points along the axes.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Arrangement {
@@ -24,9 +24,9 @@ pub(super) struct Arrangement {
     pub(super) ahead: Vec<[String; 2]>,
     /// The first is above the second.
     pub(super) above: Vec<[String; 2]>,
-    /// The first is on the part of the second, and so nearer to it than to the third.
+    /// The first is on the same part as the second, and so nearer to it than to the third.
     pub(super) near: Vec<[String; 3]>,
-    /// The layouts whose points lie otherwise.
+    /// The layouts with another order of points.
     pub(super) otherwise: Vec<String>,
 }
 
@@ -35,39 +35,39 @@ impl Names {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where the table is damaged.
+    /// [`Failure::Input`] if the table is damaged.
     pub(super) fn read() -> Result<Self, Failure> {
         let names = toml::from_str(include_str!("names.toml"));
         names.map_err(|error| Failure::Input(format!("names.toml: {}", error.message())))
     }
 
-    /// The names that stand for a point of a listing, its own first.
+    /// Returns the names of a point of a listing, its own name first.
     pub(super) fn of_point<'a>(&'a self, point: &'a str) -> impl Iterator<Item = &'a str> {
         spellings(&self.points, point)
     }
 
-    /// The names that stand for a number, its own first.
+    /// Returns the names of a number, its own name first.
     pub(super) fn of_number<'a>(&'a self, number: &'a str) -> impl Iterator<Item = &'a str> {
         spellings(&self.numbers, number)
     }
 
-    /// The names of all points.
+    /// Returns the names of all points.
     pub(super) fn all_of_points(&self) -> impl Iterator<Item = &str> {
         self.points.keys().flat_map(|point| self.of_point(point))
     }
 
-    /// Whether any point goes by the name.
+    /// Returns whether the name is that of a point.
     pub(super) fn is_point(&self, name: &str) -> bool {
         self.all_of_points().any(|other| other == name)
     }
 
-    /// The known name of a number that a mistyped one may stand for.
+    /// Returns the known name of a number that may have been meant by a mistyped one.
     pub(super) fn number_meant(&self, name: &str) -> Option<&str> {
         let numbers = self.numbers.keys();
         nearest(name, numbers.flat_map(|number| self.of_number(number)))
     }
 
-    /// Whether any number goes by the name.
+    /// Returns whether the name is that of a number.
     pub(super) fn is_number(&self, name: &str) -> bool {
         let mut numbers = self.numbers.keys();
         numbers.any(|number| self.of_number(number).any(|other| other == name))
@@ -82,15 +82,15 @@ fn spellings<'a>(
     [own].into_iter().chain(others)
 }
 
-/// The most points that are told by name.
+/// The most points that a message names.
 pub(super) const MOST_NAMES: usize = 40;
 
-/// How many others there are, where there are any.
+/// Returns the words on `others` that a message does not name; `None` if there are none.
 pub(super) fn and_more(others: usize) -> Option<String> {
     (others > 0).then(|| format!("and {others} more"))
 }
 
-/// A name in small letters, `_` between words.
+/// Returns a name in lower-case letters with `_` between words.
 pub(super) fn spelled(name: &str) -> String {
     let words = name.split(|c: char| !c.is_alphanumeric());
     let words = words.filter(|word| !word.is_empty());

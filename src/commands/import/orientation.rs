@@ -1,4 +1,4 @@
-//! The axes of a file, from the order of its points.
+//! The axes of a file, deduced from the order of its points.
 
 use suspension_core::listing::{Kind, Parts};
 
@@ -8,29 +8,29 @@ use super::names::Arrangement;
 use crate::mechanism::Axes;
 use crate::number::number;
 
-/// What points say of an axis.
+/// The direction of one axis, as a pair of points shows it.
 struct Clue {
     axis: usize,
-    /// 1 where the axis points as in ISO 8855, -1 where it points the other way.
+    /// 1 if the axis points as in ISO 8855, -1 if it points the other way.
     sign: f64,
     why: String,
 }
 
-/// Axes, and why these.
+/// Axes and the reasons for them.
 #[derive(Debug)]
 pub(super) struct Orientation {
     pub(super) axes: Axes,
-    /// What speaks for them.
+    /// The points that show these axes.
     pub(super) why: String,
-    /// What speaks against axes that the user stated.
+    /// The points that contradict the axes that the user stated.
     pub(super) doubts: Vec<String>,
 }
 
-/// The axes that are stated, or else those that the points have.
+/// Returns the axes that the user states, or else those that the points show.
 ///
 /// # Errors
 ///
-/// What the points say where no axes have that.
+/// A sentence on what the points show, if no known axes agree with it.
 pub(super) fn orientation(
     choice: &Choice<'_>,
     arrangement: &Arrangement,
@@ -50,7 +50,7 @@ pub(super) fn orientation(
     let clues: Vec<Clue> = clues.into_iter().flatten().collect();
     let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
     if let Some(axes) = stated {
-        // Which side the corner is on is asked on its own.
+        // The side of the corner is checked separately.
         let against = clues
             .iter()
             .filter(|clue| clue.axis != 1 && !fits(&axes, clue));
@@ -84,8 +84,8 @@ pub(super) fn orientation(
     }
 }
 
-/// In every suspension the wheel centre is further from the middle of the vehicle than all points on the chassis, and the
-/// spin axis lies across the vehicle: where that is not so, columns are swapped.
+/// Checks that the columns are not exchanged: in every suspension the wheel centre is further from the middle of the vehicle
+/// than all chassis points, and the spin axis lies across the vehicle.
 fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     let Some(centre) = choice.point("wheel_centre") else {
         return Ok(());
@@ -127,7 +127,7 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     }
 }
 
-/// By the first of the pairs that the file has.
+/// Deduces the direction of an axis from the first of the pairs that the file has.
 fn of_order(choice: &Choice<'_>, pairs: &[[String; 2]], axis: usize, is: &str) -> Option<Clue> {
     pairs.iter().find_map(|[first, second]| {
         let [first, second] = [choice.point(first)?, choice.point(second)?];
@@ -144,7 +144,7 @@ fn of_order(choice: &Choice<'_>, pairs: &[[String; 2]], axis: usize, is: &str) -
     })
 }
 
-/// By the side that a name says.
+/// Deduces the direction of the lateral axis from the side that a point's name states.
 fn of_side(point: Option<&Hardpoint>) -> Option<Clue> {
     let point = point?;
     let (side, y) = (point.side?, point.at[1]);

@@ -14,7 +14,7 @@ use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
 
 impl Imported<'_> {
-    /// The unit of lengths, and how it is known.
+    /// Returns the unit of lengths and the reason for it.
     pub(super) fn unit(&self) -> (Length, String) {
         match (self.unit, self.stated.unit) {
             (Some(unit), _) => (unit, "as --unit says".to_owned()),
@@ -27,7 +27,7 @@ impl Imported<'_> {
         }
     }
 
-    /// What was assumed of the file.
+    /// Returns the assumptions about the file.
     pub(super) fn of_file(&self) -> Vec<String> {
         let choice = &self.choice;
         let (unit, why_unit) = self.unit();
@@ -54,7 +54,7 @@ impl Imported<'_> {
         remarks
     }
 
-    /// What was assumed of the corner and done with it; of an axle's corners it needs no word on which side they are.
+    /// Returns the assumptions about the corner and the conversions; for the corners of an axle without their sides.
     pub(super) fn of_corner(&self, is_of_axle: bool) -> Vec<String> {
         let Self { choice, corner, .. } = self;
         let mut remarks: Vec<String> = self.far_points().collect();
@@ -83,7 +83,7 @@ impl Imported<'_> {
         remarks
     }
 
-    /// The name of a point that is not used, with the one that may have been meant where it is not known.
+    /// Names a point that is not used and, if its name is unknown, the point that may have been meant.
     fn unused(&self, point: &Hardpoint) -> String {
         let all = self.names.all_of_points();
         let meant = nearest(&point.key, all).filter(|_| !self.names.is_point(&point.key));
@@ -91,7 +91,7 @@ impl Imported<'_> {
         format!("{}{}", point.name, hint.unwrap_or_default())
     }
 
-    /// Points that seem to be on another part than the layout has them on.
+    /// Notes points that seem to be on another part than in the layout.
     fn far_points(&self) -> impl Iterator<Item = String> {
         let near = self.names.arrangement.near.iter();
         near.filter_map(|names| {
@@ -108,7 +108,7 @@ impl Imported<'_> {
         })
     }
 
-    /// A free point of a corner that is on the other side of the vehicle than its wheel.
+    /// Notes a free point of a corner that is on the other side of the vehicle than its wheel.
     fn point_across(&self) -> Option<String> {
         let Choice { listing, found, .. } = &self.choice;
         let chassis = listing.count(Kind::ChassisPoint);
@@ -127,14 +127,14 @@ impl Imported<'_> {
     }
 }
 
-/// What a layout of the catalogue is, without its side: all corners there are left ones, which the one that is read need not be.
+/// Removes the side from the description of a layout: all corners of the catalogue are left ones.
 fn of_either_side(sentence: &str) -> String {
     let sides = [", front left", ", rear left", ", left"];
     let without = |sentence: String, side| sentence.replace(side, "");
     sides.into_iter().fold(sentence.to_owned(), without)
 }
 
-/// What was done to the coordinates, in words.
+/// Says how the coordinates were converted.
 fn changed(axes: Axes) -> &'static str {
     match axes {
         Axes::Iso => "coordinates are those of the file",

@@ -5,22 +5,22 @@ use std::ops::Range;
 use super::hardpoints::{Side, Sides};
 use crate::mechanism::Length;
 
-/// What begins a remark.
+/// The beginnings of a remark.
 const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
 
-/// What stands between fields; a tab or `;` lets numbers have a decimal comma.
+/// The separators of fields; after a tab or `;` numbers may have a decimal comma.
 const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
 
-/// A line that has been taken apart.
+/// A line that has been split into fields.
 #[derive(Debug)]
 pub(super) struct Row<'a> {
     fields: Vec<&'a str>,
     separator: char,
-    /// The line in its file.
+    /// The place of the line in its file.
     pub(super) place: Range<usize>,
 }
 
-/// The lines of a text without blanks at their ends, each with its place.
+/// Returns the trimmed lines of a text, each with its place.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
     let mut start = 0;
     text.split_inclusive('\n').map(move |line| {
@@ -33,7 +33,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
 }
 
 impl<'a> Row<'a> {
-    /// A line without its remark: apart at the separator that gives it three coordinates, or else the most numbers.
+    /// Splits a line without its remark, at the separator that gives three coordinates, or else the most numbers.
     pub(super) fn of(place: Range<usize>, line: &'a str) -> Self {
         let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
         let line = &line[..starts.min().unwrap_or(line.len())];
@@ -50,7 +50,7 @@ impl<'a> Row<'a> {
         rows.swap_remove(best.unwrap_or_default())
     }
 
-    /// Three numbers in a row, neither fewer nor more, and where among the fields they begin.
+    /// Returns exactly three consecutive numbers, and the index of their first field.
     fn found(&self) -> Option<(usize, [f64; 3])> {
         let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();
         let mut first = 0;
@@ -63,31 +63,31 @@ impl<'a> Row<'a> {
         None
     }
 
-    /// The three coordinates of a point.
+    /// Returns the three coordinates of a point.
     pub(super) fn coordinates(&self) -> Option<[f64; 3]> {
         self.found().map(|(_, at)| at)
     }
 
-    /// All numbers.
+    /// Returns all numbers.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let fields = self.fields.iter();
         fields.filter_map(|field| self.number(field)).collect()
     }
 
-    /// The numbers behind the first word: others number the rows.
+    /// Returns the numbers after the first word: numbers before it count rows.
     pub(super) fn numbers_behind_name(&self) -> Vec<f64> {
         let fields = self.fields.iter();
         let behind = fields.skip_while(|field| self.number(field).is_some());
         behind.filter_map(|field| self.number(field)).collect()
     }
 
-    /// Whether there is any digit, of a number or of what was to be one.
+    /// Returns whether the row has any digit, even in a mistyped number.
     pub(super) fn has_digits(&self) -> bool {
         let mut fields = self.fields.iter();
         fields.any(|field| field.contains(|c: char| c.is_ascii_digit()))
     }
 
-    /// Whether a field begins as a number does, as that of `150 mm`.
+    /// Returns whether a field begins like a number, for example `150 mm`.
     pub(super) fn begins_a_number(&self) -> bool {
         let mut fields = self.fields.iter();
         fields.any(|field| {
@@ -96,7 +96,7 @@ impl<'a> Row<'a> {
         })
     }
 
-    /// The name: what stands before the coordinates, or else behind them, as in reports of Lotus.
+    /// Returns the name, which stands before the coordinates, or else after them, as in reports of Lotus.
     pub(super) fn name(&self) -> String {
         let first = self.found().map_or(self.fields.len(), |(first, _)| first);
         let (before, behind) = self.fields.split_at(first);
@@ -108,7 +108,7 @@ impl<'a> Row<'a> {
                 words.remove(0);
             }
         }
-        // The name is next to the coordinates; of a row without them other words may be mistyped numbers.
+        // The name is next to the coordinates. In a row without coordinates further words may be mistyped numbers.
         let word = if first == self.fields.len() {
             words.first()
         } else {
@@ -120,13 +120,13 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// Which sides the row says that it is of.
+    /// Returns the sides that the row states.
     pub(super) fn sides(&self) -> Sides {
         let said = self.fields.iter().find_map(|field| sides_of(field));
         said.unwrap_or(Sides::Unsaid)
     }
 
-    /// The fields that are neither numbers nor sides, types or units.
+    /// Returns the fields that are not numbers, sides, types or units.
     fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
         let is_word = |field: &&str| {
             let is_type = ["real", "deg", "rad"]
@@ -145,7 +145,7 @@ impl<'a> Row<'a> {
         } else {
             field.parse().ok()?
         };
-        // `inf` and `nan` would be numbers too.
+        // `inf` and `nan` would parse as numbers too.
         number.is_finite().then_some(number)
     }
 }
@@ -160,7 +160,7 @@ fn sides_of(field: &str) -> Option<Sides> {
     }
 }
 
-/// The unit that a word names.
+/// Returns the unit that a word names.
 pub(super) fn unit(word: &str) -> Option<Length> {
     match word {
         "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
@@ -172,7 +172,7 @@ pub(super) fn unit(word: &str) -> Option<Length> {
     }
 }
 
-/// The fields of a line, without quotes, and without those that are empty.
+/// Returns the fields of a line without quotes and empty fields.
 fn fields(line: &str, separator: char) -> Vec<&str> {
     let mut quote = None;
     let apart = move |c: char| {

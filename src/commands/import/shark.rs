@@ -1,6 +1,6 @@
-//! Model files of Lotus Suspension Analysis: the template names the points, the suspension has their coordinates.
+//! Model files of Lotus Suspension Analysis: the template gives the names of points, the suspension gives their coordinates.
 //!
-//! The format is not documented; this is its layout in the files that we know. `TEMP_SETTINGS` is followed by a number, the
+//! The format is not documented; this is its layout in known files. `TEMP_SETTINGS` is followed by a number, the
 //! template's name, the numbers of parts and points, the parts' names, and nine lines for each point, its name first.
 //! `FRONT SUSPENSION` or `REAR SUSPENSION` is followed by a number, the points' coordinates in the same order, in
 //! millimetres, and the tyre's rolling radius.
@@ -16,11 +16,11 @@ use crate::mechanism::{Axes, Length};
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];
 
-/// Lines of a point in the template, and which of them has coordinates.
+/// The number of lines for a point in the template, and the line with its coordinates.
 const LINES_OF_POINT: usize = 9;
 const LINE_OF_COORDINATES: usize = 6;
 
-/// Whether a text is such a file.
+/// Returns whether a text is a model file of Lotus.
 pub(super) fn is_model(source: &Source) -> bool {
     source.name().to_lowercase().ends_with(".shk")
         || lines(source.text()).any(|(_, line)| line == TEMPLATE)
@@ -30,7 +30,7 @@ pub(super) fn is_model(source: &Source) -> bool {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where the file is not laid out as expected: points are never guessed.
+/// [`Failure::Input`] if the layout of the file is not the expected one: points are never guessed.
 pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
     let lines: Vec<_> = lines(source.text()).collect();
     let found = template(&lines);
@@ -52,7 +52,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
     Ok(stated)
 }
 
-/// The names of the points, in the order of their coordinates.
+/// Returns the names of the points, in the order of their coordinates.
 fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     let start = lines.iter().position(|(_, line)| *line == TEMPLATE)?;
     let (place, counts) = lines.get(start + 3)?;
@@ -73,13 +73,13 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
 
 type Placed<T> = (Range<usize>, T);
 
-/// The numbers of a suspension, each with its place.
+/// The numbers of a suspension, each with its place in the file.
 struct Suspension {
     coordinates: Vec<Placed<[f64; 3]>>,
     radius: Option<Placed<f64>>,
 }
 
-/// The coordinates of so many points, and the radius where one follows them.
+/// Returns the coordinates of `points` points, and the radius that may follow them.
 fn suspension(lines: &[(Range<usize>, &str)], points: usize) -> Option<Suspension> {
     let mut starts = (0..lines.len()).filter(|&line| SUSPENSIONS.contains(&lines[line].1));
     let (Some(start), None) = (starts.next(), starts.next()) else {

@@ -1,12 +1,12 @@
-//! Points that listings need and hardpoint files seldom have, placed from the points that they have.
+//! Points that listings need and hardpoint files seldom have, computed from other points.
 
 use super::hardpoints::{Hardpoints, Number, Side};
 use super::names::Names;
 
-/// How far from the wheel centre a point of the spin axis is put, m.
+/// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;
 
-/// Whether a point follows from others that there are.
+/// Returns whether a missing point can be computed from points that there are.
 pub(super) fn has_stand_in(point: &str, has: impl Fn(&str) -> bool) -> bool {
     match point {
         "axle" | "shaft_outer" => has("wheel_centre"),
@@ -16,8 +16,8 @@ pub(super) fn has_stand_in(point: &str, has: impl Fn(&str) -> bool) -> bool {
     }
 }
 
-/// Where a point is put, as the motion file has it, and why there. The others are in ISO 8855; a metre is so many units, and
-/// the names of points have `before` before them.
+/// Returns the coordinates of a missing point, as the motion file states them, and the reason for them. The other points are
+/// in ISO 8855; `metre` is one metre in their unit, and `before` is the prefix of point names.
 pub(super) fn stand_in(
     point: &str,
     at: impl Fn(&str) -> Option<[f64; 3]>,
@@ -58,8 +58,8 @@ pub(super) struct Spin {
 }
 
 impl Spin {
-    /// The spin axis of a corner on a `side`, by the toe and camber of `stated_side` if the file has them; otherwise
-    /// straight outboard.
+    /// Computes the spin axis of a corner on a `side` from the toe and camber that the file states for `stated_side`;
+    /// without them it points straight outboard.
     pub(super) fn of(
         stated: &Hardpoints<'_>,
         names: &Names,
@@ -98,7 +98,7 @@ impl Spin {
         }
     }
 
-    /// So far from the wheel centre, inboard.
+    /// Returns the point at a distance inboard of the wheel centre.
     fn inboard(&self, length: f64) -> [f64; 3] {
         self.direction.map(|part| 0.0 - length * part)
     }
@@ -108,7 +108,7 @@ fn angle(stated: &Hardpoints<'_>) -> &'static str {
     if stated.radians { "rad" } else { "deg" }
 }
 
-/// A number that the file states for a side, or for both.
+/// Returns a number that the file states for a side, or for both.
 pub(super) fn number<'a>(
     stated: &'a Hardpoints<'_>,
     names: &Names,

@@ -8,12 +8,12 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
 
-/// Whether a text is such a file.
+/// Returns whether a text is a subsystem file.
 pub(super) fn is_subsystem(text: &str) -> bool {
     lines(text).any(|(_, line)| matches!(&*block(line), "MDI_HEADER" | "HARDPOINT"))
 }
 
-/// The block that a line begins, in capitals, whatever remark stands behind; nothing of other lines.
+/// Returns the block that a line begins, in capitals and without the remark after it; an empty text for other lines.
 fn block(line: &str) -> String {
     let name = line.strip_prefix('[').and_then(|line| line.split_once(']'));
     name.map_or("", |(name, _)| name.trim()).to_uppercase()
@@ -23,7 +23,7 @@ fn block(line: &str) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point without three numbers, and at a unit of length that is none of ours.
+/// [`Failure::Input`] at a known point without three numbers, and at a unit of length that motion files do not have.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Adams);
     let mut within = String::new();

@@ -11,7 +11,7 @@ use crate::mechanism::{Axes, Length};
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point that does not have three numbers, and at columns in another order.
+/// [`Failure::Input`] at a known point without three numbers, and at columns in another order.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Iso);
     for (place, line) in lines(source.text()) {
@@ -35,12 +35,12 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     Ok(stated)
 }
 
-/// Adds the point or the number of a row; other rows say nothing.
+/// Adds the point or the number of a row; skips other rows.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point that does not have three numbers, and at an angle or radius that cannot be read or has
-/// two values.
+/// [`Failure::Input`] at a known point without three numbers, and at an angle or radius that cannot be read or has two
+/// values.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -75,7 +75,7 @@ pub(super) fn add(
     Ok(())
 }
 
-/// What the row of a known name needs.
+/// Returns the mistake of a row with a known name: what the row should have.
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
     let message = if names.is_number(&key_of(name).0) {
         format!("`{name}` needs one number after it, with a decimal point and without a unit")
@@ -87,7 +87,7 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
     stated.source.refuse(&row.place, message)
 }
 
-/// A known name that a blank parts from a number: the comma behind it is that of a decimal.
+/// Returns a known name that is separated by a blank from a number, so that the comma after it is a decimal comma.
 fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
     let (name, number) = words.split_once(' ')?;
     number.trim().parse::<f64>().ok()?;
@@ -95,7 +95,7 @@ fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
     (names.is_number(&key) || names.is_point(&key)).then_some(name)
 }
 
-/// Units of length that are none of motion files.
+/// Units of length that motion files do not have.
 const OTHER_UNITS: [&str; 10] = [
     "cm",
     "centimeter",
@@ -109,7 +109,7 @@ const OTHER_UNITS: [&str; 10] = [
     "feet",
 ];
 
-/// Columns are x, y, z.
+/// Checks that the columns are x, y, z in this order.
 fn check_columns(words: &[&str]) -> Result<(), String> {
     let columns = words.iter().filter(|word| ["x", "y", "z"].contains(word));
     let columns: Vec<&str> = columns.copied().collect();
@@ -123,11 +123,11 @@ fn check_columns(words: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
-/// The unit in the headings of columns, in a line of units, and in a remark on units.
+/// Returns the unit in the headings of columns, in a line of units, or in a remark on units.
 ///
 /// # Errors
 ///
-/// Where it is none that motion files have.
+/// A sentence, if motion files do not have the unit.
 fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
     let said = |word: &str| words.contains(&word);
     let of_columns = said("x") && said("y") && said("z");
@@ -144,7 +144,7 @@ fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
         ));
     }
     let mut found = words.iter().filter_map(|word| unit(word));
-    // «in» may be no unit: «x, y, z in mm».
+    // `in` may be a word instead of the inch: `x, y, z in mm`.
     let other = found.clone().find(|unit| *unit != Length::Inch);
     let found = other.or_else(|| found.next());
     Ok(found.filter(|_| of_columns || of_units || remarked))

@@ -1,4 +1,4 @@
-//! The picture of a load case.
+//! The drawing of a load case.
 
 use nalgebra::Vector3;
 use suspension_runtime::Listing;
@@ -8,7 +8,7 @@ use crate::loads::{By, Case, Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::drawing::{Acting, Drawing, Forces, InLink, drawing_of};
 
-/// The mechanism at its first place, with what a case does there.
+/// Draws the mechanism at the first place, with the forces of a case there.
 pub(super) fn drawing(
     (mechanism, listing): (&dyn Kinematics, &Listing),
     structure: &Structure<'_>,
@@ -47,14 +47,14 @@ pub(super) fn drawing(
     drawing
 }
 
-/// The force along a measured length, for example of a spring; `None` if nothing acts there.
+/// Returns the force along a measured length, for example of a spring; `None` if no load acts along it.
 fn in_length(outcome: &Outcome, first: &State, [from, to]: [usize; 2]) -> Option<InLink> {
     let along = (first.position(to) - first.position(from)).normalize();
     let at = |end: usize| {
         let joints = outcome.joints.iter();
         joints.filter(move |(by, point, _)| matches!(by, By::Measure(_)) && *point == end)
     };
-    // Not what acts in an angle of the same line.
+    // Without the moments about angles of the same line.
     let pressing = at(to).filter_map(|(by, _, force)| {
         let is_along = force.cross(&along).norm() <= 1e-9 * force.norm();
         let is_of_both = at(from).any(|(other, ..)| other == by);

@@ -4,26 +4,26 @@ use std::rc::Rc;
 
 use crate::loads::{Case, Outcome, Unborne};
 
-/// A case with what it does over the places that have an answer.
+/// The results of a case over all places that have an answer.
 pub(super) struct Found<'a> {
     pub(super) case: &'a Case,
-    /// That of the first place: all have the same parts.
+    /// The outcome at the first place: the parts are the same at all places.
     pub(super) first: Outcome,
     /// Drives that bear loads at the first place.
     pub(super) unborne: Unborne,
-    /// How many places there are.
+    /// The number of places.
     pub(super) places: usize,
-    /// The numbers of the first place; which of them are others elsewhere.
+    /// The numbers of the first place, and which of them vary over the places.
     pub(super) place: Rc<[f64]>,
     pub(super) varies: Vec<bool>,
-    /// The least and the greatest of what each drive, each measure and each link bears, of the size of each joint's force, of each
-    /// moment about an angle, and of the force on each chassis point.
+    /// The least and the greatest force on each drive, in each measure and in each link, and of the magnitudes of each
+    /// joint's force, each moment about an angle and the force on each chassis point.
     pub(super) ranges: Vec<[Extreme; 2]>,
     /// The largest [`Outcome::amplification`].
     pub(super) amplification: Extreme,
 }
 
-/// The least or the greatest of a number, and the place where it is that.
+/// The least or the greatest of a number, and its place.
 #[derive(Clone)]
 pub(super) struct Extreme {
     pub(super) value: f64,
@@ -31,7 +31,7 @@ pub(super) struct Extreme {
 }
 
 impl<'a> Found<'a> {
-    /// A case of which no place is counted yet.
+    /// Starts the results of a case, before the first place is counted.
     pub(super) fn new(
         (case, unborne): (&'a Case, Unborne),
         first: Outcome,
@@ -54,7 +54,7 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// Counts a place.
+    /// Adds the outcome at a place.
     pub(super) fn add(&mut self, outcome: &Outcome, place: &Rc<[f64]>) {
         self.places += 1;
         for ((varies, first), here) in self.varies.iter_mut().zip(&*self.place).zip(&**place) {
@@ -76,7 +76,7 @@ impl<'a> Found<'a> {
 }
 
 impl Extreme {
-    /// The largest size of a number, of the least and the greatest that it is.
+    /// Returns the largest magnitude of a number.
     pub(super) fn largest([least, greatest]: &[Self; 2]) -> f64 {
         least.value.abs().max(greatest.value.abs())
     }
@@ -89,7 +89,7 @@ impl Extreme {
     }
 }
 
-/// A number of each part.
+/// Returns a number for each part, in the order of [`Found::ranges`].
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let joints = outcome.joints.iter();
     let joints = joints.map(|(.., force)| force.norm());
@@ -101,7 +101,7 @@ fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     along(outcome).chain(vectors)
 }
 
-/// What drives, measures and links bear.
+/// Returns the forces on drives, in measures and in links.
 pub(super) fn along(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let drives = outcome.on_drives.iter().copied();
     let bearing = outcome.in_measures.iter().map(|(_, along)| *along);
@@ -109,7 +109,7 @@ pub(super) fn along(outcome: &Outcome) -> impl Iterator<Item = f64> {
     drives.chain(bearing).chain(links)
 }
 
-/// What is said of cases without an answer; `None` where all have one.
+/// Returns a sentence on the cases without an answer; `None` if all have one.
 pub(super) fn without_answer(file: &str, cases: &[&str]) -> Option<String> {
     let names: Vec<String> = cases.iter().map(|name| format!("`{name}`")).collect();
     let what = match cases {

@@ -5,14 +5,14 @@ use crate::mechanism::{State, Unit};
 use crate::number::number;
 use crate::quantities::{self, Column, Quantity, Reader, catalogue};
 
-/// The quantities that stand first in each row.
+/// The quantities in the first columns of each row.
 pub(super) struct Leading {
     columns: Vec<Column>,
     unit: Unit,
 }
 
 impl Leading {
-    /// The columns of some quantities of the catalogue.
+    /// Selects quantities of the catalogue.
     pub(super) fn of(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
         let mut columns = quantities::columns(catalogue(), &mechanism.names);
         columns.retain(|column| quantities.iter().any(|quantity| column.is(quantity)));
@@ -22,13 +22,13 @@ impl Leading {
         }
     }
 
-    /// The names of their columns.
+    /// Returns the names of the columns.
     pub(super) fn names(&self) -> impl Iterator<Item = String> {
         let columns = self.columns.iter();
         columns.map(|column| column.csv_name(self.unit))
     }
 
-    /// The numbers of a state, in the file's units: its place.
+    /// Returns the numbers of a state in the file's units.
     pub(super) fn read(&self, state: &State) -> Vec<f64> {
         let reader = Reader::of(state);
         let read =
@@ -36,7 +36,8 @@ impl Leading {
         self.columns.iter().map(read).collect()
     }
 
-    /// Those of a place's numbers in words that are chosen by their positions, as `bump = 0.3 m, steer = 0.34 m`.
+    /// Formats those of a place's numbers that `is_chosen` selects by their positions, for example `bump = 0.3 m, steer =
+    /// 0.34 m`.
     pub(super) fn in_words(&self, place: &[f64], is_chosen: impl Fn(usize) -> bool) -> String {
         let chosen = self.columns.iter().zip(place).enumerate();
         let chosen = chosen.filter(|(position, _)| is_chosen(*position));

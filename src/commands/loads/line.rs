@@ -9,18 +9,18 @@ use crate::output::text_table::{TextColumn, laid_out};
 /// Decimals of a force: a tenth of a newton.
 const DECIMALS: usize = 1;
 
-/// A name with numbers in a unit: the value at one place, or the least and the greatest of several with their places.
+/// A named number with its unit: the value at one place, or the least and the greatest of several places.
 pub(super) struct Line {
     pub(super) name: String,
     pub(super) numbers: Vec<f64>,
     pub(super) unit: &'static str,
     pub(super) places: [String; 2],
-    /// The largest size of the force over all places.
+    /// The largest magnitude over all places.
     pub(super) largest: f64,
 }
 
 impl Line {
-    /// The same of a force or a moment: at one place with its components.
+    /// Makes the same line for a force or a moment, at a single place with its components.
     pub(super) fn of(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
         match found.places {
             1 => Self {
@@ -32,12 +32,12 @@ impl Line {
     }
 }
 
-/// A force for people.
+/// Formats a force.
 pub(super) fn shown(force: f64) -> String {
     fixed(force, DECIMALS)
 }
 
-/// Lines under a heading, with decimal points below each other; the least and the greatest with their places.
+/// Lays lines out under a heading, decimal points aligned, the least and the greatest with their places.
 pub(super) fn table([what, heading]: [&str; 2], lines: &[Line]) -> String {
     let several = lines.first().is_some_and(|line| line.numbers.len() == 2);
     let between = if several { " to " } else { "  " };

@@ -1,5 +1,4 @@
-//! Notes on drives that bear loads while the springs of the file bear nothing, or only those of one side do; and on joints
-//! that share a load.
+//! Notes on drives whose loads springs of the file could bear, and on joints that share a load.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +8,7 @@ use crate::commands::loads::found::Found;
 use crate::loads::{By, OneSided, Structure, Unborne};
 use crate::mechanism::{Names, listed};
 
-/// What to write for springs to bear the loads of drives: one note for all cases in which the same drives bear them.
+/// Returns the springs to add so that they bear the loads of drives: one note for all cases with the same drives.
 pub(super) fn springs_bear_nothing(
     file: &str,
     names: &Names,
@@ -27,8 +26,8 @@ pub(super) fn springs_bear_nothing(
     notes.map(|note| format!("note: {file}: {note}")).collect()
 }
 
-/// The hinges on two bushes and the pairs of bodies with two joints that bear a load, and that its parts along the lines of
-/// these are assumed.
+/// Notes the hinges on two bushes, and the pairs of bodies with two joints, that bear a load: how its part along their line is
+/// shared is an assumption.
 pub(super) fn shared_along_lines(
     file: &str,
     (names, structure): (&Names, &Structure<'_>),
@@ -64,7 +63,7 @@ pub(super) fn shared_along_lines(
     .collect()
 }
 
-/// The cases in which drives are borne alike, by their names.
+/// Groups the cases in which the same drives bear loads.
 fn alike<'a, T: Ord>(
     found: &'a [Option<Found<'_>>],
     of: fn(&Unborne) -> &Vec<T>,
@@ -79,7 +78,7 @@ fn alike<'a, T: Ord>(
     cases
 }
 
-/// Drives whose loads springs of the file could bear.
+/// Notes the drives whose loads springs of the file could bear.
 fn own_springs(names: &Names, unborne: &[(usize, usize)], cases: &[&str]) -> String {
     let drives = unborne.iter().map(|(drive, _)| *drive);
     let lines = unborne.iter().map(|(drive, spring)| {
@@ -98,7 +97,7 @@ fn own_springs(names: &Names, unborne: &[(usize, usize)], cases: &[&str]) -> Str
     )
 }
 
-/// Drives that have no spring, while those of the other side have.
+/// Notes the drives without a spring while drives of the other side have one.
 fn other_side(names: &Names, one_sided: &[OneSided], cases: &[&str]) -> String {
     let drives = one_sided.iter().map(|each| each.drive);
     let springs = one_sided.iter().map(|each| {
@@ -123,7 +122,7 @@ fn other_side(names: &Names, one_sided: &[OneSided], cases: &[&str]) -> String {
     )
 }
 
-/// That drives bear the loads of cases.
+/// Says that drives bear the loads of cases.
 fn bear(names: &Names, drives: impl ExactSizeIterator<Item = usize>, cases: &[&str]) -> String {
     let [subject, bears] = match drives.len() {
         1 => ["drive", "bears"],

@@ -1,4 +1,4 @@
-//! The report of a load case, for people.
+//! The report of a load case as text.
 
 use suspension_core::listing::{DriveKind, MeasureKind};
 
@@ -9,7 +9,7 @@ use crate::commands::loads::unloaded::Unloaded;
 use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 
-/// What the text is about.
+/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -20,7 +20,7 @@ pub(super) struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// A case at all places that have an answer.
+    /// Returns the report of a case over all places that have an answer.
     pub(super) fn text(&self, found: &Found<'_>) -> String {
         let [drives, measures, links, joints, moments, on_chassis] = self.lines(found);
         let mut unloaded = Unloaded::of(found);
@@ -49,8 +49,8 @@ impl Report<'_> {
         self.heading(found) + &tables.concat() + &notes.concat()
     }
 
-    /// What each drive, measure, link and joint bears, the moments about angles, and the forces on chassis points: in the order of
-    /// [`Found::ranges`].
+    /// Returns the lines of drives, measures, links, joints, moments about angles, and forces on chassis points: in the
+    /// order of [`Found::ranges`].
     fn lines(&self, found: &Found<'_>) -> [Vec<Line>; 6] {
         let (first, structure) = (&found.first, self.structure);
         let names = &self.mechanism.names;
@@ -88,7 +88,7 @@ impl Report<'_> {
         [drives, measures, links, joints, moments, on_chassis]
     }
 
-    /// The case, its place or how many there are, and what they have in common.
+    /// Returns the name of the case, its place or the number of places, and what the places have in common.
     fn heading(&self, found: &Found<'_>) -> String {
         let common = self
             .leading
@@ -103,7 +103,8 @@ impl Report<'_> {
         format!("{file}: load case {case}{places}; axes of {axes}\n\n")
     }
 
-    /// What a part bears: its number at one place, or the least and the greatest of several, with their places where they differ.
+    /// Returns the line of a part: the number at one place, or the least and the greatest of several with their places if
+    /// they differ.
     fn line(
         &self,
         name: &str,
@@ -135,7 +136,7 @@ impl Report<'_> {
         })
     }
 
-    /// The name of a chassis point, marked where a drive moves it.
+    /// Returns the name of a chassis point, marked if a drive moves it.
     fn on_chassis(&self, point: usize) -> String {
         let name = &self.mechanism.names.points[point];
         if self.driven.contains(&point) {
@@ -145,9 +146,9 @@ impl Report<'_> {
         }
     }
 
-    /// A note where forces inside are so large that a lock must be near.
+    /// Returns a note if internal forces are so large that a lock must be near.
     fn near_a_lock(&self, found: &Found<'_>) -> String {
-        /// Arms and rockers make forces several times as large as the load.
+        /// Arms and rockers alone make forces several times as large as the load.
         const MANY: f64 = 100.0;
         let Extreme { value: most, place } = &found.amplification;
         if *most < MANY {
@@ -160,7 +161,7 @@ impl Report<'_> {
     }
 }
 
-/// A drive, with the measure that bears its load where the case names one.
+/// Names a drive, and the measure that bears its load if the case names one.
 fn with_what_bears(names: &Names, case: &Case, drive: usize) -> String {
     let Drive { name, .. } = &names.drives[drive];
     let borne = case.borne_by.iter().find(|(borne, _)| *borne == drive);
@@ -170,7 +171,7 @@ fn with_what_bears(names: &Names, case: &Case, drive: usize) -> String {
     }
 }
 
-/// A measure with the springs of the file that act along it, and what the case states in it.
+/// Names a measure with the springs of the file that act along it and the load that the case states in it.
 fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
     let along = names.vehicle.springs.iter();
     let along = along.filter(|spring| spring.measure == measure);
@@ -191,7 +192,7 @@ fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
     }
 }
 
-/// The unit of what a measure bears.
+/// Returns the unit of the load in a measure.
 pub(super) fn unit_in(measure: &Measure) -> &'static str {
     match measure.kind {
         MeasureKind::Angle => "N m",
@@ -199,7 +200,7 @@ pub(super) fn unit_in(measure: &Measure) -> &'static str {
     }
 }
 
-/// The unit of what a drive bears.
+/// Returns the unit of the load on a drive.
 pub(super) fn unit_of(drive: &Drive) -> &'static str {
     match drive.kind {
         DriveKind::Angle | DriveKind::Turn => "N m",

@@ -1,4 +1,4 @@
-//! The cases at all places: rows are written, and the figures of the report are collected.
+//! Computes the cases at all places, writes rows and collects the figures of the report.
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -27,19 +27,19 @@ use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
-/// The cases of a file and what they load.
+/// The cases of a file with the mechanism that they load.
 pub(super) struct Run<'a> {
     pub(super) source: &'a str,
     pub(super) mechanism: &'a dyn Kinematics,
     pub(super) listing: &'a Listing,
     pub(super) structure: &'a Structure<'a>,
     pub(super) cases: &'a [Case],
-    /// The folder of drawings, and what their names begin with.
+    /// The folder of drawings, and the beginning of their names.
     pub(super) drawings: Option<(&'a Path, String)>,
 }
 
 impl<'a> Run<'a> {
-    /// Loads the mechanism at each place of a grid.
+    /// Computes the loads at each place of a grid.
     pub(super) fn on_grid(
         &self,
         (drives, absolute): (&[Swept], bool),
@@ -77,7 +77,7 @@ impl<'a> Run<'a> {
         self.ended(failure, &found, is_any)
     }
 
-    /// Loads the mechanism at each instant of its motion.
+    /// Computes the loads at each instant of the motion.
     pub(super) fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
         let instants = &self.mechanism.instants;
         let leading = Leading::of(self.mechanism, &[&TIME, &DRIVES]);
@@ -87,7 +87,7 @@ impl<'a> Run<'a> {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        // The table has columns of the cases that have an answer somewhere: mostly all have one at the first instant.
+        // The table has columns for the cases with an answer at any instant; nearly always all have one at the first.
         let mut progress = Progress::new(instants.count(), "instants");
         self.mechanism.move_through(instants, &mut |state| {
             progress.step();
@@ -127,14 +127,14 @@ impl<'a> Run<'a> {
         self.cases.iter().map(|_| None).collect()
     }
 
-    /// What each case does at a state.
+    /// Computes each case at a state.
     fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
         let cases = self.cases.iter();
         let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, state));
         outcomes.collect()
     }
 
-    /// Begins cases that have their first answer.
+    /// Starts the results of cases at their first answer.
     fn start(
         &self,
         found: &mut [Option<Found<'a>>],
@@ -150,7 +150,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The table, where one is to be written and a case has an answer.
+    /// Creates the table if the user wants one and a case has an answer.
     fn rows(
         &self,
         forms: &Forms,
@@ -164,7 +164,7 @@ impl<'a> Run<'a> {
         Rows::create(forms, &Header::of(self.mechanism), &headings).map(Some)
     }
 
-    /// Ends the table, draws the cases at the `first` place, and prints what each does.
+    /// Ends the table, draws the cases at the `first` place, and prints the reports.
     fn finish(
         &self,
         (forms, leading): (&Forms, &Leading),
@@ -221,7 +221,8 @@ impl<'a> Run<'a> {
         Ok(path)
     }
 
-    /// Why not all was computed: what ended the grid or the motion, before what is said of cases without an answer at any place.
+    /// Returns why the result is incomplete: what ended the grid or the motion comes before cases without an answer at any
+    /// place.
     fn ended(
         &self,
         failure: Option<Failure>,
@@ -241,7 +242,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Counts a place in each case.
+/// Adds a place to the results of each case.
 fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: &Rc<[f64]>) {
     for (found, outcome) in found.iter_mut().zip(outcomes) {
         if let (Some(found), Some(outcome)) = (found, outcome) {

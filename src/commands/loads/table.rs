@@ -7,7 +7,7 @@ use crate::kinematics::Kinematics;
 use crate::loads::{Outcome, Structure};
 use crate::output::heading::Heading;
 
-/// The headings of the leading quantities and of each case.
+/// Returns the headings of the leading quantities and of each case.
 pub(super) fn headings(
     mechanism: &dyn Kinematics,
     structure: &Structure<'_>,
@@ -23,7 +23,8 @@ pub(super) fn headings(
     leading.names().chain(names).map(heading).collect()
 }
 
-/// A row: the numbers of the place, then those of each case that has an answer anywhere, NaN where it has none here.
+/// Returns a row: the numbers of the place, then those of each case that has an answer anywhere, with NaN if it has none
+/// here.
 pub(super) fn row(
     place: &[f64],
     found: &[Option<Found<'_>>],
@@ -40,7 +41,7 @@ pub(super) fn row(
     row
 }
 
-/// The names of the columns of a case.
+/// Returns the names of a case's columns.
 fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_>) -> Vec<String> {
     let (case, shape, statements) = (&found.case.name, &found.first, &structure.statements);
     let drives = mechanism.names.drives.iter();

@@ -3,16 +3,16 @@
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::line::Line;
 
-/// Links and joints that bear nothing at any place, of which a table would have rows of zeros.
+/// The names of links and joints without load at any place, whose rows would be zeros.
 pub(super) struct Unloaded {
     names: Vec<String>,
-    /// The largest force that is rounding alone.
+    /// Forces up to this one are rounding.
     rounding: f64,
 }
 
 impl Unloaded {
     pub(super) fn of(found: &Found<'_>) -> Self {
-        /// As a part of the largest of all forces.
+        /// A part of the largest of all forces.
         const ROUNDING: f64 = 1e-9;
         let sizes = found.ranges.iter().map(Extreme::largest);
         Self {
@@ -21,7 +21,7 @@ impl Unloaded {
         }
     }
 
-    /// The lines of what bears a load; the names of the others are kept.
+    /// Returns the lines that bear a load and keeps the names of the others.
     pub(super) fn without(&mut self, lines: Vec<Line>) -> Vec<Line> {
         let (loaded, others): (Vec<Line>, Vec<Line>) =
             lines.into_iter().partition(|line| self.is_loaded(line));

@@ -8,7 +8,7 @@ use crate::mechanism::{
 };
 use crate::quantities::{ANTI_LIFT, ANTI_SQUAT, Shown, catalogue, in_words, of_axles};
 
-/// The file, the results with the names that they have for the published linkage, the exit codes.
+/// Returns the help: the file, the results with the names that they have for the published linkage, and the exit codes.
 pub fn text() -> String {
     let tabled = catalogue().filter(|quantity| quantity.shown != Shown::InSummaries);
     let published = layouts::listing("attia2003").map(Listing::parse);
@@ -25,8 +25,8 @@ pub fn text() -> String {
     )
 }
 
-/// Those of the published linkage, with all that a motion file may say of the vehicle. Which points and drives these
-/// are is of no account here.
+/// Returns the names of the published linkage, with everything that a motion file may state of the vehicle. The choice of
+/// points and drives does not matter here.
 fn names_on(axle: Axle, linkage: &Listing) -> Names {
     Names {
         wheels: vec![wheel("", 0, axle)],
@@ -56,7 +56,7 @@ fn names_on(axle: Axle, linkage: &Listing) -> Names {
     }
 }
 
-/// Those of a linkage with two wheels.
+/// Returns the names of a linkage with two wheels.
 fn names_of_axle(linkage: &Listing) -> Names {
     Names {
         wheels: vec![

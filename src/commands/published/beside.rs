@@ -4,42 +4,42 @@ use crate::commands::published::paper::{self, Entry, Paper};
 use crate::mechanism::{State, Unit};
 use crate::quantities;
 
-/// A printed entry and ours.
+/// A printed entry and our result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair<'a> {
     /// The column.
     pub(super) column: &'a str,
     /// The instant, s.
     pub(super) t: f64,
-    /// As the paper has it.
+    /// The entry of the paper.
     pub(super) entry: &'a Entry,
-    /// As we have it.
+    /// Our result.
     pub(super) ours: f64,
 }
 
 impl Pair<'_> {
-    /// Ours minus the paper's, misprints corrected.
+    /// Returns our result minus the paper's entry, misprints corrected.
     pub(super) fn difference(&self) -> f64 {
         self.ours - self.entry.value
     }
 
-    /// The size of the difference in units of the last printed digit; up to one half is rounding.
+    /// Returns the magnitude of the difference in units of the last printed digit; up to one half is rounding.
     pub(super) fn units(&self) -> f64 {
         self.difference().abs() / self.entry.unit
     }
 }
 
-/// A column of the paper, and ours.
+/// A column of the paper and the column of our results.
 pub(super) struct Compared<'a> {
     printed: &'a paper::Column,
-    /// Ours.
+    /// Our column.
     pub(super) ours: &'a quantities::Column,
-    /// What ours is multiplied with: angles of drives are printed in degrees.
+    /// The factor of our column: angles of drives are printed in degrees.
     scale: f64,
 }
 
 impl<'a> Compared<'a> {
-    /// Those of a table that our results have.
+    /// Returns the columns of a table that our results have.
     pub(super) fn all(
         table: &'a [paper::Column],
         ours: &'a [quantities::Column],
@@ -57,7 +57,7 @@ impl<'a> Compared<'a> {
         table.iter().filter_map(one).collect()
     }
 
-    /// The entries with our results at the same instants.
+    /// Pairs the entries with our results at the same instants.
     pub(super) fn pairs(&self, paper: &Paper, states: &[State]) -> Vec<Pair<'a>> {
         let entries = self.printed.entries.iter().zip(&paper.times);
         let pair = |((entry, t), state): ((&'a Entry, &f64), &State)| Pair {
@@ -70,7 +70,7 @@ impl<'a> Compared<'a> {
     }
 }
 
-/// What to multiply our column with where it has this name.
+/// Returns the factor of our column if `name` is its name.
 fn scale(ours: &quantities::Column, name: &str) -> Option<f64> {
     let unit = Unit::METRE;
     if ours.csv_name(unit) == name {

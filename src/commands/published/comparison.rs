@@ -11,13 +11,13 @@ use crate::quantities::{ALPHA, Axis, DRIVES, OMEGA, Quantity, catalogue, columns
 struct Block<'a> {
     title: String,
     columns: &'a [Compared<'a>],
-    /// Digits after the point of our numbers.
+    /// Digits after the decimal point of our numbers.
     digits: usize,
-    /// What differences are multiplied with, and their digits after the point.
+    /// The factor of the differences, and their digits after the decimal point.
     difference: (f64, usize),
 }
 
-/// Both tables, the misprints and the largest differences. The states are those at the paper's instants.
+/// Returns both tables, the misprints and the largest differences. The states are those at the paper's instants.
 pub(super) fn text(paper: &Paper, names: &Names, states: &[State]) -> String {
     let ours = columns(catalogue(), names);
     let [table2, table3] = [&paper.table2, &paper.table3].map(|table| Compared::all(table, &ours));
@@ -40,7 +40,7 @@ pub(super) fn text(paper: &Paper, names: &Names, states: &[State]) -> String {
     out
 }
 
-/// Columns of one thing are next to each other. Drives come first.
+/// Groups the columns of one quantity, drives first.
 fn blocks_of_table2<'a>(columns: &'a [Compared<'a>]) -> impl Iterator<Item = Block<'a>> {
     let things = columns.chunk_by(|a, b| a.ours.name == b.ours.name);
     let mut things: Vec<_> = things.collect();
@@ -137,7 +137,7 @@ fn misprints(paper: &Paper) -> String {
     out
 }
 
-/// The largest difference in a table, drive angles left out.
+/// Returns the largest difference in a table, without the angles of drives.
 fn largest(name: &str, paper: &Paper, table: &[Compared<'_>], states: &[State]) -> String {
     let columns = table.iter().filter(|c| !c.ours.is(&DRIVES));
     let pairs: Vec<_> = columns.flat_map(|c| c.pairs(paper, states)).collect();

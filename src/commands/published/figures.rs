@@ -12,9 +12,8 @@ const TITLES: [&str; 2] = [
     "Fig. 5: kingpin angle and camber angle",
 ];
 
-/// What the figures show, the first in Fig. 4: the paper's name, the name in a legend, the sign that it has
-/// there, and the catalogue's row. `alpha = atan((y8 - y6) / (z8 - z6))` has the opposite sign of the
-/// usual kingpin angle.
+/// The curves of the figures, the first in Fig. 4: the paper's name, the name in a legend, the sign in the paper, and the
+/// quantity of the catalogue. `alpha = atan((y8 - y6) / (z8 - z6))` has the opposite sign of the usual kingpin angle.
 const SHOWN: [(&str, &str, f64, &Quantity); 3] = [
     ("z11", "point 11", 1.0, &CENTRE),
     (
@@ -41,7 +40,7 @@ const NOTES: &str = "  \
   The coordinates of point 11, on which z11 and beta rest, are an assumption: the paper prints none.
 ";
 
-/// What a figure shows, read off states.
+/// A curve of a figure.
 struct Shown {
     name: &'static str,
     legend: &'static str,
@@ -64,7 +63,7 @@ impl Shown {
         SHOWN.into_iter().filter_map(of_one).collect()
     }
 
-    /// As people read it, with the paper's sign.
+    /// Returns the value in the unit of plots, with the paper's sign.
     fn value(&self, state: &State) -> f64 {
         let (scale, _) = self.column.dimension.for_people(Unit::METRE);
         self.column.value(state) * scale * self.sign
@@ -88,7 +87,7 @@ impl Shown {
     }
 }
 
-/// The figures' curves at the kept instants.
+/// Returns the figures' curves at the kept instants as text.
 pub(super) fn text(names: &Names, states: &[State]) -> String {
     let [height, angles] = TITLES;
     let mut out = format!("\n{height}\n{angles}\n\n  t (s)");
@@ -109,7 +108,7 @@ pub(super) fn text(names: &Names, states: &[State]) -> String {
     out + NOTES
 }
 
-/// Both figures, by what they show.
+/// Returns both figures as plots.
 pub(super) fn charts(mechanism: &Description, states: [&[State]; 2]) -> Charts {
     let curves: Vec<_> = Shown::all(&mechanism.names)
         .iter()

@@ -6,7 +6,7 @@ use toml::de::{DeTable, DeValue};
 /// The published data: H. A. Attia, KSME International Journal 17(8), 2003.
 const DATA: &str = include_str!("attia2003.toml");
 
-/// Tables 2 and 3 and what is known to be wrong in the paper.
+/// Tables 2 and 3 and the known misprints of the paper.
 #[derive(Clone, Debug)]
 pub struct Paper {
     /// The instants of both tables, s.
@@ -22,9 +22,9 @@ pub struct Paper {
 /// A column of a table.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Its name, that of a column of our results.
+    /// The name, equal to that of a column of our results.
     pub name: String,
-    /// One entry an instant.
+    /// One entry per instant.
     pub entries: Vec<Entry>,
 }
 
@@ -37,7 +37,7 @@ pub struct Entry {
     pub misprinted: bool,
     /// The number that the paper should have.
     pub value: f64,
-    /// A unit of its last digit.
+    /// One unit of the last digit.
     pub unit: f64,
 }
 
@@ -50,7 +50,7 @@ pub struct Misprint {
     pub printed: String,
     /// The number that it should be.
     pub corrected: String,
-    /// What shows it.
+    /// The evidence for the misprint.
     pub why: String,
 }
 
@@ -59,7 +59,7 @@ impl Paper {
     ///
     /// # Panics
     ///
-    /// Where the data is not what it was when the program was built and tested.
+    /// If the data is not what it was when the program was built and tested.
     pub fn built_in() -> Self {
         let document = DeTable::parse(DATA).expect("the built-in data is TOML");
         let document = document.get_ref();
@@ -83,7 +83,7 @@ impl Paper {
     }
 }
 
-/// Whether an entry of the data's table is a column that we compare.
+/// Returns whether a table of the data is a column that is compared.
 fn shown(name: &str) -> bool {
     name != "time_s" && name != "initial_guess"
 }
@@ -104,7 +104,7 @@ fn column(
             column == format!("{table}.{name}") && time.parse() == Ok(*t)
         });
         let correct = misprint.map_or(printed, |misprint| &misprint.corrected);
-        // Table 2 has a fixed number of decimals, Table 3 of digits.
+        // Table 2 has a fixed number of decimals, Table 3 a fixed number of digits.
         let decimals = match table {
             "table2" => most_decimals,
             _ => decimals(correct),
@@ -154,7 +154,7 @@ fn list<'a, 'i>(
         .iter()
 }
 
-/// A number with all digits that are printed.
+/// Returns a number with all printed digits.
 fn literal<'a>(value: &'a Spanned<DeValue<'_>>) -> &'a str {
     let float = value.get_ref().as_float().expect("a number with a point");
     float.as_str()

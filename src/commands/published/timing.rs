@@ -4,19 +4,19 @@ use std::time::{Duration, Instant};
 
 use crate::kinematics::Kinematics;
 
-/// What a step takes.
+/// The measured time of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Timing {
-    /// The median over the passes of a pass' time divided by its steps.
+    /// The median over the passes of a pass's time per step.
     pub(super) per_step: Duration,
-    /// Steps of a pass.
+    /// Steps per pass.
     pub(super) steps: usize,
     /// Passes through the motion.
     pub(super) passes: usize,
 }
 
-/// Measures what one step of a millisecond takes: position, velocity and acceleration. `None` where the
-/// motion is too short to tell, or stops.
+/// Measures the time of one step of a millisecond: position, velocity and acceleration. Returns `None` if the motion is too
+/// short to measure, or stops.
 pub(super) fn time_a_step(mechanism: &dyn Kinematics) -> Option<Timing> {
     const STEP: f64 = 1e-3;
     const ENOUGH: Duration = Duration::from_millis(250);

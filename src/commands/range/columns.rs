@@ -1,11 +1,11 @@
-//! The columns of the table of a curve's places.
+//! The columns of the table with the places of a curve.
 
 use crate::mechanism::{Names, Unit};
 use crate::output::table::Column;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
 use crate::reach::Station;
 
-/// The table's columns: the drives, and all quantities of the catalogue that positions determine.
+/// Returns the columns: the drives, and all quantities of the catalogue that positions determine.
 pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {
     let of_state = |column| Column::of_state(column, unit, |station: &Station| &station.state);
     let of_positions = quantities::columns(catalogue(), names)

@@ -1,4 +1,4 @@
-//! The whole curve of a drive as a plot.
+//! The plot of a drive's whole curve.
 
 use crate::file::Dimension;
 use crate::mechanism::Description;
@@ -7,8 +7,8 @@ use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, TOE, columns};
 use crate::reach::{DriveRange, Station};
 
-/// A quantity of the wheel against the drive: the whole curve, and over it the part to which the drive leads, its ends marked. The
-/// wheel is the one that the drive moves up and down, else the first. `None` where there is no wheel, or nothing to see.
+/// Plots a quantity of a wheel over the drive: the whole curve, and over it the part through which the drive leads, its ends
+/// marked. The wheel is the one that the drive moves, or else the first; `None` without a wheel, or if no quantity varies.
 pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart> {
     let (scale, symbol) = Dimension::from(range.kind).for_people(mechanism.unit);
     let shown = shown(mechanism, range)?;

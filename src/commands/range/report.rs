@@ -1,4 +1,4 @@
-//! The ranges of the drives in a few lines of text.
+//! The report of the drives' ranges as text.
 
 use std::fmt::Write;
 
@@ -9,10 +9,10 @@ use crate::mechanism::{Description, Unit, from_design};
 use crate::number::{counted, rounded};
 use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, meeting, moves_alone};
 
-/// Digits of an end: all that are known of one in radians.
+/// Digits of an end of a range: in radians all that are correct.
 const DIGITS: usize = 13;
 
-/// What is known of each drive.
+/// Returns the report.
 pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
     let mut out = format!(
         "Linkage {}, axes of {}\n",
@@ -64,7 +64,7 @@ fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> Str
     }
 }
 
-/// When the file's motion is at an end.
+/// Says when the file's motion reaches the end of the range.
 fn motion(mechanism: &Description, range: &DriveRange) -> String {
     if mechanism.out_of_reach.is_some() {
         return "the file's motion begins out of reach".to_owned();

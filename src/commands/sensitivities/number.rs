@@ -3,16 +3,16 @@
 /// Digits of a sensitivity.
 pub(super) const DIGITS: usize = 4;
 
-/// A number of a quantity: its value, or a derivative with respect to a drive.
+/// A number of the report: the value of a quantity, or its derivative with respect to a drive.
 pub(super) struct Number {
     pub(super) column: usize,
-    /// 0, or 1 more than the number of the drive.
+    /// 0 for the value, or 1 more than the number of the drive.
     pub(super) number: usize,
     pub(super) csv_name: String,
-    /// What the solver's number is multiplied with for that in the file's units.
+    /// The factor from the solver's unit to the file's.
     pub(super) in_file: f64,
     pub(super) title: String,
-    /// What it is multiplied with for the unit that is printed.
+    /// The factor from the solver's unit to the printed one.
     pub(super) scale: f64,
     pub(super) symbol: String,
 }

@@ -1,4 +1,4 @@
-//! The report of sensitivities, for people.
+//! The report of sensitivities as text.
 
 use std::fmt::Write;
 
@@ -12,10 +12,10 @@ use crate::number::{rounded, without_rounding};
 use crate::quantities::{TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
 
-/// Differences of what does not change leave rounding.
+/// Finite differences of constants are smaller than this: rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What the text is about.
+/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -24,13 +24,13 @@ pub(super) struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// All numbers that the mechanism has at its design position.
+    /// Returns all numbers that have a value at the design position.
     pub(super) fn numbers(&self) -> impl Iterator<Item = Number> {
         let all = self.all_numbers();
         all.filter(move |at| self.found.values[at.column][at.number].is_finite())
     }
 
-    /// The same with those that have no value there.
+    /// Returns all numbers, with or without a value at the design position.
     fn all_numbers(&self) -> impl Iterator<Item = Number> {
         let columns = 0..self.found.columns.len();
         columns.flat_map(move |column| {
@@ -56,11 +56,11 @@ impl Report<'_> {
         }
     }
 
-    /// Refuses a name with which no number's begins, or only those of numbers without a value.
+    /// Refuses a name that begins no number's name, or only names of numbers without a value.
     ///
     /// # Errors
     ///
-    /// In words, with the names that there are.
+    /// A sentence with the names that there are.
     pub(super) fn check(&self, of: &[String]) -> Result<(), String> {
         let titles: Vec<String> = self.numbers().map(|number| number.title).collect();
         let is_known = |wanted: &&String| titles.iter().any(|title| title.starts_with(*wanted));
@@ -97,7 +97,8 @@ impl Report<'_> {
         Err(format!("no quantity begins with `{wanted}`{then}"))
     }
 
-    /// The largest sensitivities of the numbers whose names begin with one of `of`, of all where there is none.
+    /// Returns the largest sensitivities of the numbers whose names begin with one of `of`, or of all numbers if `of` is
+    /// empty.
     pub(super) fn text(&self, of: &[String], largest: usize) -> String {
         let (per, _) = self.per();
         let axes = self.mechanism.axes.in_words();
@@ -119,7 +120,7 @@ impl Report<'_> {
         for number in others {
             let value = self.value(&number);
             let (title, symbol) = (&number.title, &number.symbol);
-            // Writing into a string has no way to fail.
+            // Writing into a string cannot fail.
             let _ = writeln!(out, "\n{title}: {} {symbol}", rounded(value, DIGITS));
             let _ = writeln!(out, "  {}", self.largest(&number, largest));
             if let Some(scatter) = self.scatter {
@@ -136,8 +137,8 @@ impl Report<'_> {
         out
     }
 
-    /// Why an end of a tie rod does not change the toe at the design position; empty where no toe is among the numbers, and without
-    /// such a rod.
+    /// Says why moving an end of a tie rod does not change the toe at the design position; empty if `numbers` has no toe or
+    /// the linkage has no such rod.
     fn of_tie_rod(&self, numbers: &[Number]) -> String {
         const NAMES: [&str; 3] = ["tie_rod", "track_rod", "toe_link"];
         let is_of_toe = |number: &Number| {
@@ -156,7 +157,7 @@ impl Report<'_> {
         })
     }
 
-    /// What people move a hardpoint by, and its length in the file's unit.
+    /// Returns the usual change of a hardpoint in words, and its length in the file's unit.
     fn per(&self) -> (&'static str, f64) {
         match self.mechanism.unit.length {
             Length::Metre => ("mm", 1e-3),
@@ -168,7 +169,7 @@ impl Report<'_> {
         without_rounding(self.found.values[at.column][at.number] * at.scale)
     }
 
-    /// What each change does to a number, where that is known.
+    /// Returns the finite effects of all changes on a number.
     fn effects(&self, at: &Number) -> Vec<(&str, f64)> {
         let scale = at.scale * self.per().1;
         let each = self.found.each.iter();
@@ -176,7 +177,7 @@ impl Report<'_> {
         each.filter(|(_, by)| by.is_finite()).collect()
     }
 
-    /// Whether a number is zero whatever is changed, and does not scatter either.
+    /// Returns whether a number is zero, no change affects it, and it does not scatter.
     fn stays_zero(&self, at: &Number) -> bool {
         let effects = self.effects(at);
         let is_known = effects.is_empty() == self.found.each.is_empty();
@@ -195,7 +196,7 @@ impl Report<'_> {
         if greatest < ROUNDING {
             return "nothing changes it".to_owned();
         }
-        // What is equal but for rounding stays in the file's order.
+        // Effects that are equal up to rounding stay in the file's order.
         let size = |by: f64| by.abs() as f32;
         effects.sort_by(|(_, a), (_, b)| size(*b).total_cmp(&size(*a)));
         effects.retain(|(_, by)| by.abs() > ROUNDING * greatest);
@@ -207,7 +208,7 @@ impl Report<'_> {
     }
 }
 
-/// The largest size of what changes do.
+/// Returns the largest magnitude of the effects.
 fn greatest(effects: &[(&str, f64)]) -> f64 {
     let sizes = effects.iter().map(|(_, by)| by.abs());
     sizes.fold(0.0, f64::max)

@@ -4,17 +4,17 @@ use crate::commands::sensitivities::number::{DIGITS, Number};
 use crate::number::{rounded, without_rounding};
 use crate::tolerances::{Deviations, Sampled};
 
-/// How quantities scatter.
+/// The scatter of quantities.
 pub(super) struct Scatter {
     pub(super) first_order: Deviations,
-    /// `None` where fewer than two suspensions can be built.
+    /// The sample; `None` if fewer than two suspensions can be built.
     pub(super) sampled: Option<Sampled>,
-    /// How many were asked for, and with which seed.
+    /// The requested number of suspensions, and the seed.
     pub(super) drawn: (usize, u64),
 }
 
 impl Scatter {
-    /// Under their names in tables.
+    /// Returns the deviations with their names in tables.
     pub(super) fn rows(&self) -> impl Iterator<Item = (&'static str, &Deviations)> {
         let sampled = self.sampled.iter();
         let sampled = sampled.map(|sampled| ("standard_deviation_of_samples", &sampled.deviations));
@@ -23,7 +23,7 @@ impl Scatter {
             .chain(sampled)
     }
 
-    /// Whether a number deviates by more than rounding.
+    /// Returns whether a number deviates by more than rounding.
     pub(super) fn changes(&self, at: &Number) -> bool {
         let mut rows = self.rows();
         rows.any(|(_, deviations)| {

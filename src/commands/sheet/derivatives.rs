@@ -3,18 +3,18 @@
 use crate::characteristics::{Derivative, Parameter, Rise, Way};
 use crate::mechanism::{Description, Unit};
 
-/// Derivatives of all quantities with respect to a drive, or to the height of the wheel that it moves.
+/// The derivatives of all quantities with respect to a drive, or to the height of the wheel that it moves.
 pub(super) struct Derivatives {
-    /// With respect to what, in words.
+    /// The drive or the height, in words.
     pub(super) heading: String,
     way: usize,
-    /// Of those with respect to the height of the wheel.
+    /// For derivatives with respect to the height of the wheel: the rise of the wheel per drive.
     rise: Option<Rise>,
 }
 
 impl Derivatives {
-    /// Those with respect to the drives of travel and steering; where a drive of travel is no height of its wheel, beside them those with
-    /// respect to this height.
+    /// Returns the derivatives with respect to the drives of travel and steering. If a drive of travel is not the height of
+    /// its wheel, those with respect to this height follow.
     pub(super) fn of(mechanism: &Description, rises: &[Option<Rise>]) -> Vec<Self> {
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let both = ways.zip(rises).flat_map(|((way, (_, drive)), rise)| {
@@ -35,7 +35,7 @@ impl Derivatives {
         both.collect()
     }
 
-    /// That of a quantity, with lengths in `unit`.
+    /// Returns the derivative of a quantity, with lengths in `unit`.
     pub(super) fn derivative(&self, parameter: &Parameter, unit: Unit) -> Option<Derivative> {
         match &self.rise {
             Some(rise) => parameter.per_rise(self.way, rise, unit),

@@ -1,4 +1,4 @@
-//! The page.
+//! The page of HTML.
 
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
@@ -11,27 +11,27 @@ use crate::mechanism::{Description, Names};
 use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
 
-/// All that the page shows.
+/// The contents of the page.
 pub(super) struct Page<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
-    /// Where all points are at the design position.
+    /// The positions of all points at the design position.
     pub(super) points: Vec<Vector3<f64>>,
     pub(super) drawings: Vec<String>,
     /// The drives at the design position, in words.
     pub(super) drives: String,
-    /// Where and why the file's own motion ends too early.
+    /// The time and cause of an early end of the file's own motion.
     pub(super) motion_ends: Option<String>,
-    /// What could not be solved.
+    /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
-    /// How far wheels rise per unit of the drives that the parameters have derivatives for.
+    /// How far wheels rise per unit of the drives of the derivatives.
     pub(super) rises: Vec<Option<Rise>>,
     pub(super) curves: Vec<Curves>,
 }
 
 impl Page<'_> {
-    /// The page as HTML.
+    /// Returns the page as HTML.
     pub(super) fn html(&self) -> String {
         let Description {
             linkage,
@@ -72,9 +72,9 @@ impl Page<'_> {
         page(&format!("Kinematics of {} ({linkage})", self.file), &body)
     }
 
-    /// All parameters, those of all wheels below each other; below those of a quantity what it is.
+    /// Returns the table of all parameters, the wheels below each other and under each quantity its definition.
     fn table(&self) -> Markup {
-        /// With derivatives by more drives the columns are closer to each other.
+        /// With derivatives with respect to more drives the columns are narrower.
         const MOST_ROOMY: usize = 3;
         let derivatives = Derivatives::of(self.mechanism, &self.rises);
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
@@ -112,7 +112,7 @@ impl Page<'_> {
         }
     }
 
-    /// What curves show and the table of the design does not have, as it is zero there.
+    /// Lists the quantities that have curves but are zero at the design position, so that the table omits them.
     fn of_curves_alone(&self) -> Markup {
         let is_shown = |quantity: &&Quantity| {
             let mut lines = self.curves.iter().flat_map(|curves| &curves.lines);
@@ -132,7 +132,7 @@ impl Page<'_> {
         }
     }
 
-    /// All points, in the file's coordinates.
+    /// Returns the table of all points, in the file's coordinates.
     fn hardpoints(&self) -> Markup {
         let Names {
             points,
@@ -159,7 +159,7 @@ impl Page<'_> {
         }
     }
 
-    /// The numbers of each row, with their units.
+    /// Returns the numbers of each row with their units.
     fn cells(&self, groups: &[Vec<&Parameter>], derivatives: &[Derivatives]) -> Vec<Vec<Markup>> {
         let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
         let with_units = |numbers: Vec<Markup>, units: Vec<String>| {
@@ -183,13 +183,13 @@ impl Page<'_> {
     }
 }
 
-/// The unit of a derivative that there is.
+/// Returns the unit of a derivative, or an empty text without one.
 fn symbol(derivative: Option<Derivative>) -> String {
     let derivative = derivative.filter(|derivative| derivative.value.is_finite());
     derivative.map_or_else(String::new, |derivative| derivative.symbol)
 }
 
-/// What a quantity is, behind the name by which commands and files know it.
+/// Returns the definition of a quantity, after its name in commands and files.
 fn definition(quantity: &Quantity) -> Markup {
     let Quantity {
         name,

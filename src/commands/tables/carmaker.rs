@@ -12,14 +12,14 @@ use crate::number::{exact, without_rounding};
 const SPRING: &str = "lSpring";
 const BAR: &[&str] = &["bar", "stabi", "arb"];
 
-/// The lengths of force elements, each with the words that measures of them have.
+/// The lengths of force elements, each with words in the names of their measures.
 const LENGTHS: [(&str, &[&str]); 3] = [
     (SPRING, &["spring"]),
     ("lDamp", &["damper"]),
     ("lStabi", BAR),
 ];
 
-/// The lines of an infofile.
+/// Returns the lines of an infofile.
 pub(super) fn text(
     file: &str,
     mechanism: &Description,
@@ -42,7 +42,7 @@ pub(super) fn text(
         env!("CARGO_PKG_VERSION"),
     );
     let (lengths, angles) = force_elements(mechanism, wheel);
-    // Writing into a string has no way to fail.
+    // Writing into a string cannot fail.
     for (name, numbers) in position(wheel).into_iter().chain(lengths) {
         let [value, per_compression, per_steer] =
             numbers.map(|number| exact(without_rounding(number)));
@@ -60,7 +60,7 @@ pub(super) fn text(
     text
 }
 
-/// A name with a value at the design position, its derivatives with respect to compression and to steering.
+/// A name with the value at the design position and the derivatives with respect to compression and steering.
 type Row = (&'static str, [f64; 3]);
 
 fn row(name: &'static str, value: f64, wheel: &Wheel, of: impl Fn(&Rates) -> f64) -> Row {
@@ -68,7 +68,7 @@ fn row(name: &'static str, value: f64, wheel: &Wheel, of: impl Fn(&Rates) -> f64
     (name, [value, of(&wheel.per_compression), per_steer])
 }
 
-/// The wheel's position and rotation.
+/// Returns the wheel's position and rotation.
 fn position(wheel: &Wheel) -> [Row; 6] {
     // A wheel on the left that points inboard is turned to the right.
     let turned = Vector3::new(wheel.about_x, 0.0, -wheel.side * wheel.toe);
@@ -84,7 +84,8 @@ fn position(wheel: &Wheel) -> [Row; 6] {
     ]
 }
 
-/// The rows of the lengths of force elements; and those that have an angle alone, with its name.
+/// Returns the rows of the lengths of force elements, and names of elements that have only an angle, with the name of the
+/// angle.
 fn force_elements<'a>(
     mechanism: &'a Description,
     wheel: &'a Wheel,
@@ -103,15 +104,15 @@ fn force_elements<'a>(
     (lengths, angles)
 }
 
-/// The measures of a wheel that may be a force element's: those with one of its words, and as springs those of [springs] that are no
-/// bars.
+/// Returns the measures of a wheel for a force element: those with one of its words in their names, and for springs the
+/// measures of `[springs]` that are not bars.
 fn measures_of<'a>(
     mechanism: &'a Description,
     wheel: &'a Wheel,
     (element, words): (&'a str, &'a [&'a str]),
 ) -> impl Iterator<Item = (usize, &'a Measure)> + Clone {
     let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));
-    // Of several wheels, that of this one.
+    // With several wheels, the measures of this one.
     let is_own = |name: &str| wheel.name.is_empty() || is_within(&wheel.name, name);
     let measures = mechanism.names.measures.iter().enumerate();
     let own = measures.filter(move |(_, measure)| is_own(&measure.name));

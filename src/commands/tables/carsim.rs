@@ -1,4 +1,4 @@
-//! Tables over jounce, as the library files of CarSim have them.
+//! Tables over jounce in the format of CarSim's library files.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::commands::tables::wheel::{Change, Wheel};
 use crate::mechanism::Description;
 use crate::number::{rounded, without_rounding};
 
-/// A table: its keyword, what it has, and how it is read.
+/// A table: its keyword, its description, and the function that computes it.
 type Row = (&'static str, &'static str, fn(&Wheel, &Change) -> f64);
 
 const TABLES: [Row; 5] = [
@@ -27,7 +27,7 @@ const TABLES: [Row; 5] = [
 
 const DIGITS: usize = 7;
 
-/// The file.
+/// Returns the text of the file.
 pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
     let number = |value: f64| rounded(without_rounding(value), DIGITS);
     let side = if wheel.side < 0.0 { "right" } else { "left" };
@@ -41,7 +41,7 @@ pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String
         number(wheel.toe.to_degrees()),
     );
     for (keyword, what, value) in TABLES {
-        // Writing into a string has no way to fail.
+        // Writing into a string cannot fail.
         let _ = writeln!(text, "\n# {what}\n{keyword} SPLINE");
         for change in &wheel.changes {
             let (jounce, value) = (1e3 * change.moved.z, value(wheel, change));

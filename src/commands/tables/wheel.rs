@@ -12,51 +12,51 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{self, Axle, Place, State};
 use crate::number::without_rounding;
 
-/// How a wheel moves.
+/// The motion of a wheel.
 pub(super) struct Wheel {
-    /// Its name, where it has one.
+    /// The name; empty if the wheel has none.
     pub(super) name: String,
     /// 1 on the left, -1 on the right.
     pub(super) side: f64,
-    /// At the design position.
+    /// The angle at the design position.
     pub(super) camber: f64,
     pub(super) toe: f64,
-    /// The rotation there about x, once toe has turned the wheel about z: the angle between the spin axis and the plane of x and y.
-    /// Camber is that angle as seen from ahead.
+    /// The rotation about x at the design position, after the rotation about z by toe: the angle between the spin axis and
+    /// the xy plane. Camber is the projection of that angle into the front view.
     pub(super) about_x: f64,
-    /// At places of the travel, from below.
+    /// The changes at places of the travel, from the lowest.
     pub(super) changes: Vec<Change>,
     pub(super) per_compression: Rates,
-    /// Which axle it is on, where the file or its name tells.
+    /// The axle of the wheel, if the file or the wheel's name states it.
     pub(super) axle: Option<Axle>,
-    /// Where a drive steers the wheel: per metre or radian of it towards the left, the wheel held at its height.
+    /// If a drive steers the wheel: derivatives per metre or radian of it towards the left, the wheel held at its height.
     pub(super) per_steer: Option<Rates>,
 }
 
-/// The changes from the design position, at a place of the travel.
+/// The changes from the design position at a place of the travel.
 pub(super) struct Change {
-    /// Of the wheel centre.
+    /// The displacement of the wheel centre.
     pub(super) moved: Vector3<f64>,
     pub(super) camber: f64,
     pub(super) toe: f64,
-    /// How far an upright line of the carrier leans forward.
+    /// The forward rotation of the carrier in the side view.
     pub(super) dive: f64,
 }
 
 /// Derivatives at the design position.
 #[derive(Clone, Debug)]
 pub(super) struct Rates {
-    /// Of the wheel centre.
+    /// The derivative of the wheel centre's position.
     pub(super) velocity: Vector3<f64>,
-    /// Of the carrier: about x, y and z, by turns about z, then x, then the spin axis: the first is that of
-    /// [`Wheel::about_x`], the last one that of toe.
+    /// The derivatives of the carrier's angles about x, y and z, for rotations about z, then x, then the spin axis: the
+    /// first angle is [`Wheel::about_x`], the last one belongs to toe.
     pub(super) angles: Vector3<f64>,
-    /// Of the measures.
+    /// The derivatives of the measures.
     pub(super) measures: Vec<f64>,
 }
 
 impl Rates {
-    /// Multiplied, and others added.
+    /// Returns the derivatives times `factor`.
     fn times(&self, factor: f64) -> Self {
         Self {
             velocity: self.velocity * factor,
@@ -75,7 +75,7 @@ impl Rates {
     }
 }
 
-/// Points of the wheel in a state.
+/// Points of the wheel at a state.
 struct Points {
     carrier: [Vector3<f64>; 3],
     axis: Vector3<f64>,
@@ -94,11 +94,12 @@ impl Points {
     }
 }
 
-/// What two wheels may differ by, in the units of what they are: rounding.
+/// The largest difference that counts as rounding, in metres and radians.
 const ALIKE: f64 = 1e-6;
 
 impl Rates {
-    /// Whether they are those of the wheel on the other side, in a mirror; `way` is -1 where what they are by has the other sign there.
+    /// Returns whether these are the derivatives of the mirrored wheel; `way` is -1 if the variable changes its sign in the
+    /// mirror.
     fn are_mirrored(&self, other: &Self, way: f64) -> bool {
         let along = Vector3::new(way, -way, way);
         let pairs = [
@@ -110,7 +111,7 @@ impl Rates {
 }
 
 impl Wheel {
-    /// Whether it is the other wheel in a mirror.
+    /// Returns whether this is the mirrored wheel.
     pub(super) fn is_mirrored(&self, other: &Self) -> bool {
         let steered = match (&self.per_steer, &other.per_steer) {
             (Some(a), Some(b)) => a.are_mirrored(b, -1.0),
@@ -124,7 +125,7 @@ impl Wheel {
             && steered
     }
 
-    /// A wheel of a mechanism along its travel; `None` where the mechanism is singular at its design position.
+    /// Computes the motion of a wheel along its travel; `None` if the mechanism is singular at its design position.
     pub(super) fn of(
         mechanism: &dyn Kinematics,
         number: usize,
@@ -160,7 +161,7 @@ impl Wheel {
         let changes =
             reached.filter_map(|(state, _)| Change::of(&design, &Points::of(wheel, state, metre)));
         let mut changes: Vec<Change> = changes.collect();
-        // Where z points down, the drive rises as the wheel falls.
+        // If z points down, the drive rises as the wheel falls.
         changes.sort_by(|a, b| a.moved.z.total_cmp(&b.moved.z));
         Some(Self {
             name: wheel.name.clone(),
@@ -188,7 +189,7 @@ impl Change {
     }
 }
 
-/// The derivatives with respect to a drive.
+/// Returns the derivatives with respect to a drive.
 fn rates(
     wheel: &mechanism::Wheel,
     per: &State,
@@ -211,20 +212,20 @@ fn rates(
     })
 }
 
-/// The rates of the angles of a carrier that turns with `omega`: see [`Rates::angles`].
+/// Returns the rates of [`Rates::angles`] for a carrier with the angular velocity `omega`.
 fn angle_rates(omega: &Vector3<f64>, spin_axis: &Vector3<f64>) -> Vector3<f64> {
     let axis_rate = omega.cross(spin_axis);
     let side = spin_axis.y.signum();
     let about_x = side * axis_rate.z / spin_axis.xy().norm();
     let about_z = steer_rate(spin_axis, &axis_rate);
-    // Along x as toe has turned it, and along the spin axis to the left.
+    // The x axis after the rotation by toe, and the spin axis to the left.
     let ahead = Vector3::new(spin_axis.y, -spin_axis.x, 0.0).normalize() * side;
     let left = spin_axis.normalize() * side;
     let about_y = (omega - Vector3::z() * about_z - ahead * about_x).dot(&left);
     Vector3::new(about_x, about_y, about_z)
 }
 
-/// See [`Wheel::about_x`].
+/// Computes [`Wheel::about_x`].
 fn about_x(spin_axis: &Vector3<f64>) -> f64 {
     spin_axis.y.signum() * spin_axis.z.atan2(spin_axis.xy().norm())
 }

@@ -1,14 +1,14 @@
-//! The report of tuning, for people: the moves and the results.
+//! The report of tuning as text: the moves and the results.
 
 use crate::mechanism::Description;
 use crate::number::{counted, number, rounded};
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::tune::{Deviations, Move, Target, Tuned, Wanted};
 
-/// Digits of moves and of what targets are off.
+/// Digits of moves and of deviations from targets.
 const DIGITS: usize = 4;
 
-/// What the text is about.
+/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -39,7 +39,7 @@ impl Report<'_> {
         format!("{file}: {outcome}\n\n{moves}\n{targets}\n")
     }
 
-    /// How many targets are met.
+    /// Says how many targets are met.
     fn outcome(&self) -> String {
         let targets = self.targets.iter().zip(&self.tuned.targets);
         let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
@@ -73,7 +73,7 @@ impl Report<'_> {
         (target.name.clone(), is, rest)
     }
 
-    /// The points that did not go with their moves.
+    /// Names the points that did not follow their moves.
     pub(super) fn held(&self) -> Option<String> {
         let names = &self.mechanism.names.points;
         let held = self.tuned.held.iter();
@@ -87,7 +87,7 @@ impl Report<'_> {
         })
     }
 
-    /// The moves that change no target.
+    /// Names the moves that change no target.
     pub(super) fn idle(&self) -> Option<String> {
         let idle = self.tuned.idle.iter();
         let idle: Vec<String> = idle
@@ -104,7 +104,7 @@ impl Report<'_> {
         ))
     }
 
-    /// The targets that are not met, and why: no move changes them, or boxes may have stopped the moves.
+    /// Names the targets that are not met, and why: no move changes them, or boxes may have stopped the moves.
     pub(super) fn unmet(&self) -> Option<String> {
         let targets = self.targets.iter().zip(&self.tuned.targets);
         let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
@@ -148,7 +148,7 @@ fn greatest(off: &Deviations) -> f64 {
     off.iter().fold(0.0, |most, off| f64::max(most, off.abs()))
 }
 
-/// Names, numbers below each other, and what stands behind.
+/// Lays out names, aligned numbers, and the text after them.
 fn table([what, heading]: [&str; 2], lines: &[(String, String, String)]) -> String {
     let names = TextColumn::left(lines.iter().map(|(name, ..)| name));
     let numbers = TextColumn::numbers(lines.iter().map(|(_, number, _)| number.clone()));

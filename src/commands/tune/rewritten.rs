@@ -10,14 +10,14 @@ use crate::mechanism::Description;
 use crate::number::exact;
 use crate::tune::Tuned;
 
-/// What is rounded off coordinates, in the unit of the file.
+/// Changes of coordinates up to this size are rounding, in the unit of the file.
 pub(super) const ROUNDING: f64 = 1e-9;
 
-/// Decimals of coordinates.
+/// Decimals of written coordinates.
 const DECIMALS: usize = 9;
 
-/// The text with the points and drives found. A point that the file or its listing states otherwise than it assembled is written
-/// too: from another start the others might assemble elsewhere.
+/// Returns the text with the points and drives that were found. It also writes a point whose stated coordinates differ from
+/// its assembled ones: from another start the others might assemble elsewhere.
 pub(super) fn rewritten(
     source: &Source,
     file: &MotionFile,
@@ -28,7 +28,7 @@ pub(super) fn rewritten(
     let mut edits = Vec::new();
     let mut added = Vec::new();
     for (name, point) in mechanism.names.points.iter().zip(&tuned.points) {
-        // A marker with an offset goes with its point.
+        // A marker with an offset moves with its point.
         let stated = loaded.stated_coordinates(name);
         if stated.is_none_or(|stated| (point - stated).amax() < ROUNDING) {
             continue;
@@ -50,7 +50,7 @@ fn coordinates(point: &Vector3<f64>) -> String {
     format!("[{x}, {y}, {z}]")
 }
 
-/// With a point, as TOML has it.
+/// Formats a number with a decimal point, as TOML requires of floats.
 fn decimal(value: f64) -> String {
     let text = format!("{value:.DECIMALS$}");
     let text = text.trim_end_matches('0');
@@ -61,7 +61,7 @@ fn decimal(value: f64) -> String {
     }
 }
 
-/// Drives whose values at the design position changed begin by as much later.
+/// Returns edits that shift the initial values of drives by the change of their values at the design position.
 fn drives(
     source: &Source,
     file: &MotionFile,
@@ -92,7 +92,7 @@ fn drives(
     edits.collect()
 }
 
-/// Points behind the last one that the file states, in the form of its table, or in a table of their own.
+/// Returns the place and the text of points that the file does not state yet, in the form of its table, or in a new table.
 fn addition(text: &str, file: &MotionFile, points: &[String]) -> (Range<usize>, String) {
     let newline = if text.contains("\r\n") { "\r\n" } else { "\n" };
     let lines = |before: &str| {
@@ -113,7 +113,7 @@ fn addition(text: &str, file: &MotionFile, points: &[String]) -> (Range<usize>, 
         (Some('{'), Some(last)) => (last, format!(", {}", points.join(", "))),
         (Some('{'), None) => (table.start + 1, format!(" {} ", points.join(", "))),
         (Some('['), last) => (line_end(text, last.unwrap_or(table.end)), lines("")),
-        // Each point on its own: `points.ball = [...]`.
+        // In dotted keys: `points.ball = [...]`.
         (_, last) => (
             line_end(text, last.unwrap_or(table.end)),
             lines(&format!("{written}.")),
@@ -124,7 +124,7 @@ fn addition(text: &str, file: &MotionFile, points: &[String]) -> (Range<usize>, 
     (at..at, format!("{before}{new}"))
 }
 
-/// Where the next line begins.
+/// Returns the place where the next line begins.
 fn line_end(text: &str, place: usize) -> usize {
     let end = text[place..].find('\n');
     end.map_or(text.len(), |end| place + end + 1)

@@ -8,19 +8,19 @@ use crate::number::fixed;
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// As shown: the length of an axis, and how far its origin is from the lower left corner.
+/// In pixels: the length of an axis, and the distance of its origin from the lower left corner.
 const AXIS: f64 = 34.0;
 const CORNER: [f64; 2] = [52.0, 56.0];
-/// Of the scale: how far its right end is from the lower right corner, and the most that it is long.
+/// The distance of the scale's right end from the lower right corner, and its greatest length.
 const SCALE: [f64; 2] = [30.0, 24.0];
 const LONGEST: f64 = 170.0;
-/// Of a ruler, at both ends: where it has no ticks, as other things are written there.
+/// The length at both ends of a ruler without ticks, where other text stands.
 const HEAD: f64 = 60.0;
 const FOOT: f64 = 30.0;
-/// Between the ticks of a ruler, at least.
+/// The least distance between the ticks of a ruler.
 const TICKS: f64 = 70.0;
 
-/// Draws them on a sheet of a size as shown.
+/// Draws the axes and the scale or rulers on a sheet of the given size in pixels.
 pub(super) fn draw(area: &Area<'_>, view: &View, shown: (u32, u32), unit: &str) -> Drawn {
     let size = [f64::from(shown.0), f64::from(shown.1)];
     let title = pixels([10.0, 8.0]);
@@ -46,7 +46,7 @@ fn draw_triad(area: &Area<'_>, view: &View, [_, height]: [f64; 2]) -> Drawn {
         };
         let line = [at(0.0), at(1.0)].map(pixels);
         area.draw(&PathElement::new(line, CHASSIS.stroke_width(2 * FINE)))?;
-        // Letters hang from their upper left corner.
+        // The position of a text is its upper left corner.
         let [x, y] = at(1.35);
         area.draw(&Text::new(
             *name,
@@ -74,14 +74,14 @@ fn draw_scale(area: &Area<'_>, view: &View, [width, height]: [f64; 2], unit: &st
     Ok(())
 }
 
-/// Along the lower or the left side of the sheet.
+/// The lower or the left side of the sheet.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
     Across,
     Up,
 }
 
-/// A ruler with lines over the sheet, in the coordinate that leads across or up.
+/// Draws a ruler with lines over the sheet, for the coordinate to the right or upwards.
 fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way) -> Drawn {
     let (direction, sheet, length) = match way {
         Way::Across => (view.across, 0, size[0]),
@@ -93,7 +93,7 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
         place[axis] = value;
         view.of(place)[sheet]
     };
-    // The coordinate of a place on the sheet: by two that stand apart on it, whatever the scale.
+    // Compute the coordinate from two places that are far apart on the sheet, whatever the scale.
     let apart = 1.0 / view.scale;
     let [zero, one] = [at(0.0), at(apart)];
     let value = |place: f64| (place - zero) / (one - zero) * apart;
@@ -129,20 +129,20 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
     Ok(())
 }
 
-/// The size of the letters of a ruler.
+/// The font size of a ruler.
 const SMALL: u32 = 12;
 
 fn font(size: u32) -> TextStyle<'static> {
     ("sans-serif", size * FINE).into_font().color(&CHASSIS)
 }
 
-/// With as many decimals as a step has.
+/// Formats a value with as many decimals as its step has.
 fn label(value: f64, step: f64) -> String {
     let decimals = (-step.log10().floor()).clamp(0.0, 9.0);
     fixed(value, decimals as usize)
 }
 
-/// 1, 2 or 5 times a power of ten: the largest that is no larger than a number.
+/// Returns the largest of the numbers 1, 2 and 5 times a power of ten up to a number.
 fn round_below(number: f64) -> f64 {
     let power = 10_f64.powf(number.log10().floor());
     let parts = [5.0, 2.0, 1.0].map(|part| part * power);
@@ -152,7 +152,7 @@ fn round_below(number: f64) -> f64 {
         .unwrap_or(power)
 }
 
-/// The smallest that is no smaller.
+/// Returns the smallest of these numbers that is not below a number.
 fn round_above(number: f64) -> f64 {
     let power = 10_f64.powf(number.log10().floor());
     let parts = [1.0, 2.0, 5.0].map(|part| part * power);

@@ -2,7 +2,7 @@
 
 use super::Wheel;
 
-/// Points along the rim, the first one again at the end, of a wheel with its points at some place.
+/// Returns points along the rim of a wheel, closed, with all points at the coordinates `at`.
 pub(super) fn rim(
     wheel: &Wheel,
     at: &[[f64; 3]],
@@ -17,7 +17,7 @@ pub(super) fn rim(
     }))
 }
 
-/// Two directions of unit length square to an axis and to each other.
+/// Returns two unit vectors perpendicular to an axis and to each other.
 fn square_to(axis: [f64; 3]) -> [[f64; 3]; 2] {
     let least = if axis[2].abs() < 0.9 * norm(axis) {
         [0.0, 0.0, 1.0]

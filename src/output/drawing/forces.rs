@@ -10,44 +10,44 @@ use super::{Area, CHASSIS, Drawing, Drawn, FINE, LINK, pixels};
 /// The force in a link, or along a measured length.
 #[derive(Clone, Debug)]
 pub struct InLink {
-    /// Its ends, by their indices.
+    /// The indices of its end points.
     pub ends: [usize; 2],
-    /// N, positive in tension.
+    /// The force in N, positive in tension.
     pub tension: f64,
 }
 
-/// A force that acts, not zero.
+/// An external force, not zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Acting {
-    /// Where.
+    /// The point of application.
     pub at: [f64; 3],
-    /// N.
+    /// The force in N.
     pub force: [f64; 3],
 }
 
 /// All forces of a drawing.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// Above the drawing.
+    /// The title above the drawing.
     pub title: String,
-    /// Along links and measured lengths.
+    /// Forces along links and measured lengths.
     pub links: Vec<InLink>,
-    /// From outside.
+    /// External forces.
     pub acting: Vec<Acting>,
 }
 
 const PRESSED: RGBColor = RGBColor(190, 40, 40);
 const ACTING: RGBColor = RGBColor(110, 60, 150);
 
-/// The widths of links without force, and with the largest, as shown.
+/// The line widths of links without force and with the largest force, in pixels.
 const THIN: f64 = 2.0;
 const THICK: f64 = 10.0;
 
-/// The longest arrow, as a part of the mechanism's extent.
+/// The length of the longest arrow, as a part of the mechanism's extent.
 const LONGEST: f64 = 0.3;
 
 impl Drawing {
-    /// The ends of the arrows, the tip last.
+    /// Returns tail and tip of each arrow.
     pub(super) fn arrows(&self) -> Vec<[[f64; 3]; 2]> {
         let Some(forces) = &self.forces else {
             return Vec::new();
@@ -62,7 +62,7 @@ impl Drawing {
         forces.acting.iter().map(arrow).collect()
     }
 
-    /// The largest distance of points along an axis.
+    /// Returns the largest distance of points along an axis.
     fn extent(&self) -> f64 {
         let along = |axis: usize| {
             let each = self.points.iter().map(|(_, at)| at[axis]);
@@ -71,7 +71,7 @@ impl Drawing {
         [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
     }
 
-    /// Draws links by what is in them, and the arrows.
+    /// Draws links with width and colour by their force, and the arrows.
     pub(super) fn draw_forces(&self, area: &Area<'_>, view: &View) -> Drawn {
         let Some(forces) = &self.forces else {
             return Ok(());
@@ -95,7 +95,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Writes how large they are, and the title.
+    /// Draws the sizes of the forces and the title.
     pub(super) fn draw_numbers(&self, area: &Area<'_>, view: &View, labels: &mut Labels) -> Drawn {
         let Some(forces) = &self.forces else {
             return Ok(());
@@ -130,12 +130,12 @@ fn colour(tension: f64) -> RGBColor {
     if tension < 0.0 { PRESSED } else { LINK }
 }
 
-/// A shade that can be read on the colour as on white.
+/// Returns a shade that is legible on the colour and on white.
 fn dark(RGBColor(red, green, blue): RGBColor) -> RGBColor {
     RGBColor(red / 2, green / 2, blue / 2)
 }
 
-/// The head of an arrow.
+/// Returns the triangle at the tip of an arrow.
 fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
     const LENGTH: f64 = 14.0;
     const HALF_WIDTH: f64 = 5.0;

@@ -1,19 +1,19 @@
 //! The outline of a body.
 
-/// The convex hull, in order round it (Andrew's monotone chain).
+/// Returns the convex hull, in order round it (Andrew's monotone chain).
 pub(super) fn hull(mut points: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
     points.sort_unstable();
     points.dedup();
     let mut hull = Vec::new();
     for mut side in [chain(points.iter()), chain(points.iter().rev())] {
-        // Its last point is the first of the other side.
+        // The last point of a side is the first of the other.
         side.pop();
         hull.append(&mut side);
     }
     if hull.is_empty() { points } else { hull }
 }
 
-/// One side of the hull, from the first point to the last.
+/// Returns one side of the hull, from the first point to the last.
 fn chain<'a>(points: impl Iterator<Item = &'a (i32, i32)>) -> Vec<(i32, i32)> {
     let mut chain: Vec<(i32, i32)> = Vec::new();
     for &point in points {
@@ -28,7 +28,7 @@ fn chain<'a>(points: impl Iterator<Item = &'a (i32, i32)>) -> Vec<(i32, i32)> {
     chain
 }
 
-/// Twice the area of a triangle, positive where it turns left.
+/// Returns twice the area of a triangle, positive if it turns left.
 fn turn(a: (i32, i32), b: (i32, i32), c: (i32, i32)) -> i64 {
     let along = |p: (i32, i32), q: (i32, i32)| (i64::from(q.0 - p.0), i64::from(q.1 - p.1));
     let ((ux, uy), (vx, vy)) = (along(a, b), along(a, c));

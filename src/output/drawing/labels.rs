@@ -1,11 +1,11 @@
-//! The places of names beside their points.
+//! The placement of names beside their points.
 
 use plotters::style::text_anchor::HPos;
 
 use super::FONT_SIZE;
 
-/// A name: the upper corner, or the middle, that is nearest to its point, so that it stands there however wide its letters
-/// are; and where a line from the point to it ends that stands away from it.
+/// A placed name: the corner or the middle of its box nearest to its point, so that the name stays beside the point for any
+/// font width; and the end of the line from the point to a name that is farther away.
 pub(super) struct Boxed {
     pub(super) at: (i32, i32),
     pub(super) anchor: HPos,
@@ -15,33 +15,33 @@ pub(super) struct Boxed {
 /// The ends of a line on the sheet.
 pub(super) type Segment = [(i32, i32); 2];
 
-/// Names that were put, and places, those beyond the sheet's sides too, and lines that they must keep clear of.
+/// The placed names, and the boxes and lines that they must avoid, the outside of the sheet included.
 pub(super) struct Labels {
     taken: Vec<[i32; 4]>,
     sides: [[i32; 4]; 4],
     lines: Vec<Segment>,
     unit: i32,
-    /// Of a name, as shown.
+    /// The font size in pixels.
     font_size: u32,
 }
 
-/// The size of type where points are more than some, as shown.
+/// The font size with many points, in pixels.
 const SMALL: u32 = 10;
 const MANY: usize = 24;
-/// The width of a letter and the height of a line, in parts of the size of type.
+/// The width of a letter and the height of a line, as parts of the font size.
 const LETTER: f64 = 0.5;
 const LINE: f64 = 8.0 / 7.0;
-/// Between a point and its name: beside it first, then farther away.
+/// The distances between a point and its name, in order of preference.
 const GAPS: [i32; 4] = [9, 22, 40, 62];
-/// How much a name is struck through by a line of length one, and how much a step away counts, both as an overlap with
-/// another.
+/// The penalties of a line of length one through a name, and of each farther distance, relative to the overlap with another
+/// name.
 const STRUCK: f64 = 12.0;
 const AWAY: f64 = 90.0;
-/// How much what is beyond a side, and not seen, counts more than what overlaps.
+/// The weight of an area outside the sheet, relative to an overlap.
 const CUT: f64 = 20.0;
 
 impl Labels {
-    /// Beside points on a sheet of a size as shown; `unit` drawing units are one as shown.
+    /// Starts the placement beside points on a sheet of a size in pixels; `unit` is the number of drawing units per pixel.
     pub(super) fn among(
         points: &[(i32, i32)],
         lines: Vec<Segment>,
@@ -70,12 +70,12 @@ impl Labels {
         }
     }
 
-    /// The size of type, in drawing units.
+    /// Returns the font size in drawing units.
     pub(super) fn font_size(&self) -> i32 {
         self.font_size as i32 * self.unit
     }
 
-    /// Finds a place for a name beside its point: the first that collides least.
+    /// Finds a place for a name beside its point: the first one with the smallest penalty.
     pub(super) fn put(&mut self, name: &str, (x, y): (i32, i32)) -> Boxed {
         let unit = self.unit;
         let size = f64::from(self.font_size());
@@ -122,7 +122,7 @@ impl Labels {
         }
     }
 
-    /// What a place has in common with others, in units as shown.
+    /// Returns the penalty of a place, in pixels.
     fn collisions(&self, place: &[i32; 4]) -> f64 {
         let unit = f64::from(self.unit);
         let overlap = |other: &[i32; 4]| common(place, other) as f64 / (unit * unit);
@@ -133,14 +133,14 @@ impl Labels {
     }
 }
 
-/// The area that two boxes have in common.
+/// Returns the area that two boxes have in common.
 fn common(a: &[i32; 4], b: &[i32; 4]) -> i64 {
     let along =
         |low: usize, high: usize| i64::from((a[high].min(b[high]) - a[low].max(b[low])).max(0));
     along(0, 2) * along(1, 3)
 }
 
-/// The length of a line within a box (Liang and Barsky 1984).
+/// Returns the length of a line within a box (Liang and Barsky 1984).
 fn inside([from, to]: &Segment, [left, top, right, bottom]: &[i32; 4]) -> f64 {
     let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
     let sides = [
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn names_of_points_at_the_sides_stay_on_the_sheet() {
-        // Where it would be cut it collides with no other.
+        // Outside the sheet the name collides with no other.
         let crowd = |column: i32| (0..20).map(move |row| (60 + 12 * column, 15 * row));
         let mut points: Vec<_> = (0..9).flat_map(crowd).collect();
         points.extend([(10, 100), (290, 100), (10, 120), (290, 120)]);

@@ -6,7 +6,8 @@ use super::{Drawing, Wheel};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{self, Description};
 
-/// A mechanism of a listing at its first instant; without a wheel radius with that of the file, or else 0.3 m.
+/// Returns the drawing of a mechanism at its first instant. The wheel radius is `radius`, or else that of the file, or else
+/// 0.3 m.
 pub fn drawing_of(
     mechanism: &dyn Kinematics,
     listing: &Listing,

@@ -1,4 +1,4 @@
-//! What drawings show.
+//! Tests of drawings.
 
 use super::*;
 
@@ -84,7 +84,7 @@ fn without_points_there_is_no_drawing() {
     assert!(Drawing::default().svg(Seen::Oblique, SIZE).is_none());
 }
 
-/// A number beside a thick bar may lie upon it.
+/// A number may overlap a thick bar.
 #[test]
 fn numbers_are_darker_than_the_bars_and_stand_after_them() {
     let loaded = Drawing {

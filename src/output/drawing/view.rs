@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::mechanism::Axes;
 
-/// From where a mechanism is seen.
+/// The direction from which a drawing shows the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// From in front, outboard and above.
@@ -13,15 +13,15 @@ pub enum Seen {
     Front,
     /// From outboard.
     Side,
-    /// From above, forward down the sheet: below the front view.
+    /// From above, x pointing down the sheet: below the front view.
     Top,
 }
 
 impl Seen {
-    /// All of them.
+    /// All directions.
     pub const ALL: [Self; 4] = [Self::Oblique, Self::Front, Self::Side, Self::Top];
 
-    /// What stands above the drawing; the oblique view needs no words.
+    /// Returns the title of the drawing; the oblique view has none.
     pub(super) fn title(self) -> &'static str {
         match self {
             Self::Oblique => "",
@@ -31,7 +31,8 @@ impl Seen {
         }
     }
 
-    /// What of space, in the axes of ISO 8855, leads to the right of the sheet, and up; outboard is to the left (1) or to the right (-1).
+    /// Returns the directions of space, in the axes of ISO 8855, that point right and up on the sheet; outboard is to the
+    /// left (1) or to the right (-1).
     fn directions(self, outboard: f64) -> [[f64; 3]; 2] {
         match self {
             Self::Oblique => {
@@ -46,24 +47,25 @@ impl Seen {
     }
 }
 
-/// A parallel projection onto the sheet, in its units.
+/// A parallel projection onto the sheet, in drawing units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub(super) seen: Seen,
     pub(super) across: [f64; 3],
     pub(super) up: [f64; 3],
-    /// Units of the sheet to one of length.
+    /// Drawing units per unit of length.
     pub(super) scale: f64,
-    /// Where the origin of space is.
+    /// The position of the origin of space.
     origin: [f64; 2],
 }
 
-/// Of the oblique direction to the eye: from the x axis towards outboard, and above the ground, degrees.
+/// The direction from which the oblique view looks: its angles from the x axis towards outboard, and above the ground,
+/// degrees.
 const AZIMUTH: f64 = 28.0;
 const ELEVATION: f64 = 20.0;
 
 impl View {
-    /// Holds all points, which have these axes, with a margin; `None` where there are none.
+    /// Returns the projection that fits all points, given in these axes, with a margin; `None` if there are none.
     pub(super) fn around(
         points: &[[f64; 3]],
         axes: Axes,
@@ -101,7 +103,7 @@ impl View {
         })
     }
 
-    /// Where a point is on the sheet: to the right and down.
+    /// Returns the position of a point on the sheet: to the right and down.
     pub(super) fn of(&self, at: [f64; 3]) -> [f64; 2] {
         let along = |axis: [f64; 3]| axis.iter().zip(at).map(|(a, x)| a * x).sum::<f64>();
         [
@@ -128,7 +130,7 @@ mod tests {
         }
     }
 
-    /// Of a wheel on the left seen from outboard, the car goes to the left of the sheet.
+    /// The side view of a wheel on the left shows the car driving to the left.
     #[test]
     fn right_and_up_and_the_eye_are_right_handed() {
         for (seen, outboard, eye) in [

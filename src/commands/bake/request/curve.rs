@@ -1,4 +1,4 @@
-//! A motion along one drive, or the part of it that is possible.
+//! A motion along one drive, or the possible part of it.
 
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
@@ -69,14 +69,15 @@ impl Baking<'_> {
         )))
     }
 
-    /// The part of a range through which the drive leads the mechanism, and in words what is in the way of either end.
+    /// Returns the part of a range through which the drive leads the mechanism, and for either end, in words, what limits
+    /// it.
     pub(super) fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], [Option<String>; 2]) {
         let mut locks = [None, None];
         let now = self.first(drive);
         let [from, to] = range;
         let mut reached = [from.min(now), to.max(now)];
         for ((end, wanted), in_the_way) in reached.iter_mut().zip(range).zip(&mut locks) {
-            // Beyond what the first instant has, the way to the other end leads past this one.
+            // The path to the other end passes this end if it is beyond the first instant.
             if *end != wanted {
                 continue;
             }
@@ -96,7 +97,7 @@ impl Baking<'_> {
         (inside, locks)
     }
 
-    /// The part of a range that can be baked, in a few digits and the file's coordinates and units.
+    /// Returns the part of a range that can be baked, in a few digits, in the file's coordinates and units.
     fn possible(&self, drive: usize, wanted: &Wanted, kept: [bool; 2]) -> Option<[f64; 2]> {
         possible_in_few_digits(
             wanted.range,
@@ -109,7 +110,7 @@ impl Baking<'_> {
         )
     }
 
-    /// A local value in the file's coordinates and units.
+    /// Converts a local value to the file's coordinates and units.
     fn in_file(&self, drive: usize, local: f64) -> f64 {
         let kind = self.mechanism.names.drives[drive].kind;
         self.given(drive, local) * Dimension::from(kind).in_file(self.mechanism.unit)
@@ -119,7 +120,7 @@ impl Baking<'_> {
         self.mechanism.path(drive, range, self.request.wish)
     }
 
-    /// Where the motion is lost within what the drive reaches, in words.
+    /// Says at which value, within the reach of the drive, the solver lost the motion.
     fn between(&self, drive: usize, error: &OutOfReach) -> String {
         let [from, to] = error.reached.map(|end| number(self.in_file(drive, end)));
         let names = &self.mechanism.names;

@@ -1,4 +1,4 @@
-//! A range that seems to count from the design position.
+//! Ranges that seem to count from the design position.
 
 use crate::commands::bake::request::{Along, Baking, DIGITS};
 use crate::failure::Failure;
@@ -8,11 +8,12 @@ use crate::mechanism::{CountedFrom, Description, Drive};
 use crate::number::{number, rounded};
 
 impl Baking<'_> {
-    /// Says where a range, `stated` in the file's units, seems to count from the design position, as those of other commands do.
+    /// Notes that a range, `stated` in the file's units, seems to count from the design position, as those of other commands
+    /// do.
     ///
     /// # Errors
     ///
-    /// The same, where no part of the range is within reach.
+    /// The same note as an error, if no part of the range is within reach.
     pub(super) fn check_doubt(&self, along: &Along, stated: [f64; 2]) -> Result<(), Failure> {
         let Description { names, unit, .. } = &**self.mechanism;
         let Drive { name, kind } = &names.drives[along.drive];
@@ -34,7 +35,7 @@ impl Baking<'_> {
         Ok(())
     }
 
-    /// Whether the drive leads the mechanism to no part of its range.
+    /// Returns whether no part of the range is within reach of the drive.
     fn is_out_of_reach(&self, along: &Along) -> bool {
         let ([low, high], _) = self.reach(along.drive, along.local);
         let [from, to] = along.local;

@@ -1,4 +1,4 @@
-//! A motion along a measure that leads in place of a drive.
+//! A motion that a measure prescribes in place of a drive.
 
 use suspension_core::SolveError;
 
@@ -13,23 +13,23 @@ use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::number::{number, rounded};
 
-/// A measure, how far it goes, and the drive that it stands in for.
+/// A measure, its range, and the drive that it replaces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WishedMeasure {
     /// The measure's name.
     pub name: String,
-    /// Its first and last value, in the file's units.
+    /// The measure's first and last value, in the file's units.
     pub range: [f64; 2],
-    /// The drive that is free; `None` where there is only one.
+    /// The drive that becomes free; `None` if the linkage has only one.
     pub drive: Option<String>,
 }
 
 /// A measure over its range.
 pub(super) struct AlongMeasure {
     pub(super) measure: usize,
-    /// The drive that is free.
+    /// The drive that becomes free.
     pub(super) drive: usize,
-    /// In the file's coordinates, angles in radians.
+    /// The range in the file's coordinates, angles in radians.
     range: [f64; 2],
 }
 
@@ -64,7 +64,7 @@ impl Baking<'_> {
         })
     }
 
-    /// What is said of the measure; `unit` is that of what is baked.
+    /// Describes the measure and its range; `unit` is that of the baked functions.
     pub(super) fn ranged(&self, along: &AlongMeasure, unit: Unit) -> Ranged {
         let names = &self.mechanism.names;
         let measure = &names.measures[along.measure];
@@ -130,7 +130,7 @@ impl Baking<'_> {
         ))
     }
 
-    /// Why the measure does not lead through its range.
+    /// Says why the measure does not lead through its range.
     fn lost(&self, along: &AlongMeasure, error: &OutOfReach) -> String {
         let names = &self.mechanism.names;
         match &error.cause {
@@ -147,7 +147,7 @@ impl Baking<'_> {
         }
     }
 
-    /// The part of a range that can be baked, in the file's coordinates and units.
+    /// Returns the part of a range that can be baked, in the file's coordinates and units.
     fn possible_along(&self, along: &AlongMeasure, wanted: &Wanted) -> Option<[String; 2]> {
         let AlongMeasure { measure, drive, .. } = *along;
         let offset = self.mechanism.measure_offsets[measure];
@@ -164,7 +164,7 @@ impl Baking<'_> {
         Some(widest.map(|end| rounded(end, DIGITS)))
     }
 
-    /// A local value in words.
+    /// Formats a local value of the measure with its unit.
     fn of_measure(&self, along: &AlongMeasure, local: f64) -> String {
         let measure = &self.mechanism.names.measures[along.measure];
         let given = local + self.mechanism.measure_offsets[along.measure];
@@ -176,7 +176,7 @@ impl Baking<'_> {
         )
     }
 
-    /// A value in the file's units.
+    /// Converts a value to the file's units.
     fn measured_in_file(&self, along: &AlongMeasure, given: f64) -> f64 {
         let kind = self.mechanism.names.measures[along.measure].kind;
         given * Dimension::from(kind).in_file(self.mechanism.unit)

@@ -1,14 +1,15 @@
-//! The part of a range that is proposed in place of one that cannot be baked.
+//! The range that is proposed in place of one that cannot be baked.
 
-/// The part of a range that can be baked, found by `widest`, in a few digits and the file's coordinates and units, as
-/// `shown` makes them of local ones. An end that is `kept`, as nothing is in its way, stays as it is where all up to it can be baked.
+/// Returns the part of a range that can be baked, which `widest` finds, rounded to a few digits in the file's coordinates
+/// and units; `shown` converts local values to these. An end that is `kept`, because nothing limits it, is not rounded if
+/// the range up to it can be baked.
 pub(super) fn possible_in_few_digits(
     range: [f64; 2],
     kept: [bool; 2],
     shown: impl Fn(f64) -> f64,
     widest: impl FnOnce([f64; 2]) -> Option<[f64; 2]>,
 ) -> Option<[f64; 2]> {
-    /// Of a range: how close to a turning point the mechanism is solved.
+    /// How near to a turning point the mechanism is solved, as a part of the range.
     const CLOSE: f64 = 1e-6;
     let [from, to] = range;
     if from >= to {

@@ -1,4 +1,4 @@
-//! A motion of two drives.
+//! A motion along two drives.
 
 use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
