@@ -5,7 +5,7 @@ use std::ops::Neg;
 use nalgebra::{Scalar, Vector3};
 use serde::Deserialize;
 
-/// Which way x, y and z point. All are right-handed, half a turn about an axis from each other.
+/// The directions of x, y and z. All are right-handed and differ by half a turn about an axis.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 pub enum Axes {
     /// ISO 8855: x forward, y left, z up.
@@ -20,10 +20,10 @@ pub enum Axes {
 }
 
 impl Axes {
-    /// All of them.
+    /// All directions.
     pub const ALL: [Self; 3] = [Self::Iso, Self::Adams, Self::Sae];
 
-    /// Their name in motion files.
+    /// The name in motion files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Iso => "ISO 8855",
@@ -32,7 +32,7 @@ impl Axes {
         }
     }
 
-    /// Their name as an option of the command line.
+    /// The name as an option of the command line.
     pub fn option(self) -> &'static str {
         match self {
             Self::Iso => "iso",
@@ -41,7 +41,7 @@ impl Axes {
         }
     }
 
-    /// Where they point.
+    /// The directions in words.
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Iso => "x forward, y left, z up",
@@ -50,12 +50,12 @@ impl Axes {
         }
     }
 
-    /// Name and meaning.
+    /// Name and directions in words.
     pub fn in_words(self) -> String {
         format!("{}: {}", self.name(), self.meaning())
     }
 
-    /// By what coordinates are multiplied, from ISO 8855 and to it.
+    /// The signs of the coordinates relative to ISO 8855, for the conversion in either direction.
     pub fn signs(self) -> [f64; 3] {
         match self {
             Self::Iso => [1.0, 1.0, 1.0],
@@ -64,7 +64,7 @@ impl Axes {
         }
     }
 
-    /// A vector turned from ISO 8855 to these axes, or from them to ISO 8855: both are the same half turn.
+    /// Converts a vector from ISO 8855 to these axes, or from them to ISO 8855: both are the same half turn.
     pub fn turned<N: Scalar + Neg<Output = N>>(self, vector: Vector3<N>) -> Vector3<N> {
         let [x, y, z] = vector.into();
         match self {

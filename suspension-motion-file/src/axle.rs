@@ -1,4 +1,4 @@
-//! The axles of a car, from the words of names.
+//! The axles of a car, recognised by the words of names.
 
 use serde::Deserialize;
 
@@ -6,14 +6,14 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Axle {
-    /// The leading one.
+    /// The front axle.
     Front,
-    /// The trailing one.
+    /// The rear axle.
     Rear,
 }
 
 impl Axle {
-    /// The one that a wheel's name tells, as `front_left` does.
+    /// Returns the axle that a wheel's name states, as `front_left` does.
     pub fn of(wheel: &str) -> Option<Self> {
         let axles = [("front", Self::Front), ("rear", Self::Rear)];
         let told = axles.into_iter().find(|(word, _)| is_within(word, wheel));
@@ -21,7 +21,7 @@ impl Axle {
     }
 }
 
-/// Whether all words of one name are in another: those of `front` are in `front_left`.
+/// Returns whether a name contains all words of another: `front_left` contains `front`.
 pub fn is_within(words: &str, name: &str) -> bool {
     let has = |word: &str| name.split('_').any(|other| other == word);
     words.split('_').all(has)

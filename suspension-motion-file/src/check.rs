@@ -1,4 +1,4 @@
-//! Rules for motion files beyond their grammar. Each refusal names its place.
+//! Rules for motion files beyond their grammar. Each error names its place.
 
 mod instants;
 
@@ -41,11 +41,11 @@ pub fn names<V>(
     Err(source.refuse(&table.span(), message))
 }
 
-/// Checks that the file names no other points than those that the linkage has.
+/// Checks that the file names only points of the linkage.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first that it has not.
+/// [`Failure::Input`] at the first unknown point.
 pub fn known_points(
     source: &Source,
     file: &MotionFile,
@@ -56,7 +56,7 @@ pub fn known_points(
     known_names(source, &file.points, "point", known, &has)
 }
 
-/// Checks that the points have the known names and no other, and that each has a position.
+/// Checks that the file names only known points, and that each has a position.
 ///
 /// # Errors
 ///
@@ -79,7 +79,7 @@ pub fn point_names(source: &Source, file: &MotionFile, known: &[String]) -> Resu
     Err(source.refuse(&table.span(), message))
 }
 
-/// The known names for which a table has no entry.
+/// Returns the known names for which a table has no entry.
 fn missing<'a, V>(table: &Table<V>, known: &'a [impl Borrow<str>]) -> Vec<&'a str> {
     let entries = table.get_ref();
     let known = known.iter().map(Borrow::borrow);
@@ -91,7 +91,7 @@ fn quoted(names: &[&str]) -> String {
     quoted.join(", ")
 }
 
-/// Checks that a table has no entry but for known names; `has` says in words what they are.
+/// Checks that a table has entries only for known names; `has` introduces their list in the message.
 ///
 /// # Errors
 ///
@@ -124,7 +124,7 @@ pub fn known_names<V>(
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first that is not.
+/// [`Failure::Input`] at the first other value.
 pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
     for (name, value) in in_order(table) {
         let name = name.get_ref();
@@ -136,11 +136,11 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
     Ok(())
 }
 
-/// Checks the lengths: positive, finite and of a size that can be computed with.
+/// Checks that the lengths are positive, finite and of a size with which the program can compute.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first that is not.
+/// [`Failure::Input`] at the first length that is not.
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
     for (name, value) in in_order(table) {
         let name = name.get_ref();
@@ -160,12 +160,12 @@ pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Checks the points: finite, no two chassis or free points in one place but `unjoined` ones, only `markers` placed
-/// relative to another point, and that one placed by coordinates.
+/// Checks the points: their coordinates are finite, no two chassis or free points coincide unless they are `unjoined`, and
+/// only `markers` are stated relative to another point, which has coordinates.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first point that is not so.
+/// [`Failure::Input`] at the first point that breaks a rule.
 pub fn points(
     source: &Source,
     file: &MotionFile,
@@ -234,7 +234,7 @@ fn base_of_marker(
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at the first that is not.
+/// [`Failure::Input`] at the first other polynomial.
 pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failure> {
     for (name, coefficients) in in_order(table) {
         let name = name.get_ref();

@@ -4,7 +4,7 @@ use suspension_core::listing::{DriveKind, MeasureKind};
 
 use crate::{Angle, Length, Unit};
 
-/// What a number measures.
+/// The dimension of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// A time.
@@ -13,36 +13,36 @@ pub enum Dimension {
     Length,
     /// The rate of a length.
     Velocity,
-    /// The rate of that.
+    /// The second rate of a length.
     Acceleration,
     /// An angle.
     Angle,
     /// The rate of an angle.
     AngularVelocity,
-    /// The rate of that.
+    /// The second rate of an angle.
     AngularAcceleration,
-    /// A length for an angle.
+    /// A length per angle.
     LengthPerAngle,
-    /// An angle for an angle.
+    /// An angle per angle.
     AnglePerAngle,
     /// A force.
     Force,
     /// A moment.
     Moment,
-    /// A force for a length.
+    /// A force per length.
     Stiffness,
-    /// A moment for an angle.
+    /// A moment per angle.
     AngularStiffness,
     /// A mass.
     Mass,
-    /// A part of a whole.
+    /// A percentage.
     Percent,
-    /// How many.
+    /// A whole number.
     Count,
 }
 
 impl Dimension {
-    /// The unit's symbol in a file of such units.
+    /// Returns the symbol of the unit in files.
     pub fn symbol(self, unit: Unit) -> String {
         let (length, angle) = (unit.symbol(), unit.angle.symbol());
         match self {
@@ -65,7 +65,7 @@ impl Dimension {
         }
     }
 
-    /// Whether positions alone determine it.
+    /// Returns whether positions alone determine the number.
     pub fn is_of_positions(self) -> bool {
         matches!(
             self,
@@ -82,7 +82,7 @@ impl Dimension {
         )
     }
 
-    /// In text and plots for people, angles are in degrees: what to multiply with, and the unit's symbol.
+    /// Returns the factor and the symbol for text and plots, in which angles are in degrees.
     pub fn for_people(self, unit: Unit) -> (f64, String) {
         let angle = Angle::Degree;
         let people = Unit { angle, ..unit };
@@ -92,7 +92,7 @@ impl Dimension {
         }
     }
 
-    /// What to multiply with, from one unit of length to another.
+    /// Returns the factor from one unit of length to another.
     pub fn conversion(self, from: Unit, to: Unit) -> f64 {
         match self {
             Self::Length | Self::Velocity | Self::Acceleration | Self::LengthPerAngle => {
@@ -113,7 +113,7 @@ impl Dimension {
         }
     }
 
-    /// What a number inside is multiplied with for that in a file of such units.
+    /// Returns the factor from the program's unit to that of the file.
     pub fn in_file(self, unit: Unit) -> f64 {
         match self {
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
@@ -132,7 +132,7 @@ impl Dimension {
         }
     }
 
-    /// Decimals in text for people.
+    /// The decimals in text.
     pub fn decimals(self, unit: Unit) -> usize {
         match self {
             Self::Count => 0,

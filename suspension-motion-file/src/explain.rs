@@ -1,11 +1,11 @@
-//! Errors of the TOML reader in a motion file, with their remedies.
+//! Errors of the TOML parser for a motion file, with what to write instead.
 
 use suspension_listing::did_you_mean::did_you_mean;
 
 use crate::place_of_key::place_among_keys;
 use crate::source::Source;
 
-/// A mistake in words; `start` is where it begins.
+/// Returns the message for a mistake that begins at `start`.
 pub(super) fn explained(message: &str, source: &Source, start: usize) -> String {
     if source.text().trim().is_empty() {
         return "the file is empty; suspension motion --help shows what stands in one".to_owned();
@@ -24,7 +24,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
             Some(place) => format!("; {name} stands {place}"),
             None => did_you_mean(name, quoted),
         };
-        // Where one is near, or the place is known, the others, which may be many, say nothing.
+        // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
         match message.split_once(", expected") {
             Some((unknown, _)) if !hint.is_empty() => return unknown.to_owned() + &hint,
             _ => hint,
@@ -53,7 +53,7 @@ fn is_comma_between_digits(text: &str, start: usize) -> bool {
             .is_some_and(|rest| rest.starts_with(is_digit))
 }
 
-/// Where a key that each motion file needs is missing, the others that are, which would be told one at a time.
+/// Names the other required keys that are missing, which the parser would report one at a time.
 fn also_missing(first: &str, text: &str) -> String {
     const NEEDED: [&str; 3] = ["unit", "time", "drives"];
     let table: toml::Table = text.parse().unwrap_or_default();
@@ -65,7 +65,7 @@ fn also_missing(first: &str, text: &str) -> String {
     told.collect()
 }
 
-/// What to write where a key is missing.
+/// Returns an example of a missing key.
 fn to_write(key: &str) -> &'static str {
     match key {
         "unit" => "; write unit = \"m\", \"mm\" or \"in\", that of all lengths in the file",
@@ -81,7 +81,7 @@ fn to_write(key: &str) -> &'static str {
     }
 }
 
-/// What to do with a file of another kind.
+/// Says what to do with a file of another kind.
 fn other_kind(source: &Source) -> Option<String> {
     let is_listing = is_listing(source.text());
     let name = source.name();
@@ -97,14 +97,14 @@ fn other_kind(source: &Source) -> Option<String> {
     }
 }
 
-/// Whether a text has the statements of a listing, outside a motion file.
+/// Returns whether a text looks like a listing that is not in a motion file.
 pub fn is_listing(text: &str) -> bool {
     let mut lines = text.lines().map(str::trim_start);
     let begins = |line: &str| line.starts_with("fixed:") || line.starts_with("free:");
     !is_motion(text) && lines.any(begins)
 }
 
-/// Whether a text has the keys of a motion file.
+/// Returns whether a text has keys of a motion file.
 pub fn is_motion(text: &str) -> bool {
     let keys = text.lines().filter_map(|line| line.split_once('='));
     let mut keys = keys.map(|(key, _)| key.trim());

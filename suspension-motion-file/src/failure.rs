@@ -3,23 +3,23 @@
 use std::fmt;
 use std::io;
 
-/// Why the program ends before its work is done. Each kind has its own exit code.
+/// The reason for which the program ends early. Each kind has its own exit code.
 #[derive(Debug)]
 pub enum Failure {
     /// A result could not be written: exit code 1.
     Output(String),
-    /// The input is wrong, and where: exit code 2.
+    /// The input is wrong; the message names the place: exit code 2.
     Input(String),
     /// The solver found no configuration: exit code 3.
     Solver(String),
     /// The user asked to stop: exit code 130.
     Interrupted(String),
-    /// Whoever read standard output has gone; nothing is left to tell: exit code 0.
+    /// The reader of standard output has closed it, so there is nothing to report: exit code 0.
     ReaderGone,
 }
 
 impl Failure {
-    /// The exit code of the process.
+    /// Returns the exit code of the process.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::ReaderGone => 0,
@@ -30,7 +30,7 @@ impl Failure {
         }
     }
 
-    /// A failure to write to `place`.
+    /// Makes the failure to write to `place`.
     pub fn writing(place: impl fmt::Display, error: &io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Self::ReaderGone,

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 static READ: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Notes that a file was read: a motion file, its listing, or what that includes.
+/// Records that a file was read: a motion file, its listing, or a file that the listing includes.
 pub fn note(path: &Path) {
     if let Ok(path) = path.canonicalize() {
         let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
@@ -13,7 +13,7 @@ pub fn note(path: &Path) {
     }
 }
 
-/// Whether a file was read.
+/// Returns whether a file was read.
 pub fn has(path: &Path) -> bool {
     let read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     path.canonicalize().is_ok_and(|path| read.contains(&path))

@@ -3,30 +3,31 @@
 /// Instants in seconds, in order, forwards or backwards.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Instants {
-    /// One by one.
+    /// A list of instants.
     Listed(Vec<f64>),
-    /// From a first to a last, evenly spaced.
+    /// Evenly spaced instants.
     Even {
-        /// The first.
+        /// The first instant.
         first: f64,
-        /// How many, at least one.
+        /// The number of instants, at least one.
         count: usize,
-        /// The last.
+        /// The last instant.
         last: f64,
     },
 }
 
-/// Of a step: how far a stop may lie from a multiple of it and still be one.
+/// A stop this near to a multiple of the step is an instant; a part of the step.
 const SLACK: f64 = 1e-6;
 
 impl Instants {
-    /// How many there are from `first` towards `stop` in steps of `step`; more than can be counted, or
-    /// NaN, where the numbers are extreme.
+    /// Returns the number of instants from `first` towards `stop` in steps of `step`. It may be infinite or NaN for extreme
+    /// numbers.
     pub fn count_stepped(first: f64, stop: f64, step: f64) -> f64 {
         ((stop - first) / step + SLACK).floor() + 1.0
     }
 
-    /// From `first` towards `stop` in steps of `step`, which points there and is not zero.
+    /// Makes the instants from `first` towards `stop` in steps of `step`, which is not zero and has the sign of the
+    /// difference.
     pub fn stepped(first: f64, stop: f64, step: f64) -> Self {
         let steps = (stop - first) / step;
         let count = Self::count_stepped(first, stop, step);
@@ -40,12 +41,12 @@ impl Instants {
         Self::Even { first, count, last }
     }
 
-    /// `count` instants, at least two, from `first` to `last`.
+    /// Makes `count` instants, at least two, from `first` to `last`.
     pub fn dense(first: f64, last: f64, count: usize) -> Self {
         Self::Even { first, count, last }
     }
 
-    /// How many there are.
+    /// Returns the number of instants.
     pub fn count(&self) -> usize {
         match self {
             Self::Listed(instants) => instants.len(),
@@ -53,12 +54,12 @@ impl Instants {
         }
     }
 
-    /// The first and the last.
+    /// Returns the first and the last instant.
     pub fn ends(&self) -> [f64; 2] {
         [0, self.count() - 1].map(|index| self.at(index))
     }
 
-    /// All of them.
+    /// Iterates over the instants.
     pub fn iter(&self) -> impl Iterator<Item = f64> {
         (0..self.count()).map(|index| self.at(index))
     }
@@ -67,7 +68,7 @@ impl Instants {
         match self {
             Self::Listed(instants) => instants[index],
             Self::Even { count, last, .. } if index + 1 == *count => *last,
-            // Rounded less than multiples of a step, most of which no f64 holds.
+            // Interpolation has smaller rounding errors than multiples of the step, which is seldom an exact f64.
             Self::Even { first, count, last } => {
                 first + (last - first) * index as f64 / (count - 1) as f64
             }

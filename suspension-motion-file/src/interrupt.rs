@@ -1,5 +1,5 @@
-//! Interrupts by the user, also during work that waits for another program. Signals belong to the whole process, and so
-//! does the flag that they set.
+//! Interrupts by the user, also while the program waits for another one. Signals belong to the whole process, and so does
+//! the flag that they set.
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,17 +13,17 @@ use signal_hook::flag::register;
 
 static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Whether the user has interrupted the program: with Ctrl-C, SIGTERM or SIGHUP.
+/// Returns the flag that is set when the user interrupts the program with Ctrl-C, SIGTERM or SIGHUP.
 pub fn flag() -> &'static AtomicBool {
     &INTERRUPTED
 }
 
-/// From now on signals set the [`flag`], but for a hang-up under `nohup`, and a file that grows beyond its limit is an error of the
-/// write and no longer the end of the program.
+/// Makes signals set the [`flag`], except a hang-up under `nohup`. Makes a file beyond the size limit an error of its writer
+/// instead of the end of the program.
 ///
 /// # Errors
 ///
-/// Where the system has no handler to give.
+/// If the system refuses a signal handler.
 pub fn catch_signals() -> io::Result<()> {
     for signal in [SIGINT, SIGTERM] {
         register(signal, Arc::clone(&INTERRUPTED))?;
@@ -39,7 +39,7 @@ pub fn catch_signals() -> io::Result<()> {
     Ok(())
 }
 
-/// Whether who started the program wants it to go on in spite of a signal; known on Linux.
+/// Returns whether the parent process has made this process ignore a signal; known on Linux.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -49,18 +49,18 @@ fn is_ignored(signal: i32) -> bool {
     ignored.is_some_and(|mask| mask & (1 << (signal - 1)) != 0)
 }
 
-/// Does what waits until another program comes, as opening a FIFO does. The wait itself goes on where the
-/// user interrupts it, and ends with the program.
+/// Does work that may wait for another program, as opening a FIFO does. If the user interrupts it, this returns, and the
+/// wait goes on until the program ends.
 ///
 /// # Errors
 ///
-/// Those of the work, and [`io::ErrorKind::Interrupted`].
+/// The errors of the work, and [`io::ErrorKind::Interrupted`].
 pub fn waiting<R: Send + 'static>(
     work: impl FnOnce() -> io::Result<R> + Send + 'static,
 ) -> io::Result<R> {
     const LOOK: Duration = Duration::from_millis(20);
     let (done, result) = channel();
-    // Nobody may be left to take the result.
+    // After an interrupt nobody receives the result.
     thread::spawn(move || drop(done.send(work())));
     loop {
         match result.recv_timeout(LOOK) {

@@ -1,4 +1,4 @@
-//! The quantities that lead in a motion file: its drives, or a measure in place of one of them.
+//! The prescribed quantities of a motion file: its drives, or a measure in place of one of them.
 
 use toml::Spanned;
 
@@ -7,23 +7,23 @@ use crate::failure::Failure;
 use crate::source::Source;
 use crate::table::{Table, in_order};
 
-/// A measure that stands in for a drive.
+/// A measure that replaces a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StandIn {
-    /// Its name, with its place in the file.
+    /// The measure's name, with its place in the file.
     pub key: Spanned<String>,
-    /// Its index among the measures.
+    /// The index of the measure.
     pub measure: usize,
-    /// The index of the drive that it sets free.
+    /// The index of the drive that becomes free.
     pub drive: usize,
 }
 
-/// The measure that stands in for a drive; `None` where all drives lead themselves.
+/// Returns the measure that replaces a drive; `None` if the file prescribes all drives.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a name that is neither, at a measure too many, or where a drive is missing
-/// for which nothing stands in.
+/// [`Failure::Input`] at a name that is neither a drive nor a measure, at a second measure, or if a drive is missing and no
+/// measure replaces it.
 pub fn stand_in<V>(
     source: &Source,
     table: &Table<V>,

@@ -1,5 +1,4 @@
-//! The motion file: its text, its grammar and further rules; its units, axes and
-//! instants; messages about mistakes in it.
+//! The motion file: its text, its grammar and further rules; its units, axes and instants; messages about mistakes in it.
 
 mod axes;
 mod axle;

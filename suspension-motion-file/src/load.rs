@@ -1,4 +1,4 @@
-//! A load of a load case.
+//! The loads of a load case.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,20 +12,20 @@ use toml::{Spanned, Value};
 
 use crate::number_list::number_list;
 
-/// What acts at a place or in a measure.
+/// A load at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Load {
-    /// What makes a measure larger: a force, N, or where the measure is an angle a moment, N m.
+    /// A load in a measure, positive if it increases the measure: a force, N, or if the measure is an angle a moment, N m.
     Along(f64),
-    /// At a place.
+    /// A load at a place.
     At(Wrench),
-    /// A drive bears nothing: the measure of this name does.
+    /// The name of the measure that bears the load of a drive.
     By(String),
-    /// Several names where one may stand.
+    /// The names of several measures, of which only one is allowed.
     BySeveral(Vec<String>),
 }
 
-/// What stands in the table of a load case, by the names of places, measures and drives.
+/// A load case: the loads by the names of places, measures and drives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadCase(pub BTreeMap<Spanned<String>, Spanned<Load>>);
 
@@ -33,16 +33,16 @@ pub struct LoadCase(pub BTreeMap<Spanned<String>, Spanned<Load>>);
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Wrench {
-    /// N.
+    /// The force, N.
     #[serde(default, deserialize_with = "number_list")]
     pub force: [f64; 3],
-    /// N m.
+    /// The moment, N m.
     #[serde(default, deserialize_with = "number_list")]
     pub moment: [f64; 3],
 }
 
 impl Load {
-    /// All its numbers.
+    /// Returns all numbers.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Along(force) => vec![*force],
@@ -78,7 +78,7 @@ impl<'de> Deserialize<'de> for Load {
     }
 }
 
-/// How the commonest of them is written.
+/// How the most usual load is written.
 const WRITTEN: &str =
     "a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
 

@@ -1,11 +1,11 @@
-//! A mistake shown on a terminal as compilers do: the line of the text, with a mark under the place.
+//! Mistakes shown on a terminal as compilers show them: the line of the text with a mark under the place.
 
 use std::io::{IsTerminal, stderr};
 use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
-/// The mistake at a place of the text of a file, drawn; `None` where standard error is no terminal.
+/// Returns the mistake with the marked line of a file; `None` if standard error is not a terminal.
 pub(super) fn drawn(file: &str, text: &str, span: &Range<usize>, what: &str) -> Option<String> {
     let renderer = match std::env::var_os("NO_COLOR") {
         Some(_) => Renderer::plain(),
@@ -15,7 +15,7 @@ pub(super) fn drawn(file: &str, text: &str, span: &Range<usize>, what: &str) -> 
     stderr().is_terminal().then(drawn).flatten()
 }
 
-/// `None` where the text has no such place.
+/// Returns `None` if the text has no such place.
 fn marked(
     renderer: &Renderer,
     file: &str,

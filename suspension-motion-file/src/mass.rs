@@ -9,12 +9,12 @@ use toml::Spanned;
 
 use crate::number_list::number_list;
 
-/// What is said of a part that moves.
+/// The mass of a moving part.
 #[derive(Clone, Debug)]
 pub enum MassTable {
     /// The mass of a link, which is a uniform rod, or of what is at a point, kg.
     Alone(f64),
-    /// That of a body.
+    /// The mass and inertia of a body.
     OfBody(BodyMass),
 }
 
@@ -22,18 +22,18 @@ pub enum MassTable {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BodyMass {
-    /// kg.
+    /// The mass, kg.
     pub mass: f64,
-    /// Its centre, at the design position.
+    /// The centre of mass at the design position.
     pub centre: Spanned<Centre>,
-    /// About the centre, in the file's axes, kg m^2: xx, yy, zz, and where they are not zero xy, yz, zx (the tensor's, the
-    /// products of inertia with a minus).
+    /// The inertia about the centre in the file's axes, kg m^2: xx, yy, zz, then, unless they are zero, xy, yz, zx (entries
+    /// of the tensor, that is, the products of inertia with a minus sign).
     #[serde(default)]
     pub inertia: Vec<f64>,
 }
 
 impl BodyMass {
-    /// Turns it by half a turn about an axis.
+    /// Converts the mass to other axes with a half turn.
     pub(crate) fn turn(&mut self, turned: impl Fn(Vector3<f64>) -> Vector3<f64>) {
         if let Centre::At(at) = self.centre.get_mut() {
             *at = turned((*at).into()).into();

@@ -19,15 +19,15 @@ use crate::tune::TuneTable;
 use crate::vehicle::VehicleTable;
 use crate::{Angle, Axes, Length, Unit};
 
-/// A motion file as written; names and values are not checked yet.
+/// The contents of a motion file; names and values are not checked yet.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MotionFile {
-    /// The linkage's name: one of the catalogue's, or that of one's own.
+    /// The linkage's name: one of the catalogue, or the name of the user's listing.
     pub linkage: Option<Spanned<String>>,
-    /// In place of a name, the file that has the listing, beside this one.
+    /// The path of the listing relative to this file, in place of a name of the catalogue.
     pub listing: Option<Spanned<String>>,
-    /// In place of a name, the statements of the listing.
+    /// The statements of the listing, in place of a name of the catalogue.
     pub statements: Option<Spanned<String>>,
     /// The unit of all lengths and coordinates, in the file and in the results.
     #[serde(rename = "unit")]
@@ -38,27 +38,26 @@ pub struct MotionFile {
     /// The axes of all points, offsets and statements, in the file and in the results.
     #[serde(default)]
     pub axes: Axes,
-    /// Every point of the linkage: chassis points, free points, markers. Those that the listing states may be
-    /// left out.
+    /// The points of the linkage: chassis points, free points, markers. Points that the listing states may be omitted.
     #[serde(default = "no_points")]
     pub points: Table<Position>,
-    /// The lengths of links and bodies; with them the points are a rough guess.
+    /// The lengths of links and bodies; with them the points are only a start of the assembly.
     pub lengths: Option<Table<f64>>,
-    /// The drives' values at which the mechanism is assembled and markers are attached.
+    /// The values of the drives at which the mechanism is assembled and markers are attached.
     pub design: Option<Table<f64>>,
-    /// What the listing does not say of the vehicle.
+    /// Data of the vehicle that the listing does not state.
     pub vehicle: Option<Spanned<VehicleTable>>,
     /// Springs and anti-roll bars by name.
     pub springs: Option<Table<SpringTable>>,
     /// Masses of moving parts by name.
     pub masses: Option<Table<MassTable>>,
-    /// Load cases by name, each with what acts where.
+    /// Load cases by name.
     pub loads: Option<Table<LoadCase>>,
-    /// Standard deviations of points and links by name, in the unit.
+    /// Standard deviations of points and links by name, in the unit of lengths.
     pub tolerances: Option<Table<f64>>,
-    /// What may be moved to reach which curves.
+    /// The points that tuning may move, and the target curves.
     pub tune: Option<Spanned<TuneTable>>,
-    /// The instants.
+    /// The instants of the motion.
     pub time: Spanned<Time>,
     /// Each drive as a polynomial of time in seconds.
     pub drives: Table<Coefficients>,
@@ -78,7 +77,7 @@ impl MotionFile {
         })
     }
 
-    /// Its units.
+    /// Returns the units of the file.
     pub fn unit(&self) -> Unit {
         Unit {
             length: self.length,
@@ -86,7 +85,7 @@ impl MotionFile {
         }
     }
 
-    /// The same file with the values of some drives and measures, those that are angles, in radians.
+    /// Returns the file with the values of the named drives and measures, which are angles, in radians.
     pub fn in_radians<'a>(mut self, angles: impl Iterator<Item = &'a str>) -> Self {
         let radian = self.angle.radian();
         for name in angles {
@@ -102,7 +101,7 @@ impl MotionFile {
         self
     }
 
-    /// Markers that are stated off another point, each with that one, by their numbers among `points`.
+    /// Returns the markers that are stated relative to another point, each with that point, as indices into `points`.
     pub fn followers(&self, points: &[String]) -> Vec<[usize; 2]> {
         let number = |name: &str| points.iter().position(|point| point == name);
         let stated = self.points.get_ref().iter();
@@ -115,7 +114,7 @@ impl MotionFile {
         pairs.collect()
     }
 
-    /// The same file with its points in coordinates whose origin is at `origin`.
+    /// Returns the file with coordinates relative to `origin`.
     pub fn seen_from(mut self, origin: [f64; 3]) -> Self {
         for position in self.points.get_mut().values_mut() {
             if let Position::At(at) = position.get_mut() {
@@ -127,7 +126,7 @@ impl MotionFile {
         self
     }
 
-    /// The same file with its points, offsets and masses in other axes; what else it states stays.
+    /// Returns the file with points, offsets and masses in other axes; the rest stays the same.
     pub fn turned(mut self, axes: Axes) -> Self {
         let from = self.axes;
         let turned = |vector: Vector3<f64>| axes.turned(from.turned(vector));
@@ -147,7 +146,7 @@ impl MotionFile {
         Self { axes, ..self }
     }
 
-    /// The same file with the drives' values less by what `offset` has for their names.
+    /// Returns the file with the drives' values minus the `offset` of each name.
     pub fn driven_from<'a>(mut self, offset: impl Iterator<Item = (&'a str, f64)>) -> Self {
         for (name, offset) in offset {
             let design = self.design.as_mut();
@@ -167,16 +166,16 @@ fn no_points() -> Table<Position> {
     Spanned::new(0..0, BTreeMap::new())
 }
 
-/// The instants of the motion, in one of two forms.
+/// The instants of the motion, in one of two forms: steps or a list.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Time {
     /// The first instant, s.
     pub start: Option<Spanned<f64>>,
-    /// Where the steps end, s.
+    /// The end of the steps, s.
     pub stop: Option<Spanned<f64>>,
-    /// From one instant to the next, s.
+    /// The time between two instants, s.
     pub step: Option<Spanned<f64>>,
-    /// The instants one by one, s.
+    /// A list of instants, s.
     pub instants: Option<Spanned<Vec<Spanned<f64>>>>,
 }

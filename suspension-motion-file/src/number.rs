@@ -1,16 +1,16 @@
 //! Numbers in messages.
 
-/// A time, a length or a drive's value for people, to six significant digits.
+/// Formats a time, a length or a drive's value with six significant digits.
 pub fn number(value: f64) -> String {
     rounded(value, 6)
 }
 
-/// To as many digits as it takes to read the same number.
+/// Formats a number with the digits needed to read back the same number.
 pub fn exact(value: f64) -> String {
     rounded(value, 17)
 }
 
-/// With so many decimals; what rounds to zero has no sign.
+/// Formats a number with `decimals` decimals; -0 becomes 0.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -19,24 +19,24 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// The number; zero where it is no more than rounding.
+/// Returns the number, or zero if it is no more than rounding.
 pub fn without_rounding(value: f64) -> f64 {
     const ROUNDING: f64 = 1e-12;
     if value.abs() < ROUNDING { 0.0 } else { value }
 }
 
-/// The number; zero without a sign.
+/// Returns the number, zero without a sign.
 pub fn unsigned_zero(value: f64) -> f64 {
     value + 0.0
 }
 
-/// So many things, as `1 segment` and `2 segments`.
+/// Formats a count, for example `1 segment` and `2 segments`.
 pub fn counted(count: usize, thing: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };
     format!("{count} {thing}{ending}")
 }
 
-/// Numbers below each other: their decimal points are in a line where spaces are as wide as a digit and as a point.
+/// Aligns numbers at their decimal points, with `space` as wide as a digit and `point` as wide as a decimal point.
 pub fn aligned(numbers: Vec<String>, [space, point]: [char; 2]) -> Vec<String> {
     let count = |text: &str| text.chars().count();
     let whole = |number: &String| count(number.split('.').next().unwrap_or_default());
@@ -56,11 +56,11 @@ pub fn aligned(numbers: Vec<String>, [space, point]: [char; 2]) -> Vec<String> {
     numbers.iter().map(padded).collect()
 }
 
-/// To at most so many significant digits, at least one; with an exponent where plain digits
-/// would not show them.
+/// Formats a number with at most `digits` significant digits and at least one, with an exponent if plain digits would not
+/// show them.
 pub fn rounded(value: f64, digits: usize) -> String {
     let places = digits.saturating_sub(1);
-    // The shortest digits of a rounded number are those that it was rounded to.
+    // The shortest digits of a rounded number are those to which it was rounded.
     let value = format!("{value:.places$e}").parse().unwrap_or(value);
     let value = unsigned_zero(value);
     let plain = 1e-4..10_f64.powi(digits as i32);

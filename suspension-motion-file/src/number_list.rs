@@ -1,11 +1,11 @@
-//! Lists with a fixed count of numbers: an array type of serde would read that many and drop the rest.
+//! Lists with a fixed count of numbers: an array type of serde would read that many and ignore the rest.
 
 use std::fmt;
 
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-/// As many numbers as there are to be.
+/// A list of exactly `N` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NumberList<const N: usize>(pub [f64; N]);
 
@@ -15,7 +15,7 @@ impl<'de, const N: usize> Deserialize<'de> for NumberList<N> {
     }
 }
 
-/// The numbers alone, for fields.
+/// Reads the numbers for a field of an array type.
 pub(crate) fn number_list<'de, D, const N: usize>(deserializer: D) -> Result<[f64; N], D::Error>
 where
     D: Deserializer<'de>,
@@ -26,7 +26,7 @@ where
 struct List<const N: usize>;
 
 impl<const N: usize> List<N> {
-    /// As it is written.
+    /// How the list is written.
     const WRITTEN: &str = if N == 2 { "[from, to]" } else { "[x, y, z]" };
 }
 

@@ -12,17 +12,17 @@ use toml::Spanned;
 
 use crate::axle::is_within;
 
-/// What is stated of wheels.
+/// Values of wheels.
 #[derive(Clone, Debug)]
 pub enum PerWheel<T> {
-    /// The same of all.
+    /// One value for all wheels.
     All(T),
-    /// Of those whose names have these words: `left`, `front`, `front_left`.
+    /// Values for the wheels whose names contain these words: `left`, `front`, `front_left`.
     Of(BTreeMap<String, Spanned<T>>),
 }
 
 impl<T> PerWheel<T> {
-    /// Whether it is stated of the wheel with this name.
+    /// Returns whether the wheel with this name has a value.
     pub fn is_of(&self, wheel: &str) -> bool {
         match self {
             Self::All(_) => true,
@@ -31,9 +31,9 @@ impl<T> PerWheel<T> {
     }
 }
 
-/// What may be stated of wheels.
+/// Types of values that wheels may have.
 pub trait OfWheel {
-    /// How it is written.
+    /// How the value is written.
     const WRITTEN: &str;
 }
 

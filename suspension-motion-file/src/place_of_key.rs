@@ -1,6 +1,6 @@
-//! Places of keys that belong in one table of a motion file.
+//! The tables in which reserved keys of a motion file belong.
 
-/// The place, in words, of a key that is no name which a listing or a file may give.
+/// Says where a key belongs that listings and files may not use as a name.
 pub(crate) fn place_of_key(key: &str) -> Option<&'static str> {
     match key {
         "unit" | "angle" | "axes" | "linkage" | "listing" | "statements" => {
@@ -14,7 +14,7 @@ pub(crate) fn place_of_key(key: &str) -> Option<&'static str> {
     }
 }
 
-/// The same where no name stands but keys alone: drives and points may have these names elsewhere.
+/// Says where a key belongs in a table that has no names, only keys: elsewhere drives and points may use it as a name.
 pub(crate) fn place_among_keys(key: &str) -> Option<&'static str> {
     match key {
         "steer" | "axle" => Some("under [vehicle]"),

@@ -11,12 +11,12 @@ use toml::Spanned;
 
 use crate::number_list::number_list;
 
-/// Where a point is.
+/// The position of a point.
 #[derive(Clone, Debug)]
 pub enum Position {
-    /// At coordinates x, y, z.
+    /// Coordinates x, y, z.
     At([f64; 3]),
-    /// Off another point, in the configuration of the design.
+    /// Relative to another point at the design position.
     Off(Offset),
 }
 
@@ -26,7 +26,7 @@ pub enum Position {
 pub struct Offset {
     /// The other point.
     pub from: Spanned<String>,
-    /// From there to the marker, along x, y, z.
+    /// The vector from there to the marker, along x, y, z.
     #[serde(deserialize_with = "number_list")]
     pub offset: [f64; 3],
 }

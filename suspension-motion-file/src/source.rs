@@ -9,17 +9,17 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::{inputs, mark};
 
-/// The largest file that is read, in bytes: a motion takes a few thousand, and reading takes a
-/// hundred times the memory.
+/// The size limit of input files in bytes: a motion file has a few thousand, and the parser needs a hundred times the
+/// memory.
 const LARGEST: usize = 4 << 20;
 
-/// The longest part of a message that may quote the file, in characters.
+/// The longest quotation of the file in a message, in characters.
 const LONGEST: usize = 400;
 
-/// The most mistakes of a file that are told at once.
+/// The most mistakes of a file that are reported at once.
 const MOST_MISTAKES: usize = 100;
 
-/// The characters at the end of a longer one that stay.
+/// The characters at the end of a longer quotation that stay.
 const ENDING: usize = 100;
 
 /// The longest word that is not cut, in characters.
@@ -33,7 +33,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// Text under a name that messages use.
+    /// Makes a source with a name for messages.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -45,7 +45,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where it cannot be read, is larger than 4 MiB or is not UTF-8.
+    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = in_one_line(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
@@ -82,7 +82,7 @@ impl Source {
         &self.text
     }
 
-    /// `name:line:column` of a place, both counted from one, columns in characters.
+    /// Returns `name:line:column` of a place, both counted from one, columns in characters.
     pub fn place(&self, span: &Range<usize>) -> String {
         let before = self.text.get(..span.start).unwrap_or(&self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -91,18 +91,19 @@ impl Source {
         format!("{}:{line}:{column}", self.name)
     }
 
-    /// The failure that names a place and what is wrong there.
+    /// Returns the failure with a place and the mistake there.
     pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
         Failure::Input(self.message(span, &in_one_line(&message.to_string())))
     }
 
-    /// What is wrong at a place: drawn on a terminal, one line elsewhere.
+    /// Returns the message of a mistake: with the marked line on a terminal, one line elsewhere.
     fn message(&self, span: &Range<usize>, what: &str) -> String {
         mark::drawn(&self.name, &self.text, span, what)
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 
-    /// All failures at once, the first of very many: each with the line and the column of a place, counted from one, the number of its
+    /// Returns one failure for several mistakes, at most a hundred: each with line and column of its place, counted from
+    /// one, its length in characters, and the message.
     /// characters, and what is wrong there.
     pub fn refuse_all<'a>(
         &self,
@@ -120,7 +121,7 @@ impl Source {
         Failure::Input(told.join("\n"))
     }
 
-    /// The place of characters of a line; the end of the text where there is no such line.
+    /// Returns the place of characters of a line; the end of the text if there is no such line.
     fn span(&self, line: usize, column: usize, length: usize) -> Range<usize> {
         let mut starts = self.text.split_inclusive('\n').scan(0, |next, line| {
             let start = *next;
@@ -156,8 +157,8 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
     }
 }
 
-/// Text that may quote a file, fit for a terminal: control characters escaped, and where it is long without its middle, as what
-/// is to be done stands at the end.
+/// Returns a text that may quote a file in a form fit for a terminal: control characters are escaped, and the middle of a
+/// long text is cut, because the advice stands at its end.
 fn in_one_line(text: &str) -> String {
     let characters: Vec<char> = text.chars().collect();
     if characters.len() <= LONGEST {
@@ -165,7 +166,7 @@ fn in_one_line(text: &str) -> String {
     }
     let first = &characters[..LONGEST - ENDING];
     let last = &characters[characters.len() - ENDING..];
-    // Words, names of a list among them, stay whole.
+    // Words, for example the names of a list, are not cut.
     let is_space = |character: &char| *character == ' ';
     let end = first.iter().rposition(is_space);
     let end = end.filter(|end| first.len() - end <= WORD);

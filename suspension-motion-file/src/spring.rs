@@ -12,9 +12,9 @@ use toml::Spanned;
 pub struct SpringTable {
     /// The measure.
     pub along: Spanned<String>,
-    /// N per unit of length, or N m per unit of angle.
+    /// The stiffness, N per unit of length, or N m per unit of angle.
     pub rate: Spanned<f64>,
-    /// What it presses at the design position, N or N m, positive where it makes the measure larger.
+    /// The preload at the design position, N or N m, positive if it increases the measure.
     #[serde(default = "nothing")]
     pub load: Spanned<f64>,
 }

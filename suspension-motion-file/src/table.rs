@@ -11,20 +11,21 @@ use toml::Spanned;
 /// Values by name, each with its place in the file.
 pub type Table<V> = Spanned<BTreeMap<Spanned<String>, Spanned<V>>>;
 
-/// Its entries, in the order of the file.
+/// Returns the entries in the order of the file.
 pub fn in_order<V>(table: &Table<V>) -> impl Iterator<Item = (&Spanned<String>, &Spanned<V>)> {
     let mut stated: Vec<_> = table.get_ref().iter().collect();
     stated.sort_by_key(|(name, _)| name.span().start);
     stated.into_iter()
 }
 
-/// Keys that stand in a table under a name.
+/// The keys of tables that have names, as `[springs.NAME]`.
 pub(crate) trait UnderName {
-    /// What they are, and the heading to write.
+    /// A description of the keys, and the heading to write.
     const EXPECTED: &str;
 }
 
-/// Reads tables under names. The error about what stands there without one, a list too, says what heading to write: without this, keys
+/// Reads tables that have names. The error about keys without a name says what heading to write; a list is refused too,
+/// because serde would read its entries as keys in order.
 /// are read off a list in their order.
 pub(crate) fn under_names<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
 where

@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use crate::per_wheel::OfWheel;
 
-/// What the torque of brakes or of the drive is borne by, which decides at which point their force acts.
+/// The part that bears the torque of brakes or of the drive. It determines the point at which their force acts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Torque {

@@ -10,29 +10,30 @@ use crate::table::{Table, UnderName, under_names};
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TuneTable {
-    /// What may be moved, by name.
+    /// The moves by name.
     #[serde(deserialize_with = "under_names")]
     pub moves: Table<MoveTable>,
-    /// What is to be reached, by name.
+    /// The targets by name.
     #[serde(deserialize_with = "under_names")]
     pub targets: Table<TargetTable>,
 }
 
-/// Points that move together, or a length.
+/// A move of points that move together, or a change of a length.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MoveTable {
     /// Points that move together.
     #[serde(default)]
     pub points: Vec<Spanned<String>>,
-    /// Points that move with them on the other side of the vehicle, or links that become longer with the one of `length`.
+    /// Points on the other side of the vehicle that make the mirrored move, or links whose lengths change together with
+    /// `length`.
     #[serde(default)]
     pub mirrored: Vec<Spanned<String>>,
-    /// The way that points move.
+    /// The direction of the move.
     pub along: Option<Spanned<Direction>>,
-    /// In place of points the length of a link.
+    /// The link whose length changes, in place of points.
     pub length: Option<Spanned<String>>,
-    /// The least and the greatest that they are moved, or that the length is made longer, in the unit.
+    /// The least and the greatest displacement or change of length, in the unit of lengths.
     pub by: Spanned<NumberList<2>>,
 }
 
@@ -46,7 +47,7 @@ impl UnderName for MoveTable {
 pub enum Direction {
     /// Along an axis.
     Axis(AxisName),
-    /// Of any vector but zero.
+    /// Along a vector other than zero.
     Vector(#[serde(deserialize_with = "number_list")] [f64; 3]),
 }
 
@@ -54,29 +55,29 @@ pub enum Direction {
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum AxisName {
-    /// Along the vehicle.
+    /// The longitudinal axis.
     X,
-    /// Across it.
+    /// The lateral axis.
     Y,
-    /// The vertical one.
+    /// The vertical axis.
     Z,
 }
 
-/// A quantity, where it is read, and what it is to be there.
+/// A quantity, where it is read, and its target value there.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TargetTable {
     /// The quantity, by its name in tables without the unit: `toe`, `left_camber`, `roll_centre`, a measure.
     pub of: Spanned<String>,
-    /// The drive with respect to which its derivative is meant.
+    /// The drive with respect to which the derivative of the quantity is the target.
     pub per: Option<Spanned<String>>,
-    /// Drives with how far they go from the design position; without it the quantity is read there.
+    /// Drives with their ranges from the design position; without it the target holds at the design position.
     pub over: Option<Table<NumberList<2>>>,
-    /// What it is to be.
+    /// The target value.
     pub value: Option<Spanned<Wanted>>,
-    /// What it is to differ by from the design position.
+    /// The target change from the design position.
     pub change: Option<Spanned<Wanted>>,
-    /// How far it may be off.
+    /// The largest permitted deviation.
     pub within: Spanned<f64>,
 }
 
@@ -84,14 +85,14 @@ impl UnderName for TargetTable {
     const EXPECTED: &str = "a target, which has a name: write its lines under [tune.targets.NAME]";
 }
 
-/// One number for all places, or one for each.
+/// One number for all places, or a list with one per place.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(
     untagged,
     expecting = "expected a number, or one for each of evenly spaced values of the drive as [0.0, 0.1, 0.3]"
 )]
 pub enum Wanted {
-    /// The same everywhere.
+    /// The same number at all places.
     Everywhere(f64),
     /// At evenly spaced values of the drive, from the first to the last.
     Each(Vec<f64>),

@@ -18,10 +18,10 @@ pub enum Length {
 }
 
 impl Length {
-    /// All of them.
+    /// All units.
     pub const ALL: [Self; 3] = [Self::Metre, Self::Millimetre, Self::Inch];
 
-    /// The one in which something of the size of a suspension is so large.
+    /// Returns the unit in which a suspension would most probably have the size `size`.
     pub fn of_size(size: f64) -> Self {
         let off = |unit: &Self| (size / unit.metre()).ln().abs();
         let nearest = Self::ALL
@@ -30,7 +30,7 @@ impl Length {
         nearest.unwrap_or(Self::Metre)
     }
 
-    /// Its symbol.
+    /// The symbol of the unit.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",
@@ -39,7 +39,7 @@ impl Length {
         }
     }
 
-    /// What it is called in a sentence.
+    /// The name of the unit in a sentence.
     pub fn in_words(self) -> &'static str {
         match self {
             Self::Inch => "inches",
@@ -47,7 +47,7 @@ impl Length {
         }
     }
 
-    /// A metre in this unit.
+    /// The number of this unit in a metre.
     pub fn metre(self) -> f64 {
         match self {
             Self::Metre => 1.0,
@@ -56,7 +56,7 @@ impl Length {
         }
     }
 
-    /// Decimals of a length in a table for people: a hundredth of a millimetre, or finer.
+    /// The decimals of a length in a table: a hundredth of a millimetre, or finer.
     pub fn decimals(self) -> usize {
         match self {
             Self::Metre => 5,
@@ -79,7 +79,7 @@ pub enum Angle {
 }
 
 impl Angle {
-    /// Its symbol.
+    /// The symbol of the unit.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Radian => "rad",
@@ -87,7 +87,7 @@ impl Angle {
         }
     }
 
-    /// A radian in this unit.
+    /// The number of this unit in a radian.
     pub fn radian(self) -> f64 {
         match self {
             Self::Radian => 1.0,
@@ -95,8 +95,8 @@ impl Angle {
         }
     }
 
-    /// An angle in this unit, which was in radians in between: degrees of 15 digits where they are the same but for rounding, so
-    /// that what a file has as -10 is shown as that, not as -10.000000000000004.
+    /// Converts an angle in radians to this unit. Degrees are rounded to 15 digits if they then differ by rounding only, so
+    /// that -10 in a file is shown as -10, not as -10.000000000000004.
     pub fn as_stated(self, angle: f64) -> f64 {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
         if self == Self::Radian {
@@ -107,7 +107,7 @@ impl Angle {
         if is_same { few } else { angle }
     }
 
-    /// Between which values a drive lies, in words, where `value`, in radians if it is an angle, is not there.
+    /// Returns, in words, the bounds of a drive if `value`, in radians if it is an angle, exceeds them.
     pub fn bounds_exceeded(self, kind: DriveKind, value: f64) -> Option<String> {
         let half_turn = match self {
             Self::Radian => "pi",
@@ -122,12 +122,12 @@ impl Angle {
     }
 }
 
-/// The units of a file. Inside, lengths are in that of the file, angles in radians.
+/// The units of a file. The program computes with the file's unit of lengths and with radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unit {
-    /// That of lengths.
+    /// The unit of lengths.
     pub length: Length,
-    /// That of angles.
+    /// The unit of angles.
     pub angle: Angle,
 }
 
@@ -138,12 +138,12 @@ impl Unit {
         angle: Angle::Radian,
     };
 
-    /// The symbol of lengths.
+    /// The symbol of the unit of lengths.
     pub fn symbol(self) -> &'static str {
         self.length.symbol()
     }
 
-    /// A metre in the unit of lengths.
+    /// The number of units of length in a metre.
     pub fn metre(self) -> f64 {
         self.length.metre()
     }
@@ -153,7 +153,7 @@ impl Unit {
 mod tests {
     use super::Angle;
 
-    /// Stated in degrees, of which a grid is made in radians.
+    /// The values are stated in degrees, and the grid is computed in radians.
     #[test]
     fn degrees_are_shown_as_they_were_stated() {
         for tenth in -3600..=3600 {

@@ -1,6 +1,6 @@
-//! Rows of numbers as Parquet: each quantity is a column of `f64`, and a description is the file's metadata.
+//! Rows of numbers as Parquet: each quantity is a column of `f64`, and a description is stored as the file's metadata.
 //!
-//! This is a separate crate, so that the program is built without it unless a feature asks for it.
+//! This crate is separate so that the program is built without it unless a feature enables it.
 #![forbid(unsafe_code)]
 
 use std::io::Write;
@@ -16,22 +16,22 @@ use parquet::schema::types::Type;
 
 pub use parquet::errors::ParquetError;
 
-/// Rows that are written at once.
+/// The number of rows that are written at once.
 pub const GROUP: usize = 65_536;
 
-/// A table being written.
+/// A table that is being written.
 pub struct Table<W: Write + Send> {
     writer: SerializedFileWriter<W>,
-    /// The rows that are not written yet, by columns.
+    /// The columns of the rows that are not written yet.
     columns: Vec<Vec<f64>>,
 }
 
 impl<W: Write + Send> Table<W> {
-    /// Starts a table: its columns by name, and what it is about.
+    /// Starts a table with the names of its columns and a description.
     ///
     /// # Errors
     ///
-    /// Where the writer fails, or a name is no column's.
+    /// If the writer fails, or a name cannot be that of a column.
     pub fn create<'a>(
         to: W,
         columns: impl IntoIterator<Item = &'a str>,
@@ -58,11 +58,11 @@ impl<W: Write + Send> Table<W> {
         })
     }
 
-    /// Adds a row, a number a column.
+    /// Adds a row with one number per column.
     ///
     /// # Errors
     ///
-    /// Where the writer fails.
+    /// If the writer fails.
     pub fn row(&mut self, values: &[f64]) -> Result<()> {
         for (column, value) in self.columns.iter_mut().zip(values) {
             column.push(*value);
@@ -77,7 +77,7 @@ impl<W: Write + Send> Table<W> {
     ///
     /// # Errors
     ///
-    /// Where the writer fails.
+    /// If the writer fails.
     pub fn finish(mut self) -> Result<W> {
         self.write()?;
         self.writer.into_inner()

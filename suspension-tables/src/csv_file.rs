@@ -7,15 +7,15 @@ use crate::target::{Sink, Target};
 use suspension_mechanism::failure::Failure;
 use suspension_mechanism::number::unsigned_zero;
 
-/// How many bytes are gathered before they are written.
+/// The number of bytes that are collected before they are written.
 const GATHERED: usize = 1 << 16;
 
-/// A number with as many digits as it takes to read the same number, as tables have it; zero has no sign.
+/// Formats a number with the digits needed to read back the same number; zero has no sign.
 pub fn in_full(value: f64) -> String {
     zmij::Buffer::new().format(unsigned_zero(value)).to_owned()
 }
 
-/// A table of comma-separated values being written.
+/// A table of comma-separated values that is being written.
 pub struct CsvFile {
     sink: Sink,
     counts: Vec<bool>,
@@ -60,7 +60,7 @@ impl CsvFile {
         self.write(GATHERED)
     }
 
-    /// Ends the table; a file takes its name.
+    /// Ends the table; the file gets its name.
     ///
     /// # Errors
     ///
@@ -89,7 +89,7 @@ impl CsvFile {
         }
     }
 
-    /// Writes the rows that are gathered where they have so many bytes.
+    /// Writes the collected rows if they have at least `least` bytes.
     fn write(&mut self, least: usize) -> Result<(), Failure> {
         if self.text.len() < least {
             return Ok(());

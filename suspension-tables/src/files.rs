@@ -10,13 +10,12 @@ use suspension_mechanism::failure::Failure;
 use suspension_mechanism::file::{inputs, tell};
 use suspension_mechanism::interrupt;
 
-/// A file being written. It takes its name only when it is finished; until then what had the
-/// name before stays.
+/// A file that is being written. It gets its name only when it is finished; until then a file of that name stays.
 #[derive(Debug)]
 pub struct Pending {
-    /// As the user gave it.
+    /// The path as the user gave it.
     path: PathBuf,
-    /// What it points to: a symbolic link stays.
+    /// The path with symbolic links resolved, so that links stay.
     target: PathBuf,
     file: BufWriter<File>,
     /// `None` for devices and pipes, which cannot be replaced.
@@ -24,11 +23,11 @@ pub struct Pending {
 }
 
 impl Pending {
-    /// Starts a file; missing folders are made.
+    /// Starts a file and creates missing folders.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] where the file was read, [`Failure::Output`] where the place cannot be written to.
+    /// [`Failure::Input`] if the file was read, [`Failure::Output`] if the place cannot be written to.
     pub fn create(path: &Path) -> Result<Self, Failure> {
         refuse_input(path, "the result")?;
         let target = path.canonicalize().or_else(|_| followed(path));
@@ -48,7 +47,7 @@ impl Pending {
     ///
     /// # Errors
     ///
-    /// [`Failure::Output`] where the rest cannot be written or the name not be taken.
+    /// [`Failure::Output`] if the rest cannot be written or the file cannot be renamed.
     pub fn finish(self) -> Result<(), Failure> {
         let Self {
             path,
@@ -75,9 +74,9 @@ impl Write for Pending {
     }
 }
 
-/// Where a path leads that may be a link to what is not there yet.
+/// Resolves a path that may be a link to a file that does not exist.
 fn followed(path: &Path) -> io::Result<PathBuf> {
-    /// More links lead round in a circle, as they do for the system.
+    /// More links are a cycle, as for the system.
     const MOST_LINKS: usize = 40;
     let mut path = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -112,8 +111,8 @@ fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {
     Ok((file, Some(temporary)))
 }
 
-/// A temporary file in the folder of the final one, with the permissions of the file that it
-/// replaces or else those of any new file. Its name is not in the errors: the user did not give it.
+/// Creates a temporary file in the folder of the final one, with the permissions of the file that it replaces or else those
+/// of any new file. Errors do not contain its name: the user did not give it.
 fn beside(folder: &Path, replaced: Option<Permissions>) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".suspension-").suffix(".part");
@@ -155,14 +154,14 @@ pub(crate) fn unless_reader_gone(written: Result<(), Failure>) -> Result<(), Fai
     }
 }
 
-/// Names the files that were written.
+/// Prints the names of the written files.
 pub fn announce(written: impl IntoIterator<Item = impl AsRef<Path>>) {
     for path in written {
         tell(format_args!("wrote {}", path.as_ref().display()));
     }
 }
 
-/// Refuses to write a table to where a plot is drawn. `option` is the one that names the table.
+/// Refuses to write a table to the path of a plot. `option` is the option that names the table.
 ///
 /// # Errors
 ///
@@ -178,7 +177,7 @@ pub fn refuse_plot(table: &Path, option: &str, plots: &[PathBuf]) -> Result<(), 
     )))
 }
 
-/// Where a path leads, whether there is something or not.
+/// Resolves a path, whether the file exists or not.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
     let path = followed(path).unwrap_or_else(|_| path.to_owned());
     let path = std::path::absolute(&path).unwrap_or(path);
@@ -193,8 +192,8 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
     found
 }
 
-/// Refuses to write a result over a file that was read: the motion file, its listing, or what that includes. `option` is
-/// the one that names the result.
+/// Refuses to overwrite a file that was read with a result: the motion file, its listing, or a file that the listing
+/// includes. `option` is the option that names the result.
 ///
 /// # Errors
 ///
@@ -209,7 +208,7 @@ pub fn refuse_input(result: &Path, option: &str) -> Result<(), Failure> {
     Err(Failure::Input(message))
 }
 
-/// Refuses to write over a file that is there already, where the user has not named the result; `--out` with `out` does.
+/// Refuses to overwrite an existing file with a result that the user has not named with `--out`; the message proposes `out`.
 ///
 /// # Errors
 ///

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use suspension_mechanism::mechanism::Description;
 
-/// A column: what stands above it, and how its numbers are written.
+/// The name of a column, and the format of its numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Heading {
     /// The column's name.
@@ -13,7 +13,7 @@ pub struct Heading {
     pub counts: bool,
 }
 
-/// What the rows are about: the header of a JSON file.
+/// The description of the rows: the header of a JSON file.
 #[derive(Clone, Debug, Serialize)]
 pub struct Header {
     linkage: String,
@@ -24,7 +24,7 @@ pub struct Header {
 }
 
 impl Header {
-    /// Of a mechanism's results.
+    /// Describes results of a mechanism.
     pub fn of(mechanism: &Description) -> Self {
         Self {
             linkage: mechanism.linkage.clone(),
@@ -35,7 +35,7 @@ impl Header {
         }
     }
 
-    /// Its entries by name.
+    /// Returns the entries with their names.
     #[cfg(feature = "parquet")]
     pub(crate) fn entries(&self) -> [(&'static str, &str); 5] {
         [

@@ -8,14 +8,14 @@ use crate::heading::{Header, Heading};
 use crate::target::{Sink, Target};
 use suspension_mechanism::failure::Failure;
 
-/// A table as JSON being written.
+/// A table as JSON that is being written.
 pub(crate) struct JsonFile {
     sink: Sink,
     headings: Vec<Heading>,
     is_empty: bool,
 }
 
-/// The numbers of a row under their names.
+/// The numbers of a row with their names.
 struct Row<'a>(&'a [Heading], &'a [f64]);
 
 impl Serialize for Row<'_> {
@@ -50,7 +50,7 @@ impl JsonFile {
         Ok(file)
     }
 
-    /// Adds a row; what is no number is null.
+    /// Adds a row; a number that is not finite becomes null.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ impl JsonFile {
         written
     }
 
-    /// Ends the table; a file takes its name.
+    /// Ends the table; the file gets its name.
     ///
     /// # Errors
     ///

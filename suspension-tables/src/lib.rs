@@ -1,6 +1,7 @@
 //! Rows of numbers in files: as comma-separated values, JSON or Parquet. A file gets its name only when it is complete.
 //!
-//! This is a separate crate, so that it is optimised while commands are not: writing [`rows`] takes much of the time of a sweep.
+//! This crate is separate so that it is optimised while commands are not: writing [`rows`] takes much of the time of a
+//! sweep.
 
 pub mod csv_file;
 pub mod files;

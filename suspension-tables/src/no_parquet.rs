@@ -4,7 +4,7 @@ use crate::heading::{Header, Heading};
 use crate::target::Target;
 use suspension_mechanism::failure::Failure;
 
-/// Refuses Parquet.
+/// Refuses to write Parquet.
 ///
 /// # Errors
 ///
@@ -18,7 +18,7 @@ fn refusal() -> Failure {
     Failure::Input(message.to_owned())
 }
 
-/// There is none.
+/// Cannot be made.
 pub(crate) enum ParquetFile {}
 
 impl ParquetFile {

@@ -6,7 +6,7 @@ use crate::heading::{Header, Heading};
 use crate::target::{Sink, Target};
 use suspension_mechanism::failure::Failure;
 
-/// Whether Parquet can be written: here it can.
+/// Accepts Parquet, which this build can write.
 ///
 /// # Errors
 ///
@@ -16,7 +16,7 @@ pub(crate) fn available() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A table as Parquet being written.
+/// A table as Parquet that is being written.
 pub(crate) struct ParquetFile {
     name: String,
     table: Table<Sink>,

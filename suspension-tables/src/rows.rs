@@ -11,24 +11,24 @@ use crate::target::Target;
 use suspension_mechanism::failure::Failure;
 use suspension_mechanism::number::unsigned_zero;
 
-/// Where rows go, and in which form.
+/// The destinations of rows by format.
 #[derive(Clone, Debug, Default)]
 pub struct Forms {
-    /// As comma-separated values.
+    /// The destination of comma-separated values.
     pub csv: Option<Target>,
-    /// As JSON.
+    /// The destination of JSON.
     pub json: Option<Target>,
-    /// As Parquet, which a feature of the package brings.
+    /// The destination of Parquet, which needs a feature of the package.
     pub parquet: Option<Target>,
 }
 
 impl Forms {
-    /// Whether there are none.
+    /// Returns whether there is no destination.
     pub fn is_empty(&self) -> bool {
         self.csv.is_none() && self.json.is_none() && self.parquet.is_none()
     }
 
-    /// Refuses to write over the file that is read, two forms to one place, and what the program is built without.
+    /// Refuses to overwrite a file that was read, two formats at one place, and a format that the program is built without.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl Forms {
         Ok(())
     }
 
-    /// The files, each with the option that names it.
+    /// Returns the files with the options that name them.
     pub fn files(&self) -> impl Iterator<Item = (&PathBuf, &'static str)> {
         self.all()
             .into_iter()
@@ -63,7 +63,7 @@ impl Forms {
 }
 
 impl Forms {
-    /// Each with the option that names it.
+    /// Returns the destinations with the options that name them.
     fn all(&self) -> [(&Option<Target>, &'static str); 3] {
         [
             (&self.csv, "--csv"),
@@ -73,12 +73,12 @@ impl Forms {
     }
 }
 
-/// Rows being written.
+/// Rows that are being written.
 pub struct Rows {
     csv: Option<CsvFile>,
     json: Option<JsonFile>,
     parquet: Option<ParquetFile>,
-    /// A row as it is written.
+    /// The row that is being written.
     row: Vec<f64>,
 }
 
@@ -103,7 +103,7 @@ impl Rows {
         })
     }
 
-    /// Starts comma-separated values alone.
+    /// Starts a table of comma-separated values.
     ///
     /// # Errors
     ///
@@ -138,7 +138,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends them; files take their names.
+    /// Ends the tables; files get their names.
     ///
     /// # Errors
     ///

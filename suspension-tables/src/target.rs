@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::files::{Pending, print, refuse_input, resolved, write_file};
 use suspension_mechanism::failure::Failure;
 
-/// Where a result goes.
+/// The destination of a result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     /// Standard output.
@@ -16,7 +16,7 @@ pub enum Target {
 }
 
 impl From<PathBuf> for Target {
-    /// Standard output for `-` and its other names, else a file.
+    /// Makes standard output of `-` and its other names, and a file of any other path.
     fn from(path: PathBuf) -> Self {
         const STDOUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
         if STDOUT.iter().any(|name| path.as_os_str() == *name) {
@@ -28,7 +28,7 @@ impl From<PathBuf> for Target {
 }
 
 impl Target {
-    /// Its path, of a file.
+    /// Returns the path of a file.
     pub fn path(&self) -> Option<&Path> {
         match self {
             Self::Stdout => None,
@@ -36,7 +36,7 @@ impl Target {
         }
     }
 
-    /// Whether another result goes to the same place.
+    /// Returns whether another result goes to the same place.
     pub fn is_same_place(&self, other: &Self) -> bool {
         match (self.path(), other.path()) {
             (Some(one), Some(other)) => resolved(one) == resolved(other),
@@ -44,7 +44,7 @@ impl Target {
         }
     }
 
-    /// Refuses another result at the same place; `options` are those that name the two.
+    /// Refuses another result at the same place; `options` name the two.
     ///
     /// # Errors
     ///
@@ -57,7 +57,7 @@ impl Target {
         Err(Failure::Input(message))
     }
 
-    /// See [`refuse_input`].
+    /// Calls [`refuse_input`] for a file.
     ///
     /// # Errors
     ///
@@ -78,9 +78,9 @@ impl Target {
     }
 }
 
-/// A target being written.
+/// An open target.
 pub(crate) struct Sink {
-    /// What messages call it.
+    /// The name in messages.
     pub(crate) name: String,
     writer: Writer,
 }
@@ -104,7 +104,7 @@ impl Sink {
         })
     }
 
-    /// Ends it; a file takes its name.
+    /// Ends the target; a file gets its name.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         match self.writer {
             Writer::Stdout(mut out) => out

@@ -8,14 +8,14 @@ use crate::motion_file::Time;
 use crate::number::{exact, rounded};
 use crate::source::Source;
 
-/// More instants than this are taken for a mistyped step.
+/// A file with more instants has probably a mistyped step.
 const MOST_INSTANTS: f64 = 1e7;
 
-/// The instants that the file asks for.
+/// Returns the instants of the file.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where there are none, too many, or they do not run one way.
+/// [`Failure::Input`] if there are none or too many, or their order changes.
 pub fn instants(source: &Source, time: &Spanned<Time>) -> Result<Instants, Failure> {
     match time.get_ref() {
         Time {
