@@ -11,7 +11,7 @@
 
 enum { MOST_POINTS = 64, DRIVES = 3 };
 
-/* Ends the program where a call did not do what it was asked. */
+/* Ends the program if a call failed. */
 static void check(susp_status status, const char *what)
 {
     if (status == SUSP_OK)
@@ -38,7 +38,7 @@ static susp_listing *read_listing(const char *path)
     return listing;
 }
 
-/* Moves a drive of the axle off the design. */
+/* Moves a drive of the axle away from the design position. */
 static void move(const susp_listing *listing, double *drives, const char *name, double by)
 {
     size_t drive;
@@ -78,7 +78,7 @@ int main(int count, char **arguments)
         printf("%7s %9.5f %9.5f %9.5f\n", susp_listing_name(listing, SUSP_WHEEL, index), wheel.camber * degrees,
             wheel.toe * degrees, kingpin.angle * degrees);
     }
-    /* There are no more. */
+    /* There is no third wheel. */
     if (susp_corner_read_wheel_at(corner, wheel_count, &wheel) != SUSP_ERROR_ABSENT
         || susp_listing_name(listing, SUSP_WHEEL, wheel_count) != NULL)
         return EXIT_FAILURE;

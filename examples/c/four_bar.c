@@ -1,5 +1,5 @@
 /*
- * A linkage of one's own, exported by suspension-c/examples/four_bar.rs: the rocker of a four-bar while
+ * A user's own linkage, exported by suspension-c/examples/four_bar.rs: the rocker of a four-bar while
  * its crank turns.
  */
 #include <stdio.h>

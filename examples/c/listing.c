@@ -4,8 +4,8 @@
  *
  *     listing ../../suspension-core/src/linkages/double_wishbone_pushrod.linkage
  *
- * The last column is a checksum of the bits of all that was computed so far:
- * suspension-c/examples/listing.rs, which has the same listing compiled, prints the same.
+ * The last column is a checksum of the bits of everything computed so far:
+ * suspension-c/examples/listing.rs, with the same listing compiled, prints the same.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -21,14 +21,14 @@ static void fail(const char *what, susp_status status, const char *culprit)
     exit(EXIT_FAILURE);
 }
 
-/* Ends the program where a call did not do what it was asked. */
+/* Ends the program if a call failed. */
 static void check(susp_status status, const char *what)
 {
     if (status != SUSP_OK)
         fail(what, status, NULL);
 }
 
-/* FNV-1a. */
+/* Adds bytes to an FNV-1a checksum. */
 static uint64_t checksum = 0xcbf29ce484222325u;
 
 static void add_to_checksum(const double *numbers, size_t count)
@@ -62,7 +62,7 @@ static size_t number_of(const susp_listing *listing, susp_kind kind, const char 
     return index;
 }
 
-/* Reads the listing in a file; all its mistakes go to the screen. */
+/* Parses the listing in a file and prints its mistakes. */
 static susp_listing *read_listing(const char *path)
 {
     static char text[65536], message[4096];
@@ -83,7 +83,7 @@ static susp_listing *read_listing(const char *path)
     return listing;
 }
 
-/* Where the listing states its points, but for one that this program has measured itself. */
+/* The points that the listing states, except one that this program states itself. */
 static susp_corner *place(const susp_listing *listing)
 {
     susp_corner *corner;
@@ -124,7 +124,7 @@ int main(int count, char **arguments)
     puts("       m      deg");
     for (int step = 0; step <= STEPS; step++) {
         susp_f64_wheel wheel;
-        /* A second from row to row, at a steady rate; the first step finds the rates. */
+        /* One second per row, at a constant rate; the first step computes the rates. */
         const double travel = 0.01 * (step - STEPS / 2);
         drives[bump] = height + travel;
         drives[drive_count + bump] = 0.01;

@@ -1,10 +1,10 @@
 /*
  * A five-link suspension through its published motion (H. A. Attia, KSME International Journal 17(8),
- * 2003) in steps of a millisecond of fixed cost, what can be read off its wheel on the way, and what its links
- * bear: weight and inertia of its parts and 3 kN at an end of a link.
+ * 2003) in steps of a millisecond of fixed cost: the quantities of its wheel, and the loads on its links due to
+ * weight and inertia of its parts and 3 kN at an end of a link.
  *
- * In float, or in double where DOUBLE is defined. The last column is a checksum of the bits of all that
- * was computed so far: suspension-c/examples/motion.rs, which is the same in Rust, prints the same.
+ * In float, or in double if DOUBLE is defined. The last column is a checksum of the bits of everything
+ * computed so far: suspension-c/examples/motion.rs, the same program in Rust, prints the same.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -25,7 +25,7 @@ typedef float number;
 
 enum { STEPS = 1900, STEPS_A_ROW = 100 };
 
-/* Metres. The ends of the links on the knuckle are a guess, as the lengths are given. */
+/* Metres. The ends of the links on the knuckle are a guess, because the lengths are stated. */
 static const FIVE_LINK(points) guess = {
     .lower_front_inner = {-1.396, -0.025, -0.082},
     .upper_front_inner = {-1.301, 0.1168, 0.106},
@@ -60,7 +60,7 @@ static const FIVE_LINK(lengths) lengths = {
 /* The number of a point. */
 #define POINT(name) (offsetof(FIVE_LINK(points), name) / sizeof(number[3]))
 
-/* kg, m and kg m^2, as the points stand where the lower leading link is level. */
+/* kg, m and kg m^2, for the points where the lower leading link is level. */
 static const SUSP(mass) parts[] = {
     {.count = 3,
         .points = {POINT(lower_front_outer), POINT(upper_front_outer), POINT(track_rod_outer)},
@@ -76,7 +76,7 @@ static FIVE_LINK(points) design;
 
 static SUSP(failure) failure;
 
-/* Ends the program where a call did not do what it was asked. */
+/* Ends the program if a call failed. */
 static void check(susp_status status, const char *what)
 {
     if (status == SUSP_OK)
@@ -98,7 +98,7 @@ static FIVE_LINK(inputs) inputs_at(number t)
     return inputs;
 }
 
-/* FNV-1a. */
+/* Adds bytes to an FNV-1a checksum. */
 static uint64_t checksum = 0xcbf29ce484222325u;
 
 static void add_to_checksum(const void *bytes, size_t count)
@@ -108,7 +108,7 @@ static void add_to_checksum(const void *bytes, size_t count)
 }
 
 /*
- * The model, and the motion at t = 0. Where the lower leading link is level the wheel centre is 0.1 m
+ * The model, and the motion at t = 0. When the lower leading link is level, the wheel centre is 0.1 m
  * outboard of the upper trailing link's end.
  */
 static void set_up(FIVE_LINK(model) *model, FIVE_LINK(motion) *motion)
@@ -129,7 +129,7 @@ static void set_up(FIVE_LINK(model) *model, FIVE_LINK(motion) *motion)
     check(FIVE_LINK(step_between)(model, &level, &start, 1, motion, NULL, &failure), "moving to the start");
 }
 
-/* What drive and links bear, into the checksum. */
+/* Adds the loads on drive and links to the checksum. */
 static void read_loads(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *inputs,
         const FIVE_LINK(motion) *motion, const FIVE_LINK(point_rates) *points)
 {
@@ -144,7 +144,7 @@ static void read_loads(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *i
     add_to_checksum(&equations, sizeof equations);
 }
 
-/* Reads the wheel off the motion, into the checksum and, where `t` is one of a row, on the screen. */
+/* Adds the quantities of the wheel to the checksum and, if `t` is the time of a row, prints them. */
 static void read_wheel(const FIVE_LINK(model) *model, const FIVE_LINK(inputs) *inputs,
         const FIVE_LINK(motion) *motion, double t, int is_row)
 {

@@ -1,4 +1,4 @@
-//! A library for C with a linkage of one's own. `tests/own_linkage.rs` prints its header and links
+//! A library for C with a user's own linkage. `tests/own_linkage.rs` prints its header and links
 //! `examples/c/four_bar.c` with it.
 
 suspension_core::linkage! {

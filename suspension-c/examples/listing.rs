@@ -1,5 +1,5 @@
-//! `examples/c/listing.c` in Rust, with the listing compiled: prints the same text, checksums of all bits
-//! included.
+//! `examples/c/listing.c` in Rust, with the listing compiled: prints the same text, including checksums of
+//! all bits.
 
 use std::error::Error;
 
@@ -10,7 +10,7 @@ use suspension_core::{Signal, Values};
 
 const STEPS: i32 = 12;
 
-/// FNV-1a.
+/// An FNV-1a checksum.
 struct Checksum(u64);
 
 impl Checksum {

@@ -1,5 +1,5 @@
-//! `examples/c/motion.c` in Rust, over the core alone: prints the same text, checksums of all bits
-//! included. The argument is `f32` or `f64`.
+//! `examples/c/motion.c` in Rust, with the core alone: prints the same text, including checksums of all
+//! bits. The argument is `f32` or `f64`.
 
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
@@ -37,9 +37,9 @@ const LENGTHS: [f64; 14] = [
     0.256446, 0.224708, 0.190070, 0.139680, 0.141405,
 ];
 
-/// A number whose bits can be summed up.
+/// A number whose bits can be added to a checksum.
 trait Number: Real + std::fmt::Display + std::fmt::LowerExp + Into<f64> {
-    /// FNV-1a.
+    /// Adds the bits to an FNV-1a checksum.
     fn add_to(self, checksum: &mut u64);
 }
 
@@ -104,10 +104,10 @@ fn inputs_at<T: Number>(t: T) -> Inputs<Still, Drives<T>> {
     })
 }
 
-/// What a listing and a number make of a motion.
+/// The objects of a moving linkage.
 type Moving<T> = (Model<T>, Motion<T, 15>, RigidBody<T>);
 
-/// The model, the motion at `t = 0`, and the knuckle's mass.
+/// Returns the model, the motion at `t = 0`, and the knuckle as a rigid body.
 fn set_up<T: Number>() -> Result<Moving<T>, Box<dyn Error>> {
     let guess = GUESS.map(|point| Vector3::from(point).map(T::constant));
     let guess = Points::from_values(guess);
@@ -131,7 +131,7 @@ fn set_up<T: Number>() -> Result<Moving<T>, Box<dyn Error>> {
     Ok((model, motion, knuckle))
 }
 
-/// Its mass, stated where the points stand so.
+/// Returns the knuckle's mass and inertia, stated at the design position.
 fn knuckle<T: Number>(points: &Points<T>) -> RigidBody<T> {
     let [xx, yy, zz, xy, yz, zx] = [0.4, 0.3, 0.35, 0.01, -0.02, 0.03].map(T::constant);
     RigidBody {
@@ -150,7 +150,8 @@ fn held<T: Number>(points: &Points<T>) -> [Vector3<T>; 3] {
     ]
 }
 
-/// What drive and links bear: weight and inertia of knuckle, track rod and a mass in a joint, and 3 kN at an end of a link.
+/// Computes the loads on the drive and in the links: weight and inertia of knuckle, track rod and a mass at
+/// a joint, and 3 kN at an end of a link.
 fn read_loads<T: Number>(
     model: &Model<T>,
     inputs: &Inputs<Still, Drives<T>>,
@@ -184,7 +185,7 @@ fn read_loads<T: Number>(
     Ok(())
 }
 
-/// Adds all that is read off to the checksum; some of it in words.
+/// Adds all results to the checksum and prints some of them.
 fn read_wheel<T: Number>(
     model: &Model<T>,
     inputs: &Inputs<Still, Drives<T>>,

@@ -1,26 +1,26 @@
 /*
- * Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
- * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
+ * Suspension kinematics for C. This file declares what all linkages share; include the header of a linkage,
+ * such as suspension_five_link_f32.h. Generated from the source of the functions: do not edit.
  *
- * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
- *           nothing has to be freed. Objects may be copied by assignment or memcpy. Listings from text
- *           alone are on the heap: see suspension_listing.h.
- * Opaque    What is in `words` is the library's. An object must have been made by the function that
- *           takes its size before another function takes it; if not, SUSP_ERROR_OBJECT is answered
- *           (with any content but one that happens to begin with the right mark).
- * Threads   There is no other state than the caller's objects. Calls may run at the same time in any
+ * Memory    The caller owns every object: on the stack, in static memory, or anywhere else. Nothing is
+ *           allocated, and nothing has to be freed. Objects may be copied by assignment or memcpy. Only
+ *           listings from text are on the heap: see suspension_listing.h.
+ * Opaque    The content of `words` is private. The function that takes the size of an object must have made
+ *           the object before another function uses it; otherwise that function returns SUSP_ERROR_OBJECT
+ *           (unless the memory happens to begin with the tag of such an object).
+ * Threads   There is no state outside the caller's objects. Calls may run at the same time in any
  *           threads or interrupts as long as none writes an object that another one uses.
- * Pointers  None may be NULL, save `failure` and where it is said. Each is checked for that and for its
- *           alignment. What a pointer to const points to may be shared by arguments; no other
- *           memory may overlap.
- * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
- *           written only then. Only those named `advance` keep what they have got to.
- *           SUSP_ERROR_SMALL_PIVOT alone comes with a model.
- * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers of what makes a model and of what solves, but for drives that measures
- *           alone read; what only reads, carries or looks up may pass them on. Axes: x forward, y left,
- *           z up (ISO 8855) where wheels are read off.
- * Structs   of named points or numbers are arrays in the order of their members as well.
+ * Pointers  May not be NULL, except `failure` and where the documentation says so. Each is checked for NULL
+ *           and for its alignment. Arguments may share memory to which only pointers to const point; no
+ *           other memory may overlap.
+ * Status    SUSP_OK, or the reason for a refusal. A refused call changes nothing but `*failure`, which is
+ *           written only then. The functions named `advance` keep their progress. With
+ *           SUSP_ERROR_SMALL_PIVOT a model is made nevertheless.
+ * Numbers   Any unit of length, the same throughout; angles in rad, times in s. Functions that make models
+ *           or solve report NaN and infinities, except in drives that only measures use; functions that
+ *           only read, transform or evaluate may pass them on. Axes of wheels: x forward, y left, z up
+ *           (ISO 8855).
+ * Structs   of named points or numbers are also arrays in the order of their members.
  */
 #ifndef SUSP_H
 #define SUSP_H
@@ -32,26 +32,26 @@
 extern "C" {
 #endif
 
-/** What a function answers. */
+/** The result of a function. */
 typedef int32_t susp_status;
 enum {
     /** done */
     SUSP_OK = 0,
-    /** a pointer is NULL that must not be */
+    /** a pointer that must not be NULL is NULL */
     SUSP_ERROR_NULL = 1,
-    /** a pointer is not aligned for what it points to */
+    /** a pointer is not aligned for its type */
     SUSP_ERROR_MISALIGNED = 2,
     /** the memory has another size than the library needs: header and library differ, or an array has another count than the listing */
     SUSP_ERROR_SIZE = 3,
     /** the object was not made by the function that makes its kind, or not successfully */
     SUSP_ERROR_OBJECT = 4,
-    /** an argument is none of the values that it may have */
+    /** an argument has a value that is not permitted */
     SUSP_ERROR_ARGUMENT = 5,
     /** the drive is outside the range of the curve */
     SUSP_ERROR_OUTSIDE = 6,
     /** the points that give a direction coincide, lie in line or are not finite */
     SUSP_ERROR_NO_DIRECTION = 7,
-    /** the text is no listing that can be solved; the message says where and why */
+    /** the text is not a listing that can be solved; the message says where and why */
     SUSP_ERROR_LISTING = 8,
     /** the listing has no such part */
     SUSP_ERROR_ABSENT = 9,
@@ -101,93 +101,94 @@ enum {
     SUSP_ERROR_UNPROVED_TOO_FAR = 61,
 };
 
-/** What a bounded step solves for. */
+/** The rates for which a bounded step solves. */
 typedef int32_t susp_outputs;
 enum { SUSP_POSITION = 0, SUSP_VELOCITY = 1, SUSP_ACCELERATION = 2 };
 
-/** What an answer means: a text that lives as long as the program. */
+/** The meaning of a status: a text that lives as long as the program. */
 const char *susp_status_text(
         susp_status status);
 
-/** Numbers of the caller's. */
+/** An array of numbers of the caller. */
 typedef struct {
-    /** The first of them. */
+    /** The first number. */
     const float *numbers;
-    /** How many. */
+    /** The number of elements. */
     size_t count;
 } susp_f32_numbers;
 
-/** What went wrong. */
+/** Details of a failure. */
 typedef struct {
-    /** What the call answers. */
+    /** The status that the call returns. */
     susp_status status;
-    /** The point, length, equation or unknown concerned, as the listing names it; NULL where there
-     * is none. Lives as long as the program; of a listing from text as long as the object. */
+    /** The point, length, equation or unknown concerned, by its name in the listing; NULL if there
+     * is none. Lives as long as the program, or with a listing from text as long as the object. */
     const char *culprit;
-    /** What was found: the residual, correction, pivot or the like that `status` speaks of; in the
-     * unit of the points. 0 where nothing is compared. */
+    /** The residual, correction, pivot or other number to which `status` refers, in the unit of the
+     * points; 0 if there is none. */
     float value;
-    /** What `value` had to stay within, or to exceed. */
+    /** The limit for `value`. */
     float bound;
-    /** Of a step in sub-steps: the time from its start, s, up to which there are solutions. */
+    /** For steps in sub-steps: the time from the start, s, up to which there are solutions. */
     float reached;
 } susp_f32_failure;
 
-/** What a step did. */
+/** The report of a step. */
 typedef struct {
-    /** Factorisations for the position. */
+    /** The number of factorisations for the position. */
     uint32_t iterations;
-    /** Sub-steps. */
+    /** The number of sub-steps. */
     uint32_t steps;
-    /** The residual that is left, in the unit of the points: the largest, of a bounded step the
-     * norm of all; without corrections a bound, the error. */
+    /** The remaining residual, in the unit of the points: the largest, or for a bounded step the norm.
+     * Without corrections it is a bound, `error`. */
     float residual;
-    /** What it was compared with. */
+    /** The limit for the residual. */
     float tolerance;
-    /** The first correction of the last step, in the unit of the points: the error of the
-     * predicted position. The largest entry, of a bounded step the norm. */
+    /** The first correction of the last step, in the unit of the points: the error of the predicted
+     * position. The largest entry, or for a bounded step the norm. */
     float error;
-    /** Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most. */
+    /** Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow. */
     float growth;
 } susp_f32_report;
 
-/** How a configuration was found. */
+/** The report of an assembly. */
 typedef struct {
-    /** How far it is from the guess: the norm over all coordinates, in the unit of the points. */
+    /** The distance from the guess: the norm over all coordinates, in the unit of the points. */
     float distance;
-    /** How far the next nearest one that was met is from it; infinite where there is none. Where the
-     * two are nearly alike the guess does not tell which is meant. */
+    /** The distance of the next nearest configuration that was found; infinite if there was none. If
+     * both distances are nearly equal the guess is ambiguous. */
     float next;
-    /** The largest residual that is left, in the unit of the points. */
+    /** The largest remaining residual, in the unit of the points. */
     float residual;
-    /** What it was compared with. */
+    /** The limit for the residual. */
     float tolerance;
 } susp_f32_assembly;
 
-/** A proof, rounding included, that a root lies near a position. Distances are the largest
- * difference of any unknown, in the unit of the points. */
+/** A proof, rounding included, that a root is near a position. Distances are the largest difference of
+ * any unknown, in the unit of the points. */
 typedef struct {
-    /** A root lies within this distance. */
+    /** There is a root within this distance. */
     float radius;
-    /** No other root lies within this one. */
+    /** There is no other root within this distance. */
     float unique_within;
 } susp_f32_certificate;
 
-/** The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up. */
+/** The wheel, or the first wheel that the listing of an axle states. Axes of ISO 8855: x forward, y
+ * left, z up. */
 typedef struct {
-    /** Its centre, in the unit of the points. */
+    /** The wheel centre, in the unit of the points. */
     float centre[3];
-    /** Its spin axis, of unit length, outboard. */
+    /** The spin axis, of unit length, outboard. */
     float axis[3];
-    /** Camber, rad: positive where the top leans outboard, atan2(-s_z, |s_y|) of the axis s. */
+    /** Camber, rad: positive if the top leans outboard, atan2(-s_z, |s_y|) of the axis s. */
     float camber;
     /** Camber as the angle between spin axis and ground, rad: asin(-s_z). */
     float camber_to_ground;
-    /** Toe, rad: positive where the front points inboard, atan2(s_x, |s_y|). */
+    /** Toe, rad: positive if the front points inboard, atan2(s_x, |s_y|). */
     float toe;
 } susp_f32_wheel;
 
-/** How the body that carries the wheel turns. */
+/** The rotation of the body that carries the wheel. */
 typedef struct {
     /** Angular velocity, rad/s. */
     float omega[3];
@@ -197,37 +198,40 @@ typedef struct {
 
 /** The kingpin k, which points upwards. */
 typedef struct {
-    /** Inclination, rad: positive where the top leans inboard, atan2(-k_y, k_z) on the left. */
+    /** Inclination, rad: positive if the top leans inboard, atan2(-k_y, k_z) on the left. */
     float angle;
-    /** Caster, rad: positive where the top leans rearwards, atan2(-k_x, k_z). */
+    /** Caster, rad: positive if the top leans rearwards, atan2(-k_x, k_z). */
     float caster;
 } susp_f32_kingpin;
 
-/** A part that has a mass: with points in m, kg. */
+/** A part with a mass. With points in m the mass is in kg. */
 typedef struct {
-    /** How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
-     * of its points hold, which are not in line. */
+    /** The number of points that locate it: 1 for a mass at a point, 2 for a uniform rod between two
+     * points, 3 for a body with these three points, which are not in line. */
     uint32_t count;
-    /** Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells. */
+    /** The numbers of these points, from 0: the order of the members of the points, or the result of
+     * `susp_listing_find`. */
     uint32_t points[3];
-    /** From zero on. */
+    /** The mass, zero or positive. */
     float mass;
-    /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
+    /** For a body, its centre of mass, for the points as in `design`; otherwise any finite numbers. */
     float centre[3];
-    /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-     * and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2. */
+    /** For a body, its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+     * and zx of the matrix, which are the products of inertia with a minus sign: with points in m, kg
+     * m^2. Otherwise any finite numbers. */
     float inertia[6];
 } susp_f32_mass;
 
-/** How a chassis moves as a rigid body, in world axes. */
+/** The motion of the chassis as a rigid body, in world axes. */
 typedef struct {
-    /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
+    /** The quaternion w, x, y, z from chassis axes to world axes. Any length but zero, which is
+     * SUSP_ERROR_ARGUMENT. */
     float rotation[4];
     /** Position of the chassis' origin, in the unit of the points. */
     float position[3];
-    /** Its velocity, per second. */
+    /** Velocity of the origin, per second. */
     float velocity[3];
-    /** Its acceleration, per second squared. */
+    /** Acceleration of the origin, per second squared. */
     float acceleration[3];
     /** Angular velocity, rad/s. */
     float omega[3];
@@ -235,26 +239,26 @@ typedef struct {
     float alpha[3];
 } susp_f32_rigid_motion;
 
-/** A baked motion of the wheel, as `suspension bake` writes it: a piecewise polynomial of one drive. */
+/** A baked motion of the wheel from `suspension bake`: a piecewise polynomial of one drive. */
 typedef struct {
     /** The drive's first and last value, in rad or the unit of the points. */
     float range[2];
     /** The number of segments divided by the length of the range. */
     float segments_per_unit;
-    /** By segment, power (six, constants first) and output (six: centre, axis). They must live as
-     * long as the curve is used. */
+    /** By segment, power (six, constants first) and output (six: centre, axis). They must live as long
+     * as the curve is used. */
     susp_f32_numbers coefficients;
 } susp_f32_curve;
 
-/** A wheel that was looked up. */
+/** A wheel computed from a curve. */
 typedef struct {
-    /** Its centre, in the unit of the points. */
+    /** The wheel centre, in the unit of the points. */
     float centre[3];
-    /** Its spin axis, outboard: of unit length within the tolerance of the curve. */
+    /** The spin axis, outboard: of unit length within the tolerance of the curve. */
     float axis[3];
 } susp_f32_baked_wheel;
 
-/** The same with its first and second time derivatives. */
+/** The wheel with its first and second time derivatives. */
 typedef struct {
     /** The wheel. */
     susp_f32_baked_wheel value;
@@ -264,20 +268,20 @@ typedef struct {
     susp_f32_baked_wheel second_rate;
 } susp_f32_baked_wheel_rates;
 
-/** Masses of the caller's in a field. */
+/** An array of masses of the caller, and the gravity that acts on them. */
 typedef struct {
-    /** The first of them; not NULL. */
+    /** The first mass; not NULL. */
     const susp_f32_mass *masses;
-    /** How many. */
+    /** The number of elements. */
     size_t count;
-    /** The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,
-     * where it has one. */
+    /** The acceleration of free fall minus that of the chassis, in the unit of the points per second
+     * squared. */
     float gravity[3];
 } susp_f32_masses;
 
-/** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
- * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
- * SUSP_ERROR_ARGUMENT where its numbers are not those of one table. */
+/** Evaluates a wheel for the value of a drive, its rate, per second, and its second rate,
+ * per second squared. SUSP_ERROR_OUTSIDE beyond the range of the curve,
+ * SUSP_ERROR_ARGUMENT if its numbers do not belong to one table. */
 susp_status susp_f32_look_up_wheel(
         const susp_f32_curve *curve,
         float drive,
@@ -285,85 +289,86 @@ susp_status susp_f32_look_up_wheel(
         float second_rate,
         susp_f32_baked_wheel_rates *wheel);
 
-/** Numbers of the caller's. */
+/** An array of numbers of the caller. */
 typedef struct {
-    /** The first of them. */
+    /** The first number. */
     const double *numbers;
-    /** How many. */
+    /** The number of elements. */
     size_t count;
 } susp_f64_numbers;
 
-/** What went wrong. */
+/** Details of a failure. */
 typedef struct {
-    /** What the call answers. */
+    /** The status that the call returns. */
     susp_status status;
-    /** The point, length, equation or unknown concerned, as the listing names it; NULL where there
-     * is none. Lives as long as the program; of a listing from text as long as the object. */
+    /** The point, length, equation or unknown concerned, by its name in the listing; NULL if there
+     * is none. Lives as long as the program, or with a listing from text as long as the object. */
     const char *culprit;
-    /** What was found: the residual, correction, pivot or the like that `status` speaks of; in the
-     * unit of the points. 0 where nothing is compared. */
+    /** The residual, correction, pivot or other number to which `status` refers, in the unit of the
+     * points; 0 if there is none. */
     double value;
-    /** What `value` had to stay within, or to exceed. */
+    /** The limit for `value`. */
     double bound;
-    /** Of a step in sub-steps: the time from its start, s, up to which there are solutions. */
+    /** For steps in sub-steps: the time from the start, s, up to which there are solutions. */
     double reached;
 } susp_f64_failure;
 
-/** What a step did. */
+/** The report of a step. */
 typedef struct {
-    /** Factorisations for the position. */
+    /** The number of factorisations for the position. */
     uint32_t iterations;
-    /** Sub-steps. */
+    /** The number of sub-steps. */
     uint32_t steps;
-    /** The residual that is left, in the unit of the points: the largest, of a bounded step the
-     * norm of all; without corrections a bound, the error. */
+    /** The remaining residual, in the unit of the points: the largest, or for a bounded step the norm.
+     * Without corrections it is a bound, `error`. */
     double residual;
-    /** What it was compared with. */
+    /** The limit for the residual. */
     double tolerance;
-    /** The first correction of the last step, in the unit of the points: the error of the
-     * predicted position. The largest entry, of a bounded step the norm. */
+    /** The first correction of the last step, in the unit of the points: the error of the predicted
+     * position. The largest entry, or for a bounded step the norm. */
     double error;
-    /** Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most. */
+    /** Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow. */
     double growth;
 } susp_f64_report;
 
-/** How a configuration was found. */
+/** The report of an assembly. */
 typedef struct {
-    /** How far it is from the guess: the norm over all coordinates, in the unit of the points. */
+    /** The distance from the guess: the norm over all coordinates, in the unit of the points. */
     double distance;
-    /** How far the next nearest one that was met is from it; infinite where there is none. Where the
-     * two are nearly alike the guess does not tell which is meant. */
+    /** The distance of the next nearest configuration that was found; infinite if there was none. If
+     * both distances are nearly equal the guess is ambiguous. */
     double next;
-    /** The largest residual that is left, in the unit of the points. */
+    /** The largest remaining residual, in the unit of the points. */
     double residual;
-    /** What it was compared with. */
+    /** The limit for the residual. */
     double tolerance;
 } susp_f64_assembly;
 
-/** A proof, rounding included, that a root lies near a position. Distances are the largest
- * difference of any unknown, in the unit of the points. */
+/** A proof, rounding included, that a root is near a position. Distances are the largest difference of
+ * any unknown, in the unit of the points. */
 typedef struct {
-    /** A root lies within this distance. */
+    /** There is a root within this distance. */
     double radius;
-    /** No other root lies within this one. */
+    /** There is no other root within this distance. */
     double unique_within;
 } susp_f64_certificate;
 
-/** The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up. */
+/** The wheel, or the first wheel that the listing of an axle states. Axes of ISO 8855: x forward, y
+ * left, z up. */
 typedef struct {
-    /** Its centre, in the unit of the points. */
+    /** The wheel centre, in the unit of the points. */
     double centre[3];
-    /** Its spin axis, of unit length, outboard. */
+    /** The spin axis, of unit length, outboard. */
     double axis[3];
-    /** Camber, rad: positive where the top leans outboard, atan2(-s_z, |s_y|) of the axis s. */
+    /** Camber, rad: positive if the top leans outboard, atan2(-s_z, |s_y|) of the axis s. */
     double camber;
     /** Camber as the angle between spin axis and ground, rad: asin(-s_z). */
     double camber_to_ground;
-    /** Toe, rad: positive where the front points inboard, atan2(s_x, |s_y|). */
+    /** Toe, rad: positive if the front points inboard, atan2(s_x, |s_y|). */
     double toe;
 } susp_f64_wheel;
 
-/** How the body that carries the wheel turns. */
+/** The rotation of the body that carries the wheel. */
 typedef struct {
     /** Angular velocity, rad/s. */
     double omega[3];
@@ -373,37 +378,40 @@ typedef struct {
 
 /** The kingpin k, which points upwards. */
 typedef struct {
-    /** Inclination, rad: positive where the top leans inboard, atan2(-k_y, k_z) on the left. */
+    /** Inclination, rad: positive if the top leans inboard, atan2(-k_y, k_z) on the left. */
     double angle;
-    /** Caster, rad: positive where the top leans rearwards, atan2(-k_x, k_z). */
+    /** Caster, rad: positive if the top leans rearwards, atan2(-k_x, k_z). */
     double caster;
 } susp_f64_kingpin;
 
-/** A part that has a mass: with points in m, kg. */
+/** A part with a mass. With points in m the mass is in kg. */
 typedef struct {
-    /** How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
-     * of its points hold, which are not in line. */
+    /** The number of points that locate it: 1 for a mass at a point, 2 for a uniform rod between two
+     * points, 3 for a body with these three points, which are not in line. */
     uint32_t count;
-    /** Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells. */
+    /** The numbers of these points, from 0: the order of the members of the points, or the result of
+     * `susp_listing_find`. */
     uint32_t points[3];
-    /** From zero on. */
+    /** The mass, zero or positive. */
     double mass;
-    /** Of a body, else anything finite: its centre of mass, where its points are as in `design`. */
+    /** For a body, its centre of mass, for the points as in `design`; otherwise any finite numbers. */
     double centre[3];
-    /** Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-     * and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2. */
+    /** For a body, its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+     * and zx of the matrix, which are the products of inertia with a minus sign: with points in m, kg
+     * m^2. Otherwise any finite numbers. */
     double inertia[6];
 } susp_f64_mass;
 
-/** How a chassis moves as a rigid body, in world axes. */
+/** The motion of the chassis as a rigid body, in world axes. */
 typedef struct {
-    /** From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT. */
+    /** The quaternion w, x, y, z from chassis axes to world axes. Any length but zero, which is
+     * SUSP_ERROR_ARGUMENT. */
     double rotation[4];
     /** Position of the chassis' origin, in the unit of the points. */
     double position[3];
-    /** Its velocity, per second. */
+    /** Velocity of the origin, per second. */
     double velocity[3];
-    /** Its acceleration, per second squared. */
+    /** Acceleration of the origin, per second squared. */
     double acceleration[3];
     /** Angular velocity, rad/s. */
     double omega[3];
@@ -411,26 +419,26 @@ typedef struct {
     double alpha[3];
 } susp_f64_rigid_motion;
 
-/** A baked motion of the wheel, as `suspension bake` writes it: a piecewise polynomial of one drive. */
+/** A baked motion of the wheel from `suspension bake`: a piecewise polynomial of one drive. */
 typedef struct {
     /** The drive's first and last value, in rad or the unit of the points. */
     double range[2];
     /** The number of segments divided by the length of the range. */
     double segments_per_unit;
-    /** By segment, power (six, constants first) and output (six: centre, axis). They must live as
-     * long as the curve is used. */
+    /** By segment, power (six, constants first) and output (six: centre, axis). They must live as long
+     * as the curve is used. */
     susp_f64_numbers coefficients;
 } susp_f64_curve;
 
-/** A wheel that was looked up. */
+/** A wheel computed from a curve. */
 typedef struct {
-    /** Its centre, in the unit of the points. */
+    /** The wheel centre, in the unit of the points. */
     double centre[3];
-    /** Its spin axis, outboard: of unit length within the tolerance of the curve. */
+    /** The spin axis, outboard: of unit length within the tolerance of the curve. */
     double axis[3];
 } susp_f64_baked_wheel;
 
-/** The same with its first and second time derivatives. */
+/** The wheel with its first and second time derivatives. */
 typedef struct {
     /** The wheel. */
     susp_f64_baked_wheel value;
@@ -440,20 +448,20 @@ typedef struct {
     susp_f64_baked_wheel second_rate;
 } susp_f64_baked_wheel_rates;
 
-/** Masses of the caller's in a field. */
+/** An array of masses of the caller, and the gravity that acts on them. */
 typedef struct {
-    /** The first of them; not NULL. */
+    /** The first mass; not NULL. */
     const susp_f64_mass *masses;
-    /** How many. */
+    /** The number of elements. */
     size_t count;
-    /** The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,
-     * where it has one. */
+    /** The acceleration of free fall minus that of the chassis, in the unit of the points per second
+     * squared. */
     double gravity[3];
 } susp_f64_masses;
 
-/** Looks a wheel up where the drive has a value and moves at a rate, per second, and a
- * second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
- * SUSP_ERROR_ARGUMENT where its numbers are not those of one table. */
+/** Evaluates a wheel for the value of a drive, its rate, per second, and its second rate,
+ * per second squared. SUSP_ERROR_OUTSIDE beyond the range of the curve,
+ * SUSP_ERROR_ARGUMENT if its numbers do not belong to one table. */
 susp_status susp_f64_look_up_wheel(
         const susp_f64_curve *curve,
         double drive,

@@ -2,7 +2,7 @@
  * The multi-link five-point suspension of Attia 2003 as printed: fourteen distances and the
  * drive `theta`, the angle of the lower leading link from the vertical, rad.
  *
- * What holds for every function is said in suspension.h.
+ * suspension.h documents the rules for every function.
  */
 #ifndef SUSP_ATTIA2003_F64_H
 #define SUSP_ATTIA2003_F64_H
@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** The geometry: what never changes while the mechanism moves. Opaque; may be copied. */
+/** The geometry, which does not change while the mechanism moves. Opaque; may be copied. */
 #define SUSP_ATTIA2003_F64_MODEL_SIZE 520
 #define SUSP_ATTIA2003_F64_MODEL_ALIGN 8
 typedef struct {
@@ -28,7 +28,7 @@ typedef struct {
 } susp_attia2003_f64_motion;
 
 /** Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
- * unit of length of the hardpoints; or velocities or accelerations alike. */
+ * unit of length of the hardpoints; or their velocities or accelerations. */
 #define SUSP_ATTIA2003_F64_POINTS_COUNT 11
 typedef struct {
     double p1[3];
@@ -72,7 +72,7 @@ typedef struct {
     susp_attia2003_f64_chassis second_rate;
 } susp_attia2003_f64_chassis_rates;
 
-/** What is prescribed: coordinates in the unit of the points, angles in rad. */
+/** The prescribed quantities: coordinates in the unit of the points, angles in rad. */
 #define SUSP_ATTIA2003_F64_DRIVES_COUNT 1
 typedef struct {
     double theta;
@@ -87,7 +87,8 @@ typedef struct {
     susp_attia2003_f64_drives second_rate;
 } susp_attia2003_f64_inputs;
 
-/** What the listing measures: lengths and coordinates in the unit of the points, angles in rad. */
+/** The measures of the listing: lengths and coordinates in the unit of the points, angles in
+ * rad. */
 #define SUSP_ATTIA2003_F64_MEASURES_COUNT 1
 typedef struct {
     double height;
@@ -102,7 +103,7 @@ typedef struct {
     susp_attia2003_f64_measures second_rate;
 } susp_attia2003_f64_measure_rates;
 
-/** A number of each equation. */
+/** One number per equation. */
 #define SUSP_ATTIA2003_F64_EQUATIONS_COUNT 15
 typedef struct {
     double d6_1;
@@ -141,22 +142,22 @@ typedef struct {
     double d10_8;
 } susp_attia2003_f64_lengths;
 
-/** Makes a model whose lengths are those of the points as they stand. `size` is
- * `sizeof *model`. With SUSP_ERROR_SMALL_PIVOT the model is made all the same: steps to
- * tolerance go on with partial pivoting, attempts are refused. */
+/** Makes a model with the lengths between the points. `size` is `sizeof *model`.
+ * With SUSP_ERROR_SMALL_PIVOT the model is made nevertheless: steps to tolerance then use partial
+ * pivoting, and attempts are refused. */
 susp_status susp_attia2003_f64_model_new(
         susp_attia2003_f64_model *model,
         size_t size,
         const susp_attia2003_f64_points *design,
         susp_f64_failure *failure);
 
-/** Gives a model other lengths; each body keeps its handedness. */
+/** Changes the lengths of a model; each body keeps its handedness. */
 susp_status susp_attia2003_f64_model_set_lengths(
         susp_attia2003_f64_model *model,
         const susp_attia2003_f64_lengths *lengths,
         susp_f64_failure *failure);
 
-/** Attaches a model's markers as they stand among the points. */
+/** Attaches a model's markers to their bodies at the given points. */
 susp_status susp_attia2003_f64_model_set_markers(
         susp_attia2003_f64_model *model,
         const susp_attia2003_f64_points *points,
@@ -167,23 +168,22 @@ susp_status susp_attia2003_f64_model_lengths(
         const susp_attia2003_f64_model *model,
         susp_attia2003_f64_lengths *lengths);
 
-/** The values that the drives have in a configuration. */
+/** The values of the drives in a configuration. */
 susp_status susp_attia2003_f64_model_drives(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_points *points,
         susp_attia2003_f64_drives *drives);
 
-/** Makes a motion: at rest, the free points where they stand among `points`. `size` is
- * `sizeof *motion`. */
+/** Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`. */
 susp_status susp_attia2003_f64_motion_at_rest(
         const susp_attia2003_f64_model *model,
         susp_attia2003_f64_motion *motion,
         size_t size,
         const susp_attia2003_f64_points *points);
 
-/** Makes a motion: at rest, in the configuration nearest to the guess, of which the free points
- * matter. A step with `dt` = 0 finds its rates. `size` is `sizeof *motion`; `assembly` may be
- * NULL. For setting up: it takes hundreds of times as long as a step. */
+/** Makes a motion at rest in the configuration nearest to the guess, of which only the free points
+ * matter. A step with `dt` = 0 then computes its rates. `size` is `sizeof *motion`; `assembly` may
+ * be NULL. This call is for initialisation: it takes hundreds of times as long as a step. */
 susp_status susp_attia2003_f64_assemble(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -203,10 +203,11 @@ susp_status susp_attia2003_f64_step(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** A step of `dt` seconds between two inputs that may lie far apart, near by where `dt` is 0: to tolerance,
- * in as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
- * drives follow the cubics that have their values and rates at the ends or, where these lead
- * past a lock, straight lines from rest, in 200 more. `report` may be NULL. */
+/** A step of `dt` seconds between two inputs that may be far apart, or near each other if `dt` is
+ * 0: to tolerance, in as many sub-steps as necessary, at most 200. `motion` is the one at `from`.
+ * In between the drives follow the cubics with their values and rates at both ends or, if these
+ * lead past a lock, straight lines from rest, in at most 200 further sub-steps. `report` may be
+ * NULL. */
 susp_status susp_attia2003_f64_step_between(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *from,
@@ -216,10 +217,11 @@ susp_status susp_attia2003_f64_step_between(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** `step_between` along the cubics alone that keeps what it has got to where it stops early, as at a lock:
- * `inputs`, those of `motion`, become `to`. If not, both are those of the last good sub-step,
- * `failure->reached` seconds from the start; from a lock no step may lead on or back, as rates have no bound
- * there. `report` may be NULL. */
+/** `step_between` along the cubics only, which keeps its progress if it stops early, for example at
+ * a lock: `inputs`, those of `motion`, become `to`. If the step stops early, `inputs` and `motion`
+ * become those of the last good sub-step, `failure->reached` seconds after the start. From a lock
+ * there may be no step forwards or backwards, because rates are unbounded there. `report` may be
+ * NULL. */
 susp_status susp_attia2003_f64_advance(
         const susp_attia2003_f64_model *model,
         susp_attia2003_f64_inputs *inputs,
@@ -229,10 +231,10 @@ susp_status susp_attia2003_f64_advance(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
- * SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
- * not solved for are estimates, good for the next step. `report` may be NULL. A first step from
- * rest is one with `dt` = 0. */
+/** One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. `outputs` states what
+ * it solves for: SUSP_POSITION, SUSP_VELOCITY (and position) or SUSP_ACCELERATION (all three). The
+ * other rates are estimates, which suffice for the next step. `report` may be NULL. The first step
+ * from rest has `dt` = 0. */
 susp_status susp_attia2003_f64_bounded_step(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -242,8 +244,8 @@ susp_status susp_attia2003_f64_bounded_step(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** The same with two corrections in place of one, for longer steps, and for steps of a millisecond
- * that do not solve for the acceleration. */
+/** `bounded_step` with two corrections in place of one, for longer steps, and for steps of a
+ * millisecond that do not solve for the acceleration. */
 susp_status susp_attia2003_f64_bounded_step_twice(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -253,9 +255,9 @@ susp_status susp_attia2003_f64_bounded_step_twice(
         susp_f64_report *report,
         susp_f64_failure *failure);
 
-/** `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
- * refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
- * arguments finds the reason, or another order. `report` may be NULL. */
+/** `bounded_step` in one fixed order of pivots, or a refusal: the call for a hard real-time loop. A
+ * refusal takes no longer than a step and does not change the motion; `bounded_step` with the same
+ * arguments returns the reason, or uses another order. `report` may be NULL. */
 susp_status susp_attia2003_f64_attempt(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -264,7 +266,8 @@ susp_status susp_attia2003_f64_attempt(
         susp_attia2003_f64_motion *motion,
         susp_f64_report *report);
 
-/** `attempt` with two corrections in place of one, as `bounded_step_twice` has them: in `double` for a wheel on a road. */
+/** `attempt` with two corrections in place of one, like `bounded_step_twice`: in `double` for a
+ * wheel on a road. */
 susp_status susp_attia2003_f64_attempt_twice(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -273,8 +276,9 @@ susp_status susp_attia2003_f64_attempt_twice(
         susp_attia2003_f64_motion *motion,
         susp_f64_report *report);
 
-/** `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
- * that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms. */
+/** `attempt` without the terms for the error of the prediction, which saves a quarter of the time.
+ * It refuses unless that error is within the tolerance, so that the omitted terms are rounding:
+ * for `float` at 1 ms. */
 susp_status susp_attia2003_f64_attempt_without_corrections(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -283,25 +287,26 @@ susp_status susp_attia2003_f64_attempt_without_corrections(
         susp_attia2003_f64_motion *motion,
         susp_f64_report *report);
 
-/** Positions, velocities and accelerations of all points of a motion, which must be the one that
- * a step with these inputs left. */
+/** Positions, velocities and accelerations of all points of a motion. `inputs` must be those of the
+ * step that computed the motion. */
 susp_status susp_attia2003_f64_read_points(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
         const susp_attia2003_f64_motion *motion,
         susp_attia2003_f64_point_rates *points);
 
-/** What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
- * measured angle 0 or pi. */
+/** The measures of the listing, with rates. A rate is NaN where a measured length is zero, or a
+ * measured angle is 0 or pi. */
 susp_status susp_attia2003_f64_read_measures(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_point_rates *points,
         susp_attia2003_f64_measure_rates *measures);
 
-/** Motion ratios: all points of a motion with their first and second derivative where the drives change
- * as `change` says, say one of them by 1 and the rest by 0, at rest too. The members `rate` are per unit
- * of that change, `second_rate` per unit squared; `read_measures` takes them on to the measures.
- * The rates of `inputs` do not matter. SUSP_ERROR_SINGULAR where the drives lock. */
+/** Motion ratios: all points of a motion with their first and second derivatives for the change
+ * `change` of the drives, for example 1 for one of them and 0 for the rest; the mechanism may be
+ * at rest. The members `rate` are per unit of that change, `second_rate` per unit squared;
+ * `read_measures` computes the derivatives of the measures from them. The rates of `inputs` do not
+ * matter. SUSP_ERROR_SINGULAR where the drives lock. */
 susp_status susp_attia2003_f64_read_derivatives(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -310,12 +315,14 @@ susp_status susp_attia2003_f64_read_derivatives(
         susp_attia2003_f64_point_rates *points,
         susp_f64_failure *failure);
 
-/** What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
- * motion; what acts at markers loads nothing, at chassis points the drive that moves them. `drives` gets their work per unit of each
- * drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
- * link the force in it, positive in tension; where a drive prescribes the link's own angle from an axis, without
- * that drive's part along the link. The rates of `inputs` do not matter. Takes about half a step.
- * SUSP_ERROR_SINGULAR where the drives lock. */
+/** The effects of forces at the free points, N in the axes of the points, on the mechanism at rest
+ * at the position of a motion. Forces at markers have no effect here; forces at chassis points act
+ * on the drive that moves them. `drives` receives the work of the forces per unit of each drive,
+ * which is the load on its actuator; `equations` the multiplier of each equation. The multiplier
+ * of a link is the force in it, positive in tension; if a drive prescribes the link's angle from
+ * an axis, the part of the force along the link that the drive causes is not included. The rates
+ * of `inputs` do not matter. Takes about half as long as a step. SUSP_ERROR_SINGULAR where the
+ * drives lock. */
 susp_status susp_attia2003_f64_read_loads(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -325,18 +332,19 @@ susp_status susp_attia2003_f64_read_loads(
         susp_attia2003_f64_equations *equations,
         susp_f64_failure *failure);
 
-/** Adds to `forces` weight and inertia of masses where the points move, which `read_points` found with their
- * accelerations: for `read_loads`. `design` are the points where the masses are stated. Each is at chassis points and
- * free points, as what acts at markers loads nothing: SUSP_ERROR_ARGUMENT of a marker, SUSP_ERROR_ABSENT of no
- * point. SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line. */
+/** Adds weight and inertia of masses to `forces`, for `read_loads`. `points` come from
+ * `read_points` with their accelerations; `design` are the points at which the masses are stated.
+ * A mass refers to chassis points and free points only: SUSP_ERROR_ARGUMENT for a marker, because
+ * forces at markers have no effect in `read_loads`, SUSP_ERROR_ABSENT for a number without a
+ * point. SUSP_ERROR_NO_DIRECTION if the three points of a body are in line. */
 susp_status susp_attia2003_f64_add_masses(
         const susp_f64_masses *masses,
         const susp_attia2003_f64_points *design,
         const susp_attia2003_f64_point_rates *points,
         susp_attia2003_f64_points *forces);
 
-/** Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
- * position, and no other. Takes about as long as five steps to tolerance. */
+/** Proves that near the position of a motion there is exactly one configuration for `inputs`, whose
+ * rates do not matter. Takes about as long as five steps to tolerance. */
 susp_status susp_attia2003_f64_certify(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,
@@ -344,21 +352,22 @@ susp_status susp_attia2003_f64_certify(
         susp_f64_certificate *certificate,
         susp_f64_failure *failure);
 
-/** Points that were found in chassis axes, carried into the world with a chassis that moves:
- * cheaper than to solve with chassis points that move. */
+/** Transforms points that were computed in chassis axes to world axes for a chassis that moves.
+ * This is cheaper than a step with chassis points that move. */
 susp_status susp_attia2003_f64_carry(
         const susp_f64_rigid_motion *chassis,
         const susp_attia2003_f64_point_rates *points,
         susp_attia2003_f64_point_rates *carried);
 
-/** The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
- * the `moving_` functions take. */
+/** Computes the chassis points of a model, which are fixed in chassis axes, for a chassis that
+ * moves: the input of the `moving_` functions. */
 susp_status susp_attia2003_f64_move_chassis(
         const susp_attia2003_f64_model *model,
         const susp_f64_rigid_motion *chassis,
         susp_attia2003_f64_chassis_rates *points);
 
-/** `step` with chassis points that move. Drives prescribe coordinates in the axes of these. */
+/** `step` with chassis points that move. Drives prescribe coordinates in the same axes as these
+ * points. */
 susp_status susp_attia2003_f64_moving_step(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_chassis_rates *chassis,

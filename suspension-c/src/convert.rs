@@ -1,4 +1,4 @@
-//! The core's results in C's form.
+//! Conversion of the core's results to C.
 
 use core::mem::MaybeUninit;
 
@@ -10,7 +10,7 @@ use crate::shared::{Assembly, CarrierRotation, Kingpin, Report, RigidMotion, Whe
 use crate::status::Status;
 use crate::values::{Rates, Values};
 
-/// Writes what was found, where C asks for it.
+/// Writes a result if C asks for it.
 #[inline(always)]
 pub fn fill<A, B: From<A>>(place: Option<&mut MaybeUninit<B>>, found: A) {
     if let Some(place) = place {
@@ -42,7 +42,7 @@ impl<T: Real> From<assemble::Assembly<T>> for Assembly<T> {
     }
 }
 
-/// The wheel on a spin axis.
+/// Computes the wheel on a spin axis.
 pub fn wheel_of<T: Real>(axis: [Vector3<T>; 2]) -> Result<Wheel<T>, Status> {
     let found = wheel::Wheel::of(axis).ok_or(Status::NoDirection)?;
     Ok(Wheel {
@@ -54,7 +54,7 @@ pub fn wheel_of<T: Real>(axis: [Vector3<T>; 2]) -> Result<Wheel<T>, Status> {
     })
 }
 
-/// How the carrier of the wheel turns.
+/// Computes the rotation of the body that carries the wheel.
 pub fn rotation_of<T: Real>(
     points: &Signal<[Vector3<T>; 3]>,
 ) -> Result<CarrierRotation<T>, Status> {
@@ -65,12 +65,12 @@ pub fn rotation_of<T: Real>(
     })
 }
 
-/// The kingpin between two points, beside the wheel's spin axis.
+/// Computes the kingpin between two points, on the side of the wheel.
 pub fn kingpin_of<T: Real>(
     [lower, upper]: [Vector3<T>; 2],
     axis: [Vector3<T>; 2],
 ) -> Result<Kingpin<T>, Status> {
-    // Which side is outboard is the wheel's to say.
+    // The wheel determines which side is outboard.
     wheel_of(axis)?;
     check_direction((upper - lower).norm()).ok_or(Status::NoDirection)?;
     let found = wheel::Kingpin::of([lower, upper], axis);
@@ -80,13 +80,13 @@ pub fn kingpin_of<T: Real>(
     })
 }
 
-/// Whether something of this length has a direction.
+/// Returns `None` if a vector of this length has no direction.
 fn check_direction<T: Real>(length: T) -> Option<()> {
     (length > T::zero() && length.is_finite()).then_some(())
 }
 
 impl<T: Real> RigidMotion<T> {
-    /// The core's form.
+    /// Converts to the core's type.
     pub fn body(&self) -> Result<suspension_core::chassis::RigidMotion<T>, Status> {
         let [w, x, y, z] = self.rotation;
         let rotation = Quaternion::new(w, x, y, z);
@@ -105,7 +105,7 @@ impl<T: Real> RigidMotion<T> {
 }
 
 impl<T: Real, const COUNT: usize> Rates<Values<[T; 3], COUNT>> {
-    /// Points that move in chassis axes, carried into the world.
+    /// Transforms points that move in chassis axes to world axes.
     pub fn carried(&self, chassis: &RigidMotion<T>) -> Result<Self, Status> {
         let body = chassis.body()?;
         let mut carried = *self;

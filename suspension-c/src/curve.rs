@@ -1,20 +1,21 @@
-//! Baked wheels, from tables that C owns.
+//! Baked wheels, from tables that the caller owns.
 
 use suspension_core::baked::{self, Split};
 
 use crate::shared::{BakedWheel, BakedWheelRates, Curve};
 use crate::status::Status;
 
-/// Centre and axis.
+/// Wheel centre and spin axis.
 const OUTPUTS: usize = 6;
 /// Coefficients of the polynomials of degree five that `suspension bake` writes.
 const TERMS: usize = 6;
 
-/// The wheel where the drive has this value and these rates.
+/// Computes the wheel from the drive's value and rates.
 ///
 /// # Errors
 ///
-/// [`Status::Argument`] where range, segments per unit and coefficients are not those of one table, [`Status::Outside`] beyond its range.
+/// [`Status::Argument`] if range, segments per unit and coefficients do not belong to one table,
+/// [`Status::Outside`] beyond the range.
 pub(crate) fn wheel<T: Split>(
     curve: &Curve<T>,
     drive: T,
@@ -28,7 +29,7 @@ pub(crate) fn wheel<T: Split>(
     let off = wanted - T::constant(segments.len() as f64);
     let half = T::constant(0.5);
     let is_whole = rest.is_empty() && rows_left.is_empty() && !segments.is_empty();
-    // But for rounding.
+    // Up to rounding.
     let cover_the_range = off.abs() < half;
     if !(is_whole && cover_the_range) {
         return Err(Status::Argument);

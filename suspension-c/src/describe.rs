@@ -1,4 +1,4 @@
-//! The description from which a header is written: functions and structs in words.
+//! The description from which headers are written: functions and structs.
 
 use suspension_core::listing::Part;
 
@@ -7,40 +7,40 @@ use crate::names::{Naming, Table, Text};
 /// A C function.
 #[derive(Clone, Copy, Debug)]
 pub struct Function {
-    /// Its name without the prefix.
+    /// The name without the prefix.
     pub name: &'static str,
-    /// Its contract, line by line.
+    /// The documentation, line by line.
     pub docs: &'static [&'static str],
-    /// Name, kind (`In`, `InOut`, `Out` or a type) and what is pointed to.
+    /// Name, kind (`In`, `InOut`, `Out` or a type) and pointed-to type of each argument.
     pub arguments: &'static [[&'static str; 3]],
-    /// The type of its answer.
+    /// The return type.
     pub returns: &'static str,
 }
 
 /// A C struct.
 #[derive(Clone, Copy, Debug)]
 pub struct Structure {
-    /// Its name in Rust.
+    /// The name in Rust.
     pub name: &'static str,
-    /// What it is, line by line.
+    /// The documentation, line by line.
     pub docs: &'static [&'static str],
-    /// What is in it.
+    /// The contents.
     pub shape: Shape,
 }
 
-/// What is in a struct.
+/// The contents of a struct.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    /// Bytes.
+    /// Bytes that C does not interpret.
     Opaque {
-        /// How many.
+        /// The number of bytes.
         size: usize,
-        /// Their alignment.
+        /// The alignment.
         align: usize,
     },
-    /// Not C's to look into, nor to make: it is known by its pointer.
+    /// An incomplete type, which C has only pointers to.
     Handle,
-    /// Numbers, or vectors of three, under names.
+    /// Named numbers, or named vectors of three.
     Named {
         /// The names.
         names: &'static [&'static str],
@@ -56,13 +56,13 @@ pub enum Shape {
 /// A C interface: structs and functions with a prefix, over one number type.
 #[derive(Clone, Copy, Debug)]
 pub struct Interface {
-    /// What all names begin with.
+    /// The prefix of all names.
     pub prefix: &'static str,
     /// `f32` or `f64`.
     pub number: &'static str,
-    /// What it is about, line by line.
+    /// The documentation, line by line.
     pub docs: &'static [&'static str],
-    /// Structs in groups, each after those that it holds.
+    /// Structs in groups, each after those that it contains.
     pub structures: &'static [&'static [Structure]],
     /// Functions, in groups.
     pub functions: &'static [&'static [Function]],

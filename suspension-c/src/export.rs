@@ -1,6 +1,6 @@
 //! C functions of a listing.
 
-/// Defines C functions and describes them in a table: of the name that is given, or `FUNCTIONS`.
+/// Defines C functions and describes them in a table, which is called `FUNCTIONS` or has the given name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions {
@@ -39,13 +39,14 @@ macro_rules! functions {
 /// suspension_c::export!(pub mod wishbone_f64 = wishbone, f64, "my_wishbone_f64", design, wheel, kingpin);
 /// ```
 ///
-/// The listing is a path, the number `f32` or `f64`, the text what each name begins with. `design` adds the positions
-/// that a listing states, where it states all; `wheel` and `kingpin` what can be read off a wheel, for listings that say what its
+/// The arguments are the path of the listing, the number type `f32` or `f64`, and the prefix of all names.
+/// `design` adds the positions that a listing states, if it states all; `wheel` and `kingpin` add functions
+/// for listings with these statements.
 /// points are.
-/// `four_bar_f32::INTERFACE` prints itself as the header.
+/// `four_bar_f32::INTERFACE` prints the header.
 ///
-/// The names of functions are set with `#[unsafe(export_name)]`: no other function of the program may
-/// have them, and the calling crate may not forbid `unsafe_code`.
+/// Functions get their names with `#[unsafe(export_name)]`: no other function of the program may have the
+/// same names, and the calling crate may not forbid `unsafe_code`.
 #[macro_export]
 macro_rules! export {
     ($(#[doc = $doc:literal])* $visibility:vis mod $name:ident = $listing:path, $number:ident,
@@ -105,7 +106,7 @@ macro_rules! export {
                 }
             )*
 
-            /// What the header is written from.
+            /// The description from which the header is written.
             pub const INTERFACE: $crate::private::Interface = $crate::private::Interface {
                 prefix: $prefix,
                 number: stringify!($number),

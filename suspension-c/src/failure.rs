@@ -1,4 +1,4 @@
-//! Failures in C's form.
+//! Conversion of failures to C.
 
 use suspension_core::Real;
 use suspension_core::error::{Explain, Facts};
@@ -8,10 +8,10 @@ use crate::pointer::Out;
 use crate::shared::Failure;
 use crate::status::Status;
 
-/// Why a call does not do what it is asked.
+/// The reason for which a call fails.
 #[derive(Clone, Copy, Debug)]
 pub enum Trouble {
-    /// An argument.
+    /// A wrong argument.
     Argument(Status),
     /// The geometry, the equations or a proof.
     Solver(Facts),
@@ -29,7 +29,7 @@ impl<E: Explain> From<E> for Trouble {
     }
 }
 
-/// Does the work of a call, and tells what went wrong where C asks for it.
+/// Runs the work of a call and writes its failure if C asks for it.
 #[inline(always)]
 pub fn respond<T: Real>(
     failure: Out<'_, Failure<T>>,
@@ -52,7 +52,7 @@ pub fn respond<T: Real>(
     }
 }
 
-/// Does the work of a call that fails by its arguments alone.
+/// Runs the work of a call that can only fail because of its arguments.
 #[inline(always)]
 pub fn answer(work: impl FnOnce() -> Result<(), Status>) -> Status {
     match work() {

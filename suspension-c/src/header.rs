@@ -10,32 +10,32 @@ mod naming;
 
 use naming::{Commented, Field, Upper};
 
-/// What holds for every function.
-const RULES: &str = " * Suspension kinematics for C. This file has what all linkages share; include the one of a linkage,
- * such as suspension_five_link_f32.h. Written from the functions' source: do not edit.
+/// The rules for every function.
+const RULES: &str = " * Suspension kinematics for C. This file declares what all linkages share; include the header of a linkage,
+ * such as suspension_five_link_f32.h. Generated from the source of the functions: do not edit.
  *
- * Memory    The caller owns every object: on the stack, static, or wherever. Nothing is allocated, and
- *           nothing has to be freed. Objects may be copied by assignment or memcpy. Listings from text
- *           alone are on the heap: see suspension_listing.h.
- * Opaque    What is in `words` is the library's. An object must have been made by the function that
- *           takes its size before another function takes it; if not, SUSP_ERROR_OBJECT is answered
- *           (with any content but one that happens to begin with the right mark).
- * Threads   There is no other state than the caller's objects. Calls may run at the same time in any
+ * Memory    The caller owns every object: on the stack, in static memory, or anywhere else. Nothing is
+ *           allocated, and nothing has to be freed. Objects may be copied by assignment or memcpy. Only
+ *           listings from text are on the heap: see suspension_listing.h.
+ * Opaque    The content of `words` is private. The function that takes the size of an object must have made
+ *           the object before another function uses it; otherwise that function returns SUSP_ERROR_OBJECT
+ *           (unless the memory happens to begin with the tag of such an object).
+ * Threads   There is no state outside the caller's objects. Calls may run at the same time in any
  *           threads or interrupts as long as none writes an object that another one uses.
- * Pointers  None may be NULL, save `failure` and where it is said. Each is checked for that and for its
- *           alignment. What a pointer to const points to may be shared by arguments; no other
- *           memory may overlap.
- * Answers   SUSP_OK, or why nothing was done: then everything is as it was but for `*failure`, which is
- *           written only then. Only those named `advance` keep what they have got to.
- *           SUSP_ERROR_SMALL_PIVOT alone comes with a model.
- * Numbers   Any unit of length, the same throughout; angles in rad, times in s. NaN and infinities are
- *           told by the answers of what makes a model and of what solves, but for drives that measures
- *           alone read; what only reads, carries or looks up may pass them on. Axes: x forward, y left,
- *           z up (ISO 8855) where wheels are read off.
- * Structs   of named points or numbers are arrays in the order of their members as well.
+ * Pointers  May not be NULL, except `failure` and where the documentation says so. Each is checked for NULL
+ *           and for its alignment. Arguments may share memory to which only pointers to const point; no
+ *           other memory may overlap.
+ * Status    SUSP_OK, or the reason for a refusal. A refused call changes nothing but `*failure`, which is
+ *           written only then. The functions named `advance` keep their progress. With
+ *           SUSP_ERROR_SMALL_PIVOT a model is made nevertheless.
+ * Numbers   Any unit of length, the same throughout; angles in rad, times in s. Functions that make models
+ *           or solve report NaN and infinities, except in drives that only measures use; functions that
+ *           only read, transform or evaluate may pass them on. Axes of wheels: x forward, y left, z up
+ *           (ISO 8855).
+ * Structs   of named points or numbers are also arrays in the order of their members.
 ";
 
-/// The header that those of linkages include, `suspension.h`.
+/// Returns `suspension.h`, which the headers of linkages include.
 pub fn common() -> impl Display {
     Common
 }
@@ -47,7 +47,7 @@ impl Display for Common {
         write!(f, "/*\n{RULES} */\n")?;
         guarded(f, "susp", &["<stddef.h>", "<stdint.h>"], |f| {
             f.write_str(
-                "\n/** What a function answers. */\ntypedef int32_t susp_status;\nenum {\n",
+                "\n/** The result of a function. */\ntypedef int32_t susp_status;\nenum {\n",
             )?;
             for status in Status::ALL {
                 let text = status.text().to_str().map_err(|_| fmt::Error)?;
@@ -56,7 +56,7 @@ impl Display for Common {
                 writeln!(f, "    /** {text} */\n    SUSP_{kind}{name} = {number},")?;
             }
             f.write_str(
-                "};\n\n/** What a bounded step solves for. */\ntypedef int32_t susp_outputs;\n",
+                "};\n\n/** The rates for which a bounded step solves. */\ntypedef int32_t susp_outputs;\n",
             )?;
             f.write_str("enum { SUSP_POSITION = 0, SUSP_VELOCITY = 1, SUSP_ACCELERATION = 2 };\n")?;
             for interface in [&status::INTERFACE, &of::f32::INTERFACE, &of::f64::INTERFACE] {
@@ -67,14 +67,14 @@ impl Display for Common {
     }
 }
 
-/// A header of its own, which includes `suspension.h`.
+/// The header of a linkage, which includes `suspension.h`.
 impl Display for Interface {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         own(f, self, self.prefix, "")
     }
 }
 
-/// The header of listings from text, `suspension_listing.h`.
+/// Returns `suspension_listing.h`, the header of listings from text.
 #[cfg(feature = "listings")]
 pub fn listing() -> impl Display {
     ListingHeader
@@ -91,13 +91,13 @@ impl Display for ListingHeader {
     }
 }
 
-/// A header that begins with some types of its own.
+/// Writes a header that begins with types of its own.
 fn own(f: &mut Formatter<'_>, interface: &Interface, guard: &str, types: &str) -> fmt::Result {
     f.write_str("/*\n")?;
     for line in interface.docs {
         writeln!(f, " *{}", Commented(line))?;
     }
-    f.write_str(" *\n * What holds for every function is said in suspension.h.\n */\n")?;
+    f.write_str(" *\n * suspension.h documents the rules for every function.\n */\n")?;
     guarded(f, guard, &["\"suspension.h\""], |f| {
         f.write_str(types)?;
         body(f, interface)
@@ -134,7 +134,7 @@ fn body(f: &mut Formatter<'_>, interface: &Interface) -> fmt::Result {
     Ok(())
 }
 
-/// Lines of documentation, which begin with the blank that follows `///`.
+/// Writes lines of documentation, which begin with the blank that follows `///`.
 fn comment(f: &mut Formatter<'_>, indent: &str, lines: &[&str]) -> fmt::Result {
     for (index, line) in lines.iter().enumerate() {
         let opening = if index == 0 { "/**" } else { " *" };

@@ -23,10 +23,10 @@
 //! }
 //! ```
 //!
-//! All state is in the caller's objects, so threads need no lock as long as only one of them
-//! writes an object at a time. Every pointer is checked for null and alignment. Every
-//! object is checked for having been made by the function that makes its kind. `unsafe` is in
-//! `pointer.rs` and below it, and where a suspension keeps the listing that it borrows.
+//! All state is in the caller's objects, so threads need no lock as long as only one of them writes an
+//! object at a time. Every pointer is checked for null and alignment. Every object is checked: the function
+//! that makes its kind must have made it. `unsafe` is in `pointer.rs` and its submodules, and where a
+//! suspension keeps the listing that it borrows.
 //!
 //! [`listing`] reads listings from text onto the heap, with the feature `listings`; nothing else
 //! allocates.
@@ -64,7 +64,7 @@ mod values;
 
 pub mod catalogue;
 
-/// What [`export!`] names in the crate that calls it.
+/// The items that [`export!`] uses in the calling crate.
 #[doc(hidden)]
 pub mod private {
     pub use core::marker::PhantomData;

@@ -1,6 +1,6 @@
 //! The items with which every listing is exported.
 
-/// Defines a static of closed names.
+/// Defines a static of names that end with a zero.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! names {
@@ -21,12 +21,12 @@ macro_rules! names {
 macro_rules! structures_of_a_linkage {
     ($prefix:literal) => {
         $crate::structures_of_a_linkage! { $prefix;
-            /// The geometry: what never changes while the mechanism moves. Opaque; may be copied.
+            /// The geometry, which does not change while the mechanism moves. Opaque; may be copied.
             Model = Opaque(Linkage, "_model");
             /// The state: unknowns with velocities and accelerations. Opaque; may be copied.
             Motion = Opaque(solver::Motion<Number, UNKNOWNS>, "_motion");
             /// Every point: chassis points, free points, markers. x, y, z of each, in the axes and the
-            /// unit of length of the hardpoints; or velocities or accelerations alike.
+            /// unit of length of the hardpoints; or their velocities or accelerations.
             Points = Vectors(POINTS);
             /// Positions, velocities and accelerations of every point.
             PointRates = Rates(Points);
@@ -34,15 +34,16 @@ macro_rules! structures_of_a_linkage {
             Chassis = Vectors(FIXED);
             /// The chassis points with velocities and accelerations.
             ChassisRates = Rates(Chassis);
-            /// What is prescribed: coordinates in the unit of the points, angles in rad.
+            /// The prescribed quantities: coordinates in the unit of the points, angles in rad.
             Drives = Numbers(DRIVES);
             /// The drives with their first and second time derivatives.
             Inputs = Rates(Drives);
-            /// What the listing measures: lengths and coordinates in the unit of the points, angles in rad.
+            /// The measures of the listing: lengths and coordinates in the unit of the points, angles in
+            /// rad.
             Measures = Numbers(MEASURES);
             /// The measures with their first and second time derivatives.
             MeasureRates = Rates(Measures);
-            /// A number of each equation.
+            /// One number per equation.
             Equations = Numbers(EQUATIONS);
             /// Constant lengths of links and bodies, in the unit of the points.
             Lengths = Numbers(LENGTHS);
@@ -86,7 +87,7 @@ macro_rules! structure {
     (@shape $name:ident, Rates $of:ident) => { $crate::private::Shape::Rates(stringify!($of)) };
 }
 
-/// What functions of a listing have in common.
+/// Functions that the functions of a listing share.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! helpers_of_a_linkage {

@@ -30,7 +30,7 @@ pub use text::{
 const HANDLES: &[Structure] = &[
     Structure {
         name: "Listing",
-        docs: &[" A listing that was read. Never changes: threads may share it."],
+        docs: &[" A parsed listing. It never changes: threads may share it."],
         shape: Shape::Handle,
     },
     Structure {
@@ -40,23 +40,23 @@ const HANDLES: &[Structure] = &[
     },
 ];
 
-/// What the header is written from.
+/// The description from which the header is written.
 pub(crate) const INTERFACE: Interface = Interface {
     prefix: "susp",
     number: "f64",
     docs: &[
-        " Listings of a suspension from text, as `linkage!` and motion files have them, in double: read, given",
-        " hardpoints and moved. For hosted systems.",
+        " Listings of a suspension from text, in the language of `linkage!` and motion files: parsed, placed at",
+        " hardpoints and moved, in double. For hosted systems.",
         "",
-        " Memory    `susp_listing_parse`, `susp_corner_new` and `susp_corner_copy` make objects on the heap, which",
-        "           the functions `_destroy` free: each object once, which is not checked, as an object that was destroyed is",
-        "           no object any more. No other function allocates or frees anything.",
-        " Arrays    of double in the order of the listing's names, with how many numbers they have: any other",
-        "           count is answered by SUSP_ERROR_SIZE. Points are x, y, z of each. With rates an array",
+        " Memory    `susp_listing_parse`, `susp_corner_new` and `susp_corner_copy` make objects on the heap, and the",
+        "           functions `_destroy` free them. Each object may be freed only once; the library cannot check this.",
+        "           No other function allocates or frees anything.",
+        " Arrays    contain double in the order of the listing's names. Each is passed with its number of elements;",
+        "           for a wrong number the result is SUSP_ERROR_SIZE. Points have x, y, z each. An array with rates",
         "           has all values, then all rates, per second, then all second rates, per second squared:",
         "           double points[3][POINTS][3], drives[3][DRIVES], measures[3][MEASURES].",
-        " Units     as the listing has them: points in any unit of length, angles in rad, times in s.",
-        " Panics    would be a defect of the library. They end the program and never unwind into C.",
+        " Units     are those of the listing: points in any unit of length, angles in rad, times in s.",
+        " Panics    are defects of the library. They end the program and never unwind into C.",
     ],
     structures: &[HANDLES],
     functions: &[text::FUNCTIONS, corner::FUNCTIONS],

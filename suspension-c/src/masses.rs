@@ -8,15 +8,15 @@ use crate::shared::{Mass, Masses};
 use crate::status::Status;
 use crate::values::{Rates, Values};
 
-/// Where a point is: as the masses are stated, and as it moves.
+/// The position of a point where the masses are stated, and its motion.
 type Place<T> = (Vector3<T>, Signal<Vector3<T>>);
 
-/// Tells `add` what weight and inertia do at each point.
+/// Calls `add` with the force of weight and inertia at each point.
 ///
 /// # Errors
 ///
-/// [`Status::Argument`] at what is no mass, [`Status::NoDirection`] where three points that hold a body are in line,
-/// [`Status::Overflow`] where a force is not finite, and those of `place`.
+/// [`Status::Argument`] for a mass that is not valid, [`Status::NoDirection`] if the three points of a body
+/// are in line, [`Status::Overflow`] if a force is not finite, and the errors of `place`.
 pub fn each_force<T: Real>(
     masses: &Masses<T>,
     place: impl Fn(usize) -> Result<Place<T>, Status>,
@@ -41,7 +41,8 @@ pub fn add_at<T: Real>(forces: &mut [[T; 3]], point: usize, force: Vector3<T>) {
     }
 }
 
-/// A point of a linkage by its number: of so many chassis and free points, before markers.
+/// Returns the position and motion of a chassis point or free point by its number, which is below
+/// `before_markers`.
 pub fn place<T: Real, const COUNT: usize>(
     before_markers: usize,
     design: &Values<[T; 3], COUNT>,

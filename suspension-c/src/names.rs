@@ -1,11 +1,11 @@
-//! Names as C reads them: terminated by a zero.
+//! Names for C: terminated by a zero.
 
 use core::ffi::{CStr, c_char};
 
 use suspension_core::listing::Part;
 
-/// `const char *`, NULL where there is no text. It points to what lives as long as the program, or where a
-/// header says so as long as an object.
+/// `const char *`, or NULL for no text. The text lives as long as the program or, where a header says so,
+/// as long as an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(transparent)]
 pub struct Text(*const c_char);
@@ -14,7 +14,7 @@ impl Text {
     /// No text.
     pub const NONE: Self = Self(core::ptr::null());
 
-    /// The pointer that C gets.
+    /// Returns the pointer for C.
     pub fn as_ptr(self) -> *const c_char {
         self.0
     }
@@ -26,25 +26,25 @@ impl From<&CStr> for Text {
     }
 }
 
-/// What knows how a listing calls its parts.
+/// Types that know the names of a listing's parts.
 pub trait Naming {
-    /// The name of a part; NULL where there is none.
+    /// Returns the name of a part; NULL if it has none.
     fn name(&self, part: Part) -> Text;
 }
 
-/// No listing, where there is none to ask.
+/// Without a listing parts have no names.
 impl Naming for () {
     fn name(&self, _: Part) -> Text {
         Text::NONE
     }
 }
 
-/// Names one after the other, each closed by a zero.
+/// Consecutive names, each terminated by a zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Table(pub &'static [u8]);
 
 impl Table {
-    /// The name with this number.
+    /// Returns the name with this number.
     pub fn at(self, index: usize) -> Text {
         let name = self.0.split_inclusive(|byte| *byte == 0).nth(index);
         match name.map(CStr::from_bytes_with_nul) {
@@ -54,7 +54,7 @@ impl Table {
     }
 }
 
-/// How many bytes [`terminated`] takes.
+/// Returns the number of bytes that [`terminated`] needs.
 pub const fn terminated_length(mut names: &[&str]) -> usize {
     let mut length = 0;
     while let Some((name, others)) = names.split_first() {
@@ -64,7 +64,7 @@ pub const fn terminated_length(mut names: &[&str]) -> usize {
     length
 }
 
-/// Names one after the other, each closed by a zero.
+/// Returns consecutive names, each terminated by a zero.
 pub const fn terminated<const LENGTH: usize>(mut names: &[&str]) -> [u8; LENGTH] {
     let mut bytes = [0; LENGTH];
     let mut rest: &mut [u8] = &mut bytes;

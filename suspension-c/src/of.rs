@@ -1,9 +1,9 @@
-//! Items that need no linkage, for one number type: all types, and functions of baked curves.
+//! Items of one number type that need no linkage: all types, and functions of baked curves.
 
-/// Functions that need no linkage, and all types, over one number.
+/// Functions that need no linkage, and all types, for one number type.
 macro_rules! over {
     ($number:ident, $prefix:literal) => {
-        /// Over this number type.
+        /// Items for this number type.
         #[allow(unsafe_code, reason = "names for the linker")]
         pub mod $number {
             use crate::curve;
@@ -13,15 +13,15 @@ macro_rules! over {
             use crate::status::Status;
 
             type Number = core::primitive::$number;
-            /// Which rates are solved for: see `SUSP_POSITION`.
+            /// The rates for which a step solves: see `SUSP_POSITION`.
             pub type Outputs = i32;
             over!(@types $number: Assembly, BakedWheel, BakedWheelRates, CarrierRotation, Certificate,
                 Curve, Failure, Kingpin, Mass, Masses, Numbers, Report, RigidMotion, Wheel);
 
             crate::functions! { $prefix:
-                /// Looks a wheel up where the drive has a value and moves at a rate, per second, and a
-                /// second rate, per second squared. SUSP_ERROR_OUTSIDE where the curve does not reach,
-                /// SUSP_ERROR_ARGUMENT where its numbers are not those of one table.
+                /// Evaluates a wheel for the value of a drive, its rate, per second, and its second rate,
+                /// per second squared. SUSP_ERROR_OUTSIDE beyond the range of the curve,
+                /// SUSP_ERROR_ARGUMENT if its numbers do not belong to one table.
                 fn look_up_wheel(curve: In<Curve>, drive: Number, rate: Number, second_rate: Number, wheel: Out<BakedWheelRates>) -> Status {
                     answer(|| {
                         let (curve, wheel) = (curve.get()?, wheel.get()?);

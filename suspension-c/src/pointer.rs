@@ -1,4 +1,4 @@
-//! Pointers from C become references here and in the modules below, and nowhere else.
+//! Pointers from C become references only here and in the submodules.
 #![allow(unsafe_code, reason = "what a pointer points to is C's promise")]
 
 use core::marker::PhantomData;
@@ -19,25 +19,26 @@ pub use heap::{Create, Destroy};
 #[repr(transparent)]
 pub struct In<'a, T>(*const T, PhantomData<&'a T>);
 
-/// `T *` of a call: null, misaligned, or to an initialised `T` that is the call's alone.
+/// `T *` of a call: null, misaligned, or to an initialised `T` to which only the call has access.
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct InOut<'a, T>(*mut T, PhantomData<&'a mut T>);
 
-/// `T *` of a call: null, misaligned, or to memory for a `T` that is the call's alone.
+/// `T *` of a call: null, misaligned, or to memory for a `T` to which only the call has access.
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct Out<'a, T>(*mut T, PhantomData<&'a mut MaybeUninit<T>>);
 
-/// An object that C keeps but does not look into. It begins with a mark of its kind, so that memory
-/// which never held one is told.
+/// An object that C stores but does not interpret. It begins with a tag of its kind, by which the functions
+/// recognise memory that never held one.
 #[repr(C)]
 pub struct Object<V, const TAG: u32> {
     tag: u32,
     value: MaybeUninit<V>,
 }
 
-/// The mark of a kind of objects (FNV-1a of its name). Never zero, which is what static memory holds.
+/// Returns the tag of a kind of objects (FNV-1a of its name). It is never zero, the content of static
+/// memory.
 pub const fn tag(name: &str) -> u32 {
     let mut rest = name.as_bytes();
     let mut hash: u32 = 0x811c_9dc5;
@@ -60,7 +61,7 @@ fn check<T>(pointer: *const T) -> Result<(), Status> {
 
 fn check_object<V, const TAG: u32>(pointer: *const Object<V, TAG>) -> Result<(), Status> {
     check(pointer)?;
-    // SAFETY: neither null nor misaligned. No reference is made to an object that may be another.
+    // SAFETY: neither null nor misaligned. No reference is made to an object that may be of another kind.
     let tag = unsafe { (&raw const (*pointer).tag).read() };
     if tag == TAG {
         Ok(())
@@ -78,7 +79,7 @@ impl<T> Clone for In<'_, T> {
 impl<T> Copy for In<'_, T> {}
 
 impl<'a, T> In<'a, T> {
-    /// A pointer as C passes it.
+    /// Takes a pointer from C.
     ///
     /// # Safety
     ///
@@ -91,8 +92,8 @@ impl<'a, T> In<'a, T> {
     #[inline(always)]
     pub fn get(self) -> Result<&'a T, Status> {
         check(self.0)?;
-        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
-        // to a T that is only read for 'a.
+        // SAFETY: neither null nor misaligned, so by the contracts of `from_raw` and of the header it
+        // points to a T that is only read for 'a.
         Ok(unsafe { &*self.0 })
     }
 }
@@ -102,8 +103,8 @@ impl<'a, V, const TAG: u32> In<'a, Object<V, TAG>> {
     #[inline(always)]
     pub fn object(self) -> Result<&'a V, Status> {
         check_object(self.0)?;
-        // SAFETY: neither null nor misaligned, and the mark is written together with the value, and only
-        // there; bytes are C's to copy, not to change, and nobody writes them for 'a.
+        // SAFETY: neither null nor misaligned, and the tag is only written together with the value. The
+        // header allows C to copy the bytes, not to change them, and nobody writes them for 'a.
         Ok(unsafe { (*self.0).value.assume_init_ref() })
     }
 }
@@ -115,7 +116,7 @@ impl<'a, T> From<&'a T> for In<'a, T> {
 }
 
 impl<'a, T> InOut<'a, T> {
-    /// A pointer as C passes it.
+    /// Takes a pointer from C.
     ///
     /// # Safety
     ///
@@ -128,8 +129,8 @@ impl<'a, T> InOut<'a, T> {
     #[inline(always)]
     pub fn get(self) -> Result<&'a mut T, Status> {
         check(self.0)?;
-        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
-        // to a T that is this call's alone for 'a.
+        // SAFETY: neither null nor misaligned, so by the contracts of `from_raw` and of the header it
+        // points to a T to which only this call has access for 'a.
         Ok(unsafe { &mut *self.0 })
     }
 }
@@ -139,7 +140,7 @@ impl<'a, V, const TAG: u32> InOut<'a, Object<V, TAG>> {
     #[inline(always)]
     pub fn object(self) -> Result<&'a mut V, Status> {
         check_object(self.0)?;
-        // SAFETY: as in `In::object`, and the object is the call's alone for 'a.
+        // SAFETY: as in `In::object`, and only this call has access to the object for 'a.
         Ok(unsafe { (*self.0).value.assume_init_mut() })
     }
 }
@@ -151,7 +152,7 @@ impl<'a, T> From<&'a mut T> for InOut<'a, T> {
 }
 
 impl<'a, T> Out<'a, T> {
-    /// A pointer as C passes it.
+    /// Takes a pointer from C.
     ///
     /// # Safety
     ///
@@ -164,12 +165,13 @@ impl<'a, T> Out<'a, T> {
     #[inline(always)]
     pub fn get(self) -> Result<&'a mut MaybeUninit<T>, Status> {
         check(self.0)?;
-        // SAFETY: neither null nor misaligned, so by what `from_raw` and the header ask for it points
-        // to memory for a T which is this call's alone for 'a; MaybeUninit takes any content.
+        // SAFETY: neither null nor misaligned, so by the contracts of `from_raw` and of the header it
+        // points to memory for a T to which only this call has access for 'a; MaybeUninit allows any
+        // content.
         Ok(unsafe { &mut *self.0.cast() })
     }
 
-    /// `None` where C passes NULL.
+    /// Returns `None` for NULL.
     #[doc(hidden)]
     #[inline(always)]
     pub fn optional(self) -> Result<Option<&'a mut MaybeUninit<T>>, Status> {
@@ -182,8 +184,8 @@ impl<'a, T> Out<'a, T> {
 }
 
 impl<'a, V, const TAG: u32> Out<'a, Object<V, TAG>> {
-    /// The place for an object where C says how much memory it has for it: as much as the library's
-    /// objects take, or its header is of another version.
+    /// Returns the memory for an object. C states the memory's size: another size than that of the
+    /// library's object means that C includes the header of another version.
     #[doc(hidden)]
     #[inline(always)]
     pub fn place(self, size: usize) -> Result<Place<'a, V, TAG>, Status> {

@@ -1,4 +1,4 @@
-//! Code that the functions of all linkages share.
+//! Items that the functions of all linkages share.
 
 use suspension_core::Real;
 
@@ -33,77 +33,78 @@ macro_rules! structures {
 }
 
 structures! {
-    /// What went wrong.
+    /// Details of a failure.
     Failure {
-        /// What the call answers.
+        /// The status that the call returns.
         status: Status,
-        /// The point, length, equation or unknown concerned, as the listing names it; NULL where there
-        /// is none. Lives as long as the program; of a listing from text as long as the object.
+        /// The point, length, equation or unknown concerned, by its name in the listing; NULL if there
+        /// is none. Lives as long as the program, or with a listing from text as long as the object.
         culprit: Text,
-        /// What was found: the residual, correction, pivot or the like that `status` speaks of; in the
-        /// unit of the points. 0 where nothing is compared.
+        /// The residual, correction, pivot or other number to which `status` refers, in the unit of the
+        /// points; 0 if there is none.
         value: T,
-        /// What `value` had to stay within, or to exceed.
+        /// The limit for `value`.
         bound: T,
-        /// Of a step in sub-steps: the time from its start, s, up to which there are solutions.
+        /// For steps in sub-steps: the time from the start, s, up to which there are solutions.
         reached: T,
     }
 
-    /// What a step did.
+    /// The report of a step.
     Report {
-        /// Factorisations for the position.
+        /// The number of factorisations for the position.
         iterations: u32,
-        /// Sub-steps.
+        /// The number of sub-steps.
         steps: u32,
-        /// The residual that is left, in the unit of the points: the largest, of a bounded step the
-        /// norm of all; without corrections a bound, the error.
+        /// The remaining residual, in the unit of the points: the largest, or for a bounded step the norm.
+        /// Without corrections it is a bound, `error`.
         residual: T,
-        /// What it was compared with.
+        /// The limit for the residual.
         tolerance: T,
-        /// The first correction of the last step, in the unit of the points: the error of the
-        /// predicted position. The largest entry, of a bounded step the norm.
+        /// The first correction of the last step, in the unit of the points: the error of the predicted
+        /// position. The largest entry, or for a bounded step the norm.
         error: T,
-        /// Pivot growth, the norm of the pivots' inverses: rounding grows with it, at most.
+        /// Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow.
         growth: T,
     }
 
-    /// How a configuration was found.
+    /// The report of an assembly.
     Assembly {
-        /// How far it is from the guess: the norm over all coordinates, in the unit of the points.
+        /// The distance from the guess: the norm over all coordinates, in the unit of the points.
         distance: T,
-        /// How far the next nearest one that was met is from it; infinite where there is none. Where the
-        /// two are nearly alike the guess does not tell which is meant.
+        /// The distance of the next nearest configuration that was found; infinite if there was none. If
+        /// both distances are nearly equal the guess is ambiguous.
         next: T,
-        /// The largest residual that is left, in the unit of the points.
+        /// The largest remaining residual, in the unit of the points.
         residual: T,
-        /// What it was compared with.
+        /// The limit for the residual.
         tolerance: T,
     }
 
-    /// A proof, rounding included, that a root lies near a position. Distances are the largest
-    /// difference of any unknown, in the unit of the points.
+    /// A proof, rounding included, that a root is near a position. Distances are the largest difference of
+    /// any unknown, in the unit of the points.
     Certificate {
-        /// A root lies within this distance.
+        /// There is a root within this distance.
         radius: T,
-        /// No other root lies within this one.
+        /// There is no other root within this distance.
         unique_within: T,
     }
 
-    /// The wheel; of an axle the first that the listing states. Axes of ISO 8855: x forward, y left, z up.
+    /// The wheel, or the first wheel that the listing of an axle states. Axes of ISO 8855: x forward, y
+    /// left, z up.
     Wheel {
-        /// Its centre, in the unit of the points.
+        /// The wheel centre, in the unit of the points.
         centre: [T; 3],
-        /// Its spin axis, of unit length, outboard.
+        /// The spin axis, of unit length, outboard.
         axis: [T; 3],
-        /// Camber, rad: positive where the top leans outboard, atan2(-s_z, |s_y|) of the axis s.
+        /// Camber, rad: positive if the top leans outboard, atan2(-s_z, |s_y|) of the axis s.
         camber: T,
         /// Camber as the angle between spin axis and ground, rad: asin(-s_z).
         camber_to_ground: T,
-        /// Toe, rad: positive where the front points inboard, atan2(s_x, |s_y|).
+        /// Toe, rad: positive if the front points inboard, atan2(s_x, |s_y|).
         toe: T,
     }
 
-    /// How the body that carries the wheel turns.
+    /// The rotation of the body that carries the wheel.
     CarrierRotation {
         /// Angular velocity, rad/s.
         omega: [T; 3],
@@ -113,37 +114,40 @@ structures! {
 
     /// The kingpin k, which points upwards.
     Kingpin {
-        /// Inclination, rad: positive where the top leans inboard, atan2(-k_y, k_z) on the left.
+        /// Inclination, rad: positive if the top leans inboard, atan2(-k_y, k_z) on the left.
         angle: T,
-        /// Caster, rad: positive where the top leans rearwards, atan2(-k_x, k_z).
+        /// Caster, rad: positive if the top leans rearwards, atan2(-k_x, k_z).
         caster: T,
     }
 
-    /// A part that has a mass: with points in m, kg.
+    /// A part with a mass. With points in m the mass is in kg.
     Mass {
-        /// How many points say where it is: 1 of a mass in a point, 2 of a uniform rod between two, 3 of a body that three
-        /// of its points hold, which are not in line.
+        /// The number of points that locate it: 1 for a mass at a point, 2 for a uniform rod between two
+        /// points, 3 for a body with these three points, which are not in line.
         count: u32,
-        /// Their numbers, from 0: the places of the members among the points, or what `susp_listing_find` tells.
+        /// The numbers of these points, from 0: the order of the members of the points, or the result of
+        /// `susp_listing_find`.
         points: [u32; 3],
-        /// From zero on.
+        /// The mass, zero or positive.
         mass: T,
-        /// Of a body, else anything finite: its centre of mass, where its points are as in `design`.
+        /// For a body, its centre of mass, for the points as in `design`; otherwise any finite numbers.
         centre: [T; 3],
-        /// Of a body, else anything finite: its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
-        /// and zx of the matrix, the products of inertia with a minus: with points in m, kg m^2.
+        /// For a body, its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
+        /// and zx of the matrix, which are the products of inertia with a minus sign: with points in m, kg
+        /// m^2. Otherwise any finite numbers.
         inertia: [T; 6],
     }
 
-    /// How a chassis moves as a rigid body, in world axes.
+    /// The motion of the chassis as a rigid body, in world axes.
     RigidMotion {
-        /// From chassis axes to world axes: w, x, y, z. Of any length but zero, else SUSP_ERROR_ARGUMENT.
+        /// The quaternion w, x, y, z from chassis axes to world axes. Any length but zero, which is
+        /// SUSP_ERROR_ARGUMENT.
         rotation: [T; 4],
         /// Position of the chassis' origin, in the unit of the points.
         position: [T; 3],
-        /// Its velocity, per second.
+        /// Velocity of the origin, per second.
         velocity: [T; 3],
-        /// Its acceleration, per second squared.
+        /// Acceleration of the origin, per second squared.
         acceleration: [T; 3],
         /// Angular velocity, rad/s.
         omega: [T; 3],
@@ -151,26 +155,26 @@ structures! {
         alpha: [T; 3],
     }
 
-    /// A baked motion of the wheel, as `suspension bake` writes it: a piecewise polynomial of one drive.
+    /// A baked motion of the wheel from `suspension bake`: a piecewise polynomial of one drive.
     Curve {
         /// The drive's first and last value, in rad or the unit of the points.
         range: [T; 2],
         /// The number of segments divided by the length of the range.
         segments_per_unit: T,
-        /// By segment, power (six, constants first) and output (six: centre, axis). They must live as
-        /// long as the curve is used.
+        /// By segment, power (six, constants first) and output (six: centre, axis). They must live as long
+        /// as the curve is used.
         coefficients: Numbers<T>,
     }
 
-    /// A wheel that was looked up.
+    /// A wheel computed from a curve.
     BakedWheel {
-        /// Its centre, in the unit of the points.
+        /// The wheel centre, in the unit of the points.
         centre: [T; 3],
-        /// Its spin axis, outboard: of unit length within the tolerance of the curve.
+        /// The spin axis, outboard: of unit length within the tolerance of the curve.
         axis: [T; 3],
     }
 
-    /// The same with its first and second time derivatives.
+    /// The wheel with its first and second time derivatives.
     BakedWheelRates {
         /// The wheel.
         value: BakedWheel<T>,
@@ -181,27 +185,27 @@ structures! {
     }
 }
 
-/// See [`Numbers`], whose fields are not for Rust to set.
+/// The description of [`Numbers`], whose fields are private in Rust.
 pub(crate) const NUMBERS: Structure = Structure {
     name: "Numbers",
-    docs: &[" Numbers of the caller's."],
+    docs: &[" An array of numbers of the caller."],
     shape: Shape::Fields(&[
-        ("numbers", "*const T", &[" The first of them."]),
-        ("count", "usize", &[" How many."]),
+        ("numbers", "*const T", &[" The first number."]),
+        ("count", "usize", &[" The number of elements."]),
     ]),
 };
 
-/// Masses of the caller's in a field.
+/// An array of masses in a field of gravity.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Masses<T> {
-    // In C a pointer and a count: the same memory.
+    // A pointer and a count in C, with the same layout.
     masses: Numbers<Mass<T>>,
     gravity: [T; 3],
 }
 
 impl<T: Copy> Masses<T> {
-    /// Of masses that stay.
+    /// Makes the description of masses that live as long as the program.
     pub fn new(masses: &'static [Mass<T>], gravity: [T; 3]) -> Self {
         let masses = masses.into();
         Self { masses, gravity }
@@ -216,19 +220,19 @@ impl<T: Copy> Masses<T> {
     }
 }
 
-/// See [`Masses`], whose fields are not for Rust to set.
+/// The description of [`Masses`], whose fields are private in Rust.
 pub(crate) const MASSES: Structure = Structure {
     name: "Masses",
-    docs: &[" Masses of the caller's in a field."],
+    docs: &[" An array of masses of the caller, and the gravity that acts on them."],
     shape: Shape::Fields(&[
-        ("masses", "*const Mass", &[" The first of them; not NULL."]),
-        ("count", "usize", &[" How many."]),
+        ("masses", "*const Mass", &[" The first mass; not NULL."]),
+        ("count", "usize", &[" The number of elements."]),
         (
             "gravity",
             "[T; 3]",
             &[
-                " The acceleration of free fall, in the unit of the points per second squared; less that of the chassis,",
-                " where it has one.",
+                " The acceleration of free fall minus that of the chassis, in the unit of the points per second",
+                " squared.",
             ],
         ),
     ]),

@@ -7,10 +7,10 @@ use suspension_core::step::bounded::Refusal;
 
 use crate::describe::Interface;
 
-/// Defines the answers: their numbers, and their texts for people.
+/// Defines the statuses: their numbers and texts.
 macro_rules! statuses {
     ($($name:ident = $number:literal: $what:literal $(, $remedy:literal)?;)*) => {
-        /// What a call answers. In C: `susp_status`, an `int32_t`.
+        /// The result of a call. In C: `susp_status`, an `int32_t`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(i32)]
         pub enum Status {
@@ -18,10 +18,10 @@ macro_rules! statuses {
         }
 
         impl Status {
-            /// All of them.
+            /// All statuses.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
-            /// What happened and what to do, for people.
+            /// Returns what happened and what to do.
             pub const fn text(self) -> &'static CStr {
                 match self {
                     $(Self::$name => {
@@ -31,7 +31,7 @@ macro_rules! statuses {
                 }
             }
 
-            /// The name that the enumeration gives it.
+            /// Returns the name in Rust.
             pub(crate) fn name(self) -> &'static str {
                 match self {
                     $(Self::$name => stringify!($name),)*
@@ -41,7 +41,7 @@ macro_rules! statuses {
     };
 }
 
-/// Texts without a zero inside.
+/// Converts a text without zeros to a text that ends with a zero.
 const fn terminated(text: &str) -> &CStr {
     match CStr::from_bytes_with_nul(text.as_bytes()) {
         Ok(text) => text,
@@ -49,18 +49,18 @@ const fn terminated(text: &str) -> &CStr {
     }
 }
 
-// Causes of failures are the core's; before them stands what only a caller in C can do wrong.
+// The core defines the causes of failures; before them come the mistakes that only a caller in C can make.
 suspension_core::causes! { statuses {
     Ok = 0: "done";
 
-    Null = 1: "a pointer is NULL that must not be";
-    Misaligned = 2: "a pointer is not aligned for what it points to";
+    Null = 1: "a pointer that must not be NULL is NULL";
+    Misaligned = 2: "a pointer is not aligned for its type";
     Size = 3: "the memory has another size than the library needs: header and library differ, or an array has another count than the listing";
     Object = 4: "the object was not made by the function that makes its kind, or not successfully";
-    Argument = 5: "an argument is none of the values that it may have";
+    Argument = 5: "an argument has a value that is not permitted";
     Outside = 6: "the drive is outside the range of the curve";
     NoDirection = 7: "the points that give a direction coincide, lie in line or are not finite";
-    Listing = 8: "the text is no listing that can be solved", "the message says where and why";
+    Listing = 8: "the text is not a listing that can be solved", "the message says where and why";
     Absent = 9: "the listing has no such part";
 } }
 
@@ -78,11 +78,11 @@ mod calls {
     use super::Status as Answer;
     use crate::names::Text;
 
-    /// The number of an answer, whatever C makes of it.
+    /// The number of a status, in any C compiler.
     type Status = i32;
 
     crate::functions! { "susp":
-        /// What an answer means: a text that lives as long as the program.
+        /// The meaning of a status: a text that lives as long as the program.
         fn status_text(status: Status) -> Text {
             let known = Answer::ALL.iter().find(|known| **known as i32 == status);
             known.map_or(c"no such status", |known| known.text()).into()
@@ -92,7 +92,7 @@ mod calls {
 
 pub use calls::status_text;
 
-/// What needs no number.
+/// The interface without a number type.
 pub(crate) const INTERFACE: Interface = Interface {
     prefix: "susp",
     number: "",

@@ -8,16 +8,16 @@ use suspension_core::{Linkage, Signal};
 
 use crate::status::Status;
 
-/// A value for each name.
+/// One value per name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Values<V, const COUNT: usize> {
-    /// In the order of the names; where there are none a single one that means nothing, because C has
-    /// no empty structs.
+    /// The values in the order of the names. Without names there is a single unused value, because C has no
+    /// empty structs.
     pub values: [V; COUNT],
 }
 
-/// How many values there is room for.
+/// Returns the number of values for which there is room.
 pub const fn room(names: &[&str]) -> usize {
     if names.is_empty() { 1 } else { names.len() }
 }
@@ -35,7 +35,7 @@ pub struct Rates<V> {
 }
 
 impl<V> Rates<V> {
-    /// From the core's form.
+    /// Converts from the core's type.
     pub fn from_signal<S>(signal: &Signal<S>, convert: impl Fn(&S) -> V) -> Self {
         Self {
             value: convert(&signal.value),
@@ -45,7 +45,7 @@ impl<V> Rates<V> {
     }
 }
 
-/// The core's form.
+/// Converts to the core's type.
 #[inline(always)]
 pub fn signal<V, S>(rates: &Rates<V>, convert: impl Fn(&V) -> S) -> Signal<S> {
     Signal {
@@ -55,7 +55,7 @@ pub fn signal<V, S>(rates: &Rates<V>, convert: impl Fn(&V) -> S) -> Signal<S> {
     }
 }
 
-/// Numbers under their names.
+/// Converts numbers to the struct of their names.
 #[inline(always)]
 pub fn named<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usize>(
     values: &Values<T, COUNT>,
@@ -63,7 +63,7 @@ pub fn named<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usiz
     S::from_values(values.values.iter().copied())
 }
 
-/// Points under their names.
+/// Converts points to the struct of their names.
 #[inline(always)]
 pub fn named_points<T, S, const COUNT: usize>(values: &Values<[T; 3], COUNT>) -> S
 where
@@ -73,7 +73,7 @@ where
     S::from_values(values.values.iter().copied().map(Vector3::from))
 }
 
-/// Numbers in a row.
+/// Converts a struct of numbers to an array.
 #[inline(always)]
 pub fn values<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usize>(
     named: &S,
@@ -84,7 +84,7 @@ pub fn values<T: Copy + Default, S: suspension_core::Values<T>, const COUNT: usi
     }
 }
 
-/// Points in a row.
+/// Converts a struct of points to an array.
 #[inline(always)]
 pub fn values_of_points<T, S, const COUNT: usize>(named: &S) -> Values<[T; 3], COUNT>
 where
@@ -97,12 +97,12 @@ where
     }
 }
 
-/// The number of a linkage's unknowns.
+/// Returns the number of unknowns of a linkage.
 pub const fn unknowns<L: Linkage<N>, const N: usize>(_: PhantomData<L>) -> usize {
     N
 }
 
-/// Which rates a bounded step solves for.
+/// Returns the rates for which a bounded step solves.
 #[inline(always)]
 pub fn outputs_of(number: i32) -> Result<Outputs, Status> {
     match number {

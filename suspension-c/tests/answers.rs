@@ -1,4 +1,4 @@
-//! What functions answer: failures that name what is concerned, names, chassis that move.
+//! Results of functions: failures with the names of their culprits, names, moving chassis.
 #![allow(unsafe_code, reason = "it reads text as C does")]
 
 mod five_link;
@@ -13,21 +13,21 @@ use suspension_c::catalogue::five_link_f32::{
 use suspension_c::of::f32::{Certificate, Failure, Kingpin, RigidMotion};
 use suspension_c::{Out, Status, status_text};
 
-/// A text that lives as long as the program; `None` for NULL.
+/// Returns a text that lives as long as the program; `None` for NULL.
 fn text(pointer: *const c_char) -> Option<&'static str> {
     // SAFETY: NULL, or a text that lives as long as the program.
     let text = (!pointer.is_null()).then(|| unsafe { CStr::from_ptr(pointer) });
     text.map(|text| text.to_str().expect("UTF-8"))
 }
 
-/// The answer of a call that must fail, and whom it names.
+/// Returns the status of a call that must fail, and the name of its culprit.
 fn failure(
     call: impl FnOnce(Out<'_, Failure>) -> Status,
 ) -> (Status, Option<&'static str>, Failure) {
     let mut memory = MaybeUninit::uninit();
     let status = call((&mut memory).into());
     assert_ne!(status, Status::Ok);
-    // SAFETY: an answer that is not `Ok` means that it is made.
+    // SAFETY: a status other than `Ok` means that the failure is written.
     let failure: Failure = unsafe { memory.assume_init() };
     assert_eq!(failure.status, status);
     (status, text(failure.culprit.as_ptr()), failure)
@@ -70,7 +70,7 @@ fn a_geometry_that_is_none_names_the_point_or_the_length() {
     assert_ne!(after.expect("lengths"), before);
 }
 
-/// The lower front link square to y, along which its derivative is the first pivot.
+/// The lower front link is perpendicular to y, along which its derivative is the first pivot.
 #[test]
 fn a_small_pivot_is_told_and_the_model_made() {
     let mut points = DESIGN;
@@ -119,7 +119,7 @@ fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
     );
     assert_eq!(text(status_text(1000).as_ptr()), Some("no such status"));
 
-    // From rest to where the drive cannot lead: how far it got.
+    // The step starts at rest and goes beyond the reach of the drive; `reached` says how far it got.
     let start = step_from_rest(&model, &mut motion);
     let (_, _, told) = failure(|failure| {
         let (model, motion) = ((&model).into(), (&mut motion).into());
@@ -129,7 +129,7 @@ fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
     assert!((0.1..0.9).contains(&told.reached), "{told:?}");
 }
 
-/// Inputs of the design position, and a motion with the rates that belong to them.
+/// Returns the inputs of the design position, and changes the motion to the one with their rates.
 fn step_from_rest(model: &Model, motion: &mut Motion) -> Inputs {
     let drives = made(|drives| five_link_f32::model_drives(model.into(), (&DESIGN).into(), drives));
     let inputs = inputs(drives.expect("drives"), 0.5);
@@ -200,7 +200,7 @@ fn what_has_no_direction_is_told() {
     let mut unknown = DESIGN;
     unknown.values.fill([f32::NAN; 3]);
     assert_eq!(kingpin(&unknown), Err(Status::NoDirection));
-    // What cannot be squared is as bad as zero.
+    // Lengths whose squares overflow or underflow are refused like zero.
     for length in [0.0, 1e-30, 1e30, f32::NAN] {
         let chassis = RigidMotion {
             rotation: [length, 0.0, 0.0, 0.0],
@@ -221,7 +221,8 @@ fn what_has_no_direction_is_told() {
     }
 }
 
-/// A chassis that turns about the vertical alone: that does not change what the drive, an angle from it, prescribes.
+/// A chassis that turns about the vertical alone, which does not change an angle from the vertical, the
+/// drive.
 const CHASSIS: RigidMotion = RigidMotion {
     rotation: [0.8, 0.0, 0.0, 0.6],
     position: [3.0, -2.0, 1.0],
@@ -256,7 +257,8 @@ fn solved_in_the_world_it_moves_as_carried_there() {
     }
 }
 
-/// With chassis points that move, from rest at a position: by a step to tolerance and one of fixed cost.
+/// Steps with chassis points that move, from rest at a position: by a step to tolerance and one of fixed
+/// cost.
 fn solved_in_the_world(model: &Model, inputs: &Inputs, start: &Points) -> PointRates {
     let anchors: ChassisRates =
         made(|anchors| five_link_f32::move_chassis(model.into(), (&CHASSIS).into(), anchors))

@@ -1,5 +1,5 @@
-//! Every function of a linkage with every argument wrong, one after the other: a program in C, written
-//! from what the functions say of themselves.
+//! Every function of a linkage with every argument wrong, one after the other: a program in C, generated
+//! from the descriptions of the functions.
 
 mod native;
 
@@ -9,7 +9,7 @@ use std::process::Command;
 use suspension_c::catalogue::{attia2003_f64, five_link_f32};
 use suspension_c::{Function, Interface};
 
-/// What every program begins with: a valid object of each type that functions read.
+/// The beginning of every program: a valid object of each type that functions read.
 const HEAD: &str = r#"
 #include <math.h>
 #include <stdio.h>
@@ -80,7 +80,7 @@ const DESIGN: &str = "{-1.396, -0.025, -0.082}, {-1.301, 0.1168, 0.106}, {-1.094
         {-1.302, 0.383, 0.24}, {-1.27, 0.315, 0.218}, {-1.292, 0.309, -0.005},
         {-1.188, 0.418, 0.167}, {-1.27, 0.415, 0.218}";
 
-/// What may be NULL.
+/// Arguments that may be NULL.
 const OPTIONAL: [&str; 3] = ["failure", "assembly", "report"];
 
 #[test]
@@ -102,7 +102,7 @@ fn wrong_ones_are_told_and_leave_all_as_it_was() {
     }
 }
 
-/// The program for an interface.
+/// Returns the program for an interface.
 fn program(interface: &Interface) -> String {
     let header = format!("{}.h", interface.prefix.replacen("susp_", "suspension_", 1));
     let mut text = HEAD
@@ -126,11 +126,11 @@ fn program(interface: &Interface) -> String {
     text
 }
 
-/// A call with one argument, or none, other than it should be.
+/// A call with at most one wrong argument.
 struct Case {
     wrong: Option<(usize, String)>,
     answer: &'static str,
-    /// Bytes to fill an object with before.
+    /// The byte with which an object is filled first.
     fill: Option<u8>,
 }
 
@@ -240,7 +240,7 @@ impl Case {
         text
     }
 
-    /// Nothing is written but the failure, which says what the answer does.
+    /// Only the failure is written, with the status of the call.
     fn unchanged(&self, function: &Function, place: &str) -> String {
         let mut text = String::new();
         for (index, of) in pointers(function) {
@@ -264,7 +264,7 @@ impl Case {
     }
 }
 
-/// Numbers and types of the arguments that are pointers.
+/// Returns numbers and types of the pointer arguments.
 fn pointers(function: &Function) -> impl Iterator<Item = (usize, &'static str)> {
     let numbered = function.arguments.iter().enumerate();
     numbered
@@ -272,7 +272,7 @@ fn pointers(function: &Function) -> impl Iterator<Item = (usize, &'static str)> 
         .map(|(index, [_, _, of])| (index, *of))
 }
 
-/// An argument as it should be.
+/// Returns a valid argument.
 fn valid(function: &Function, index: usize) -> String {
     match function.arguments[index] {
         [_, "usize", _] => {

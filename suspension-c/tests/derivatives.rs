@@ -1,4 +1,4 @@
-//! Motion ratios, and drives that are followed as far as they lead: what the core computes, bit for bit.
+//! Motion ratios, and drives that are followed as far as they lead: the results of the core, bit for bit.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod five_link;
@@ -67,7 +67,7 @@ fn motion_ratios_at_rest_are_those_of_the_corner() {
     assert_eq!(ratios(&design_inputs(), f32::NAN), Err(Status::Overflow));
 }
 
-/// Forces on the knuckle do as much work as the drive bears; of a link the equation's number is the force in it.
+/// The work of forces on the knuckle is the load on the drive; the multiplier of a link is the force in it.
 #[test]
 fn the_drive_bears_the_work_of_forces() {
     let (model, motion, inputs) = (model(), at_rest(), design_inputs());
@@ -88,7 +88,7 @@ fn the_drive_bears_the_work_of_forces() {
         )
     });
     let [borne] = drives.expect("regular").values;
-    // SAFETY: an answer of `Ok` means that they are made.
+    // SAFETY: the status `Ok` means that they are written.
     let equations: Equations = unsafe { equations.assume_init() };
     let (points, _) = ratios(&inputs, 1.0).expect("regular");
     let free = points.rate.values[5..10].iter();
@@ -103,7 +103,7 @@ fn the_drive_bears_the_work_of_forces() {
     assert!((equations.values[4].abs() - track_rod).abs() < 1e-4 * track_rod);
 }
 
-/// The answer, the inputs that were reached, the report or the failure.
+/// Returns the status, the inputs that were reached, and the report or the failure.
 fn advance(to: f32) -> (Status, Inputs, PointRates, Option<Report>, Option<Failure>) {
     let (model, mut motion, mut reached) = (model(), at_rest(), design_inputs());
     let to = inputs(Drives { values: [to] }, 0.5);
@@ -119,7 +119,7 @@ fn advance(to: f32) -> (Status, Inputs, PointRates, Option<Report>, Option<Failu
         (&mut failure).into(),
     );
     let is_done = status == Status::Ok;
-    // SAFETY: an answer of `Ok` means that the report is made, any other that the failure is.
+    // SAFETY: the status `Ok` means that the report is written, any other that the failure is.
     let report = is_done.then(|| unsafe { report.assume_init() });
     // SAFETY: as above.
     let failure = (!is_done).then(|| unsafe { failure.assume_init() });
@@ -158,7 +158,7 @@ fn drives_are_followed_to_the_end_or_as_far_as_they_lead() {
     }
 }
 
-/// Where nothing is reached nothing is changed, second rates included.
+/// A step that reaches nothing changes nothing, second rates included.
 #[test]
 fn what_cannot_begin_leaves_the_inputs() {
     let (model, mut motion, mut reached) = (model(), at_rest(), design_inputs());

@@ -1,4 +1,4 @@
-//! Steps of fixed cost: with each number of corrections what the core computes, bit for bit.
+//! Steps of fixed cost: for each number of corrections the results of the core, bit for bit.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod five_link;
@@ -27,8 +27,8 @@ type Attempt = extern "C" fn(
     Out<'_, Report>,
 ) -> Status;
 
-/// Follows a drive that turns at a constant rate and jumps once, in C and in Rust, and compares; returns the first step
-/// that both refuse.
+/// Follows a drive that turns at a constant rate and jumps once, in C and in Rust, and compares; returns
+/// the first step that both refuse.
 fn compare<const CORRECTIONS: usize>(attempt: Attempt, jump: f32) -> Option<u16> {
     let points = core_link::Points::from_values(DESIGN.values.map(Vector3::from));
     let own = core_link::Model::new(&points).expect("a model");
@@ -83,7 +83,7 @@ fn smooth_drives_are_followed_by_all() {
     }
 }
 
-/// The larger the jump, the more corrections it takes.
+/// Larger jumps need more corrections.
 #[test]
 fn a_jump_takes_corrections() {
     assert_eq!(
@@ -95,7 +95,7 @@ fn a_jump_takes_corrections() {
     assert_eq!(compare::<2>(five_link_f32::attempt_twice, 5e-3), None);
 }
 
-/// A step of fixed cost as an [`Attempt`], without its failure.
+/// Adapts a step of fixed cost to [`Attempt`], which has no failure.
 macro_rules! without_failure {
     ($name:ident, $step:ident) => {
         extern "C" fn $name(
@@ -114,7 +114,7 @@ macro_rules! without_failure {
 without_failure!(step, bounded_step);
 without_failure!(step_twice, bounded_step_twice);
 
-/// As an attempt where that is accepted.
+/// They compute what an accepted attempt does.
 #[test]
 fn steps_that_explain_a_refusal_are_attempts() {
     assert_eq!(compare::<1>(step, 2e-3), None);

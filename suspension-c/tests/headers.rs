@@ -1,10 +1,10 @@
-//! The committed headers are those that the functions describe.
+//! The committed headers are those that the descriptions of the functions give.
 
 use std::path::PathBuf;
 
 use suspension_c::catalogue::{attia2003_f32, attia2003_f64, five_link_f32, five_link_f64};
 
-/// Set to write the headers anew.
+/// If this is set, the test writes the headers.
 const UPDATE: &str = "UPDATE_SNAPSHOTS";
 
 #[test]

@@ -1,4 +1,4 @@
-//! Listings from text: what they tell, and how they move.
+//! Listings from text: their contents and their motion.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 #[path = "listing/loads.rs"]
@@ -14,16 +14,16 @@ use suspension_core::Signal;
 use suspension_core::linkages::double_wishbone_pushrod::{self as compiled, Drives};
 use text::{DRIVE, MEASURE, PART, POINT, Read, from, made, placed, pushrod, to};
 
-/// A crank: no wheel, no measure, and a point whose position is not stated.
+/// A crank: no wheel, no measure, and a point without a position.
 const CRANK: &str = "fixed: hinge at [0.0, 0.0, 0.0];
     free: tip;
     link arm: hinge -> tip;
     drive turn: angle(hinge -> tip, z);
     drive along: tip.x;";
 
-/// A text that lives as long as the program or a listing of the test that asks; `None` for NULL.
+/// Returns a text that lives as long as the program or a listing of the test; `None` for NULL.
 fn name(pointer: *const c_char) -> Option<String> {
-    // SAFETY: NULL, or what is said above.
+    // SAFETY: NULL, or such a text.
     let name = (!pointer.is_null()).then(|| unsafe { CStr::from_ptr(pointer) });
     name.map(|name| name.to_str().expect("UTF-8").to_owned())
 }
@@ -75,7 +75,7 @@ fn parts_have_numbers_and_names() {
     for kind in [POINT, DRIVE, MEASURE, PART] {
         for index in 0..listing.count(kind) {
             let text = listing::listing_name(listing.get(), kind, index).as_ptr();
-            // SAFETY: it lives as long as the listing.
+            // SAFETY: the text lives as long as the listing.
             let found = listing.find(kind, unsafe { CStr::from_ptr(text) });
             assert_eq!(found, Ok(index));
         }
@@ -123,7 +123,7 @@ fn points_that_make_no_linkage_are_named() {
     );
 }
 
-/// What is beyond the reach of the drive, from C and from the corner in Rust.
+/// Steps beyond the reach of the drive, from C and from the corner in Rust.
 #[test]
 fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
     let (mut stays, mut goes) = (placed(), placed());
@@ -154,7 +154,7 @@ fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
     assert!((0.05..0.45).contains(&goes.time()), "{}", goes.time());
 }
 
-/// A copy goes on with the same bits, also where the original has gone on or is gone.
+/// A copy continues with the same bits, even if the original has moved on or is freed.
 #[test]
 fn a_copy_goes_on_by_itself() {
     let listing = pushrod();

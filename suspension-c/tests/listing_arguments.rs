@@ -1,4 +1,4 @@
-//! Every function of listings from text with wrong arguments: they are refused, and nothing is changed.
+//! Every function of listings from text with wrong arguments: they are refused, and nothing changes.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod text;

@@ -1,4 +1,4 @@
-//! No call on a suspension from text allocates but those that make it and free it.
+//! Only the calls that make and free a suspension from text allocate.
 #![allow(unsafe_code, reason = "an allocator, and what C would pass")]
 
 #[path = "../../tests/counting/mod.rs"]
@@ -47,7 +47,7 @@ fn what_moves_and_reads_does_not_allocate() {
         .expect_err("beyond reach");
     assert!(corner.time() > 1.0);
     let (mut points, mut measures, change) = ([0.0; 9 * 20], [0.0; 6], [1.0, 0.0]);
-    // SAFETY: as many as are said.
+    // SAFETY: the array has as many numbers as the call is told.
     let both = unsafe { InOut::from_raw(forces.as_mut_ptr()) };
     let added =
         listing::corner_add_masses(corner.get(), (&masses).into(), from(&design), 60, both, 60);

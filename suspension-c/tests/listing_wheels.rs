@@ -1,4 +1,4 @@
-//! Listings from text with several wheels: each of them by its number.
+//! Listings from text with several wheels, each of which is read by its number.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod text;
@@ -11,7 +11,7 @@ use suspension_core::{Signal, Values};
 use suspension_runtime::Listing;
 use text::{DRIVE, Moving, Read, WHEEL, from, made, pushrod};
 
-/// Heights of the left and the right wheel, and the rack, off the design.
+/// Heights of the left and the right wheel, and the rack, relative to the design.
 const MOVED: [(&std::ffi::CStr, f64); 3] = [
     (c"bump_left", 0.03),
     (c"bump_right", -0.02),
@@ -24,7 +24,7 @@ fn axle() -> &'static str {
     found.expect("an axle").1
 }
 
-/// The axle of the catalogue, moved in half a second to rest.
+/// Moves the axle of the catalogue in half a second to rest.
 fn moved() -> (Read, Moving) {
     let read = Read::new(axle()).expect("a listing");
     let mut corner = read.place(&read.design()).expect("a geometry");
@@ -40,7 +40,7 @@ fn moved() -> (Read, Moving) {
     (read, corner)
 }
 
-/// As the corner in Rust reads them, which finds them by name.
+/// The numbers agree with the corner in Rust, which finds wheels by name.
 #[test]
 fn each_wheel_and_kingpin_is_that_of_its_name() {
     let (read, corner) = moved();
@@ -80,7 +80,7 @@ fn each_wheel_and_kingpin_is_that_of_its_name() {
     assert!((cambers[0] - cambers[1]).abs() > 1e-3, "{cambers:?}");
 }
 
-/// The wheels of a mirror turn as in a mirror, from a symmetric place at opposite rates.
+/// The mirrored wheels rotate at opposite rates at a symmetric place.
 #[test]
 fn each_carrier_turns_as_its_own() {
     let read = Read::new(axle()).expect("a listing");

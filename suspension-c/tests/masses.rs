@@ -1,4 +1,5 @@
-//! Weight and inertia of parts: what the core computes, bit for bit; a wrong mass is refused and adds nothing.
+//! Weight and inertia of parts: the results of the core, bit for bit; a wrong mass is refused and adds
+//! nothing.
 #![allow(unsafe_code, reason = "it takes what C would pass")]
 
 mod five_link;
@@ -32,19 +33,19 @@ fn mass(points: &[u32], mass: f64) -> Mass<f64> {
     }
 }
 
-/// In a field; they stay for the rest of the test program.
+/// Returns masses in a field of gravity, which live for the rest of the test program.
 fn in_field<T: Copy + 'static>(masses: &[Mass<T>], gravity: [T; 3]) -> Masses<T> {
     Masses::new(Box::leak(masses.into()), gravity)
 }
 
-/// Numbers that are read and written.
+/// Returns a pointer to numbers that are read and written.
 fn both(numbers: &mut [f64]) -> InOut<'_, f64> {
-    // SAFETY: tests say how many there are as the slice does.
+    // SAFETY: tests state the length of the slice.
     unsafe { InOut::from_raw(numbers.as_mut_ptr()) }
 }
 
-/// An upright with its wheel, a pushrod and masses in a joint and at a marker, of a suspension that moves and accelerates:
-/// the forces, and what they do to the drives.
+/// Forces and loads on the drives of an upright with its wheel, a pushrod and masses at a joint and at a
+/// marker, in a suspension that moves and accelerates.
 #[test]
 fn of_a_listing_they_are_those_of_the_core() {
     let (listing, mut corner) = (pushrod(), placed());
@@ -188,7 +189,7 @@ fn of_a_listing_a_wrong_mass_is_refused_and_adds_nothing() {
     assert_eq!(add((&none).into(), whole), Status::Ok);
 }
 
-/// Masses that are none, where `point` is one and there are so many.
+/// Invalid masses, where `point` is a valid point and there are `points` points.
 fn wrong(point: u32, points: u32) -> Vec<(Mass<f64>, Status)> {
     let good = mass(&[point], 1.0);
     let body = mass(&[point, point + 1, point + 2], 1.0);
@@ -217,7 +218,7 @@ fn wrong(point: u32, points: u32) -> Vec<(Mass<f64>, Status)> {
     ]
 }
 
-/// The same of a linkage that is compiled in; what is at a marker would load nothing.
+/// Masses of a compiled linkage; a force at a marker would have no effect.
 #[test]
 fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
     let design = five_link::DESIGN;
@@ -248,7 +249,8 @@ fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
 }
 
 suspension_core::linkage! {
-    /// A bar between two arms, whose twist is driven: unknowns that are no coordinates stand beside those of the points.
+    /// A bar between two arms, whose twist is driven: unknowns other than coordinates stand beside those of
+    /// the points.
     mod bar {
         fixed: left_end at [0.0, 0.3, 0.3], right_end at [0.0, -0.3, 0.3];
         free:  left at [-0.2, 0.4, 0.3], right at [-0.2, -0.4, 0.3], nose at [-0.2, 0.42, 0.35];

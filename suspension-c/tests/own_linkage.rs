@@ -1,4 +1,5 @@
-//! A linkage of one's own: exported by a line, its header printed, a program in C linked with it.
+//! A user's own linkage: it is exported by one line, its header is printed, and a program in C is linked
+//! with it.
 
 mod native;
 
@@ -31,7 +32,8 @@ fn is_used_from_c() {
 }
 
 suspension_core::linkage! {
-    /// A rod in a plane, of which nothing is measured, between points whose names C keeps for itself or gives to those.
+    /// A rod in a plane without measures, between points whose names are keywords of C or equal to a
+    /// renamed keyword.
     mod rod {
         fixed: int_;
         free:  int, r#struct;
@@ -44,11 +46,11 @@ suspension_core::linkage! {
     }
 }
 suspension_c::export!(
-    /// A comment with the end of one: */ and on.
+    /// A comment that contains the end of a comment: */ and more.
     mod rod_f64 = rod, f64, "my_rod_f64"
 );
 
-/// C has no empty structs.
+/// C has no empty structs, so the struct has an unused member.
 #[test]
 fn without_measures_has_a_member_that_means_nothing() {
     if !native::has("cc", "without_measures_has_a_member_that_means_nothing") {
@@ -75,7 +77,7 @@ fn without_measures_has_a_member_that_means_nothing() {
     }
 }
 
-/// What the program does.
+/// Computes the output of the program.
 fn in_rust() -> [f32; 2] {
     let design = Model::<f32>::design();
     let model = Model::new(&design).expect("a four-bar");

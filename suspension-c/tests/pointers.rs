@@ -1,4 +1,4 @@
-//! The functions called from Rust, as C would: what Miri can look into
+//! The functions called from Rust as C would, which Miri can check
 //! (`cargo +nightly miri test -p suspension-c --test pointers`).
 
 #![allow(unsafe_code, reason = "it takes what C would pass")]
@@ -69,7 +69,7 @@ fn null_misaligned_and_foreign_objects_are_told() {
             (&mut failure).into(),
         );
         assert_eq!(status, expected);
-        // SAFETY: an answer that is not `Ok` means that it is made.
+        // SAFETY: a status other than `Ok` means that the failure is written.
         assert_eq!(unsafe { failure.assume_init() }.status, expected);
     }
 }
@@ -125,7 +125,7 @@ fn a_baked_wheel_is_that_of_the_core() {
     assert_eq!(look_up(flat, f32::NAN).unwrap_err(), Status::Outside);
     assert_eq!(look_up(&flat[1..], 1.0).unwrap_err(), Status::Argument);
     assert_eq!(look_up(&flat[..0], 1.0).unwrap_err(), Status::Argument);
-    // Half of the coefficients, and so many segments per unit as are none of this table.
+    // Half of the coefficients, and a number of segments per unit that does not belong to this table.
     assert_eq!(look_up(&flat[36..], 1.0).unwrap_err(), Status::Argument);
     for segments_per_unit in [-1.0, 0.0, 1.0, f32::NAN] {
         let curve = Curve {

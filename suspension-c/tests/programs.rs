@@ -10,8 +10,8 @@ use suspension_runtime::Listing;
 
 use native::{compile, example, has, root, run};
 
-/// The published motion in a thousand and nine hundred steps: the text that C prints has checksums of
-/// the bits of everything computed, and is that of the same program in Rust over the core.
+/// The published motion in 1,900 steps: the text that C prints contains checksums of the bits of everything
+/// computed, and equals that of the same program in Rust with the core.
 #[test]
 fn c_and_rust_compute_the_same_bits() {
     if !has("cc", "c_and_rust_compute_the_same_bits") {
@@ -34,8 +34,8 @@ fn c_and_rust_compute_the_same_bits() {
     }
 }
 
-/// A listing that C reads from a file moves as the same listing does that was compiled for Rust. The text
-/// that both print has a checksum of the bits of everything computed.
+/// A listing that C reads from a file moves like the same listing compiled in Rust. The text that both
+/// print contains a checksum of the bits of everything computed.
 #[test]
 fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
     if !has("cc", "c_moves_a_listing_from_text_as_rust_a_compiled_one") {
@@ -64,7 +64,7 @@ fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
     assert!(complaint.starts_with("listing:3:"), "{complaint}");
 }
 
-/// Of an axle C reads each wheel, by its number, as Rust reads it by its name.
+/// C reads each wheel of an axle by its number and gets what Rust reads by the wheel's name.
 #[test]
 fn c_reads_each_wheel_of_an_axle() {
     if !has("cc", "c_reads_each_wheel_of_an_axle") {
@@ -98,7 +98,7 @@ fn c_reads_each_wheel_of_an_axle() {
     assert_eq!(by_c, by_rust);
 }
 
-/// Headers are valid alone, in C99 with all that ISO asks for, and in C++.
+/// Headers compile alone, in C99 with all that ISO demands, and in C++.
 #[test]
 fn headers_compile_in_c99_and_in_cpp() {
     for (compiler, options) in [

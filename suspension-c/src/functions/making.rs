@@ -5,9 +5,9 @@
 #[macro_export]
 macro_rules! functions_of_making {
     ($prefix:literal) => { $crate::functions! { $prefix, MAKING:
-        /// Makes a model whose lengths are those of the points as they stand. `size` is
-        /// `sizeof *model`. With SUSP_ERROR_SMALL_PIVOT the model is made all the same: steps to
-        /// tolerance go on with partial pivoting, attempts are refused.
+        /// Makes a model with the lengths between the points. `size` is `sizeof *model`.
+        /// With SUSP_ERROR_SMALL_PIVOT the model is made nevertheless: steps to tolerance then use partial
+        /// pivoting, and attempts are refused.
         fn model_new(model: Out<Model>, size: usize, design: In<Points>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, design) = (model.place(size)?, design.get()?);
@@ -18,7 +18,7 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// Gives a model other lengths; each body keeps its handedness.
+        /// Changes the lengths of a model; each body keeps its handedness.
         fn model_set_lengths(model: InOut<Model>, lengths: In<Lengths>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, lengths) = (model.object()?, lengths.get()?);
@@ -27,7 +27,7 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// Attaches a model's markers as they stand among the points.
+        /// Attaches a model's markers to their bodies at the given points.
         fn model_set_markers(model: InOut<Model>, points: In<Points>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, points) = (model.object()?, points.get()?);
@@ -45,7 +45,7 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// The values that the drives have in a configuration.
+        /// The values of the drives in a configuration.
         fn model_drives(model: In<Model>, points: In<Points>, drives: Out<Drives>) -> Status {
             answer(|| {
                 let (model, points, drives) = (model.object()?, points.get()?, drives.get()?);
@@ -54,8 +54,7 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// Makes a motion: at rest, the free points where they stand among `points`. `size` is
-        /// `sizeof *motion`.
+        /// Makes a motion at rest with the free points at `points`. `size` is `sizeof *motion`.
         fn motion_at_rest(model: In<Model>, motion: Out<Motion>, size: usize, points: In<Points>) -> Status {
             answer(|| {
                 let (model, motion) = (model.object()?, motion.place(size)?);
@@ -65,9 +64,9 @@ macro_rules! functions_of_making {
             })
         }
 
-        /// Makes a motion: at rest, in the configuration nearest to the guess, of which the free points
-        /// matter. A step with `dt` = 0 finds its rates. `size` is `sizeof *motion`; `assembly` may be
-        /// NULL. For setting up: it takes hundreds of times as long as a step.
+        /// Makes a motion at rest in the configuration nearest to the guess, of which only the free points
+        /// matter. A step with `dt` = 0 then computes its rates. `size` is `sizeof *motion`; `assembly` may
+        /// be NULL. This call is for initialisation: it takes hundreds of times as long as a step.
         fn assemble(model: In<Model>, inputs: In<Inputs>, guess: In<Points>, motion: Out<Motion>, size: usize, assembly: Out<Assembly>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, guess) = (model.object()?, inputs.get()?, guess.get()?);

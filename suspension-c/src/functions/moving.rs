@@ -5,8 +5,8 @@
 #[macro_export]
 macro_rules! functions_of_moving {
     ($prefix:literal) => { $crate::functions! { $prefix, MOVING:
-        /// Points that were found in chassis axes, carried into the world with a chassis that moves:
-        /// cheaper than to solve with chassis points that move.
+        /// Transforms points that were computed in chassis axes to world axes for a chassis that moves.
+        /// This is cheaper than a step with chassis points that move.
         fn carry(chassis: In<RigidMotion>, points: In<PointRates>, carried: Out<PointRates>) -> Status {
             answer(|| {
                 let (chassis, points, carried) = (chassis.get()?, points.get()?, carried.get()?);
@@ -15,8 +15,8 @@ macro_rules! functions_of_moving {
             })
         }
 
-        /// The chassis points of a model, which rest in chassis axes, with a chassis that moves: what
-        /// the `moving_` functions take.
+        /// Computes the chassis points of a model, which are fixed in chassis axes, for a chassis that
+        /// moves: the input of the `moving_` functions.
         fn move_chassis(model: In<Model>, chassis: In<RigidMotion>, points: Out<ChassisRates>) -> Status {
             answer(|| {
                 let (model, chassis, points) = (model.object()?, chassis.get()?, points.get()?);
@@ -26,7 +26,8 @@ macro_rules! functions_of_moving {
             })
         }
 
-        /// `step` with chassis points that move. Drives prescribe coordinates in the axes of these.
+        /// `step` with chassis points that move. Drives prescribe coordinates in the same axes as these
+        /// points.
         fn moving_step(model: In<Model>, chassis: In<ChassisRates>, inputs: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let inputs = moving(chassis.get()?, inputs.get()?);

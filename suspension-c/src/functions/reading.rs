@@ -5,14 +5,14 @@
 #[macro_export]
 macro_rules! functions_of_reading {
     ($prefix:literal) => { $crate::functions! { $prefix, READING:
-        /// Positions, velocities and accelerations of all points of a motion, which must be the one that
-        /// a step with these inputs left.
+        /// Positions, velocities and accelerations of all points of a motion. `inputs` must be those of the
+        /// step that computed the motion.
         fn read_points(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, points: Out<PointRates>) -> Status {
             answer(|| located(model, still(inputs.get()?), motion, points))
         }
 
-        /// What the listing measures, with rates. A rate is NaN where a measured length is zero, or a
-        /// measured angle 0 or pi.
+        /// The measures of the listing, with rates. A rate is NaN where a measured length is zero, or a
+        /// measured angle is 0 or pi.
         fn read_measures(model: In<Model>, points: In<PointRates>, measures: Out<MeasureRates>) -> Status {
             answer(|| {
                 let (model, points) = (model.object()?, points.get()?);
@@ -23,10 +23,11 @@ macro_rules! functions_of_reading {
             })
         }
 
-        /// Motion ratios: all points of a motion with their first and second derivative where the drives change
-        /// as `change` says, say one of them by 1 and the rest by 0, at rest too. The members `rate` are per unit
-        /// of that change, `second_rate` per unit squared; `read_measures` takes them on to the measures.
-        /// The rates of `inputs` do not matter. SUSP_ERROR_SINGULAR where the drives lock.
+        /// Motion ratios: all points of a motion with their first and second derivatives for the change
+        /// `change` of the drives, for example 1 for one of them and 0 for the rest; the mechanism may be
+        /// at rest. The members `rate` are per unit of that change, `second_rate` per unit squared;
+        /// `read_measures` computes the derivatives of the measures from them. The rates of `inputs` do not
+        /// matter. SUSP_ERROR_SINGULAR where the drives lock.
         fn read_derivatives(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, change: In<Drives>, points: Out<PointRates>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, motion, points) = (model.object()?, motion.object()?, points.get()?);
@@ -39,12 +40,14 @@ macro_rules! functions_of_reading {
             })
         }
 
-        /// What forces at the free points do, N in the axes of the points, the mechanism at rest at the position of a
-        /// motion; what acts at markers loads nothing, at chassis points the drive that moves them. `drives` gets their work per unit of each
-        /// drive, which what moves the drive bears; `equations` the multiplier of each equation: of a
-        /// link the force in it, positive in tension; where a drive prescribes the link's own angle from an axis, without
-        /// that drive's part along the link. The rates of `inputs` do not matter. Takes about half a step.
-        /// SUSP_ERROR_SINGULAR where the drives lock.
+        /// The effects of forces at the free points, N in the axes of the points, on the mechanism at rest
+        /// at the position of a motion. Forces at markers have no effect here; forces at chassis points act
+        /// on the drive that moves them. `drives` receives the work of the forces per unit of each drive,
+        /// which is the load on its actuator; `equations` the multiplier of each equation. The multiplier
+        /// of a link is the force in it, positive in tension; if a drive prescribes the link's angle from
+        /// an axis, the part of the force along the link that the drive causes is not included. The rates
+        /// of `inputs` do not matter. Takes about half as long as a step. SUSP_ERROR_SINGULAR where the
+        /// drives lock.
         fn read_loads(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, forces: In<Points>, drives: Out<Drives>, equations: Out<Equations>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, motion) = (model.object()?, inputs.get()?, motion.object()?);
@@ -58,10 +61,11 @@ macro_rules! functions_of_reading {
             })
         }
 
-        /// Adds to `forces` weight and inertia of masses where the points move, which `read_points` found with their
-        /// accelerations: for `read_loads`. `design` are the points where the masses are stated. Each is at chassis points and
-        /// free points, as what acts at markers loads nothing: SUSP_ERROR_ARGUMENT of a marker, SUSP_ERROR_ABSENT of no
-        /// point. SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line.
+        /// Adds weight and inertia of masses to `forces`, for `read_loads`. `points` come from
+        /// `read_points` with their accelerations; `design` are the points at which the masses are stated.
+        /// A mass refers to chassis points and free points only: SUSP_ERROR_ARGUMENT for a marker, because
+        /// forces at markers have no effect in `read_loads`, SUSP_ERROR_ABSENT for a number without a
+        /// point. SUSP_ERROR_NO_DIRECTION if the three points of a body are in line.
         fn add_masses(masses: In<Masses>, design: In<Points>, points: In<PointRates>, forces: InOut<Points>) -> Status {
             answer(|| {
                 let (masses, design, points) = (masses.get()?, design.get()?, points.get()?);
@@ -74,8 +78,8 @@ macro_rules! functions_of_reading {
             })
         }
 
-        /// Proves that a configuration for `inputs`, of which the rates do not matter, is near a motion's
-        /// position, and no other. Takes about as long as five steps to tolerance.
+        /// Proves that near the position of a motion there is exactly one configuration for `inputs`, whose
+        /// rates do not matter. Takes about as long as five steps to tolerance.
         fn certify(model: In<Model>, inputs: In<Inputs>, motion: In<Motion>, certificate: Out<Certificate>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs) = (model.object()?, inputs.get()?);

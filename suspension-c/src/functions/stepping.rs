@@ -11,10 +11,11 @@ macro_rules! functions_of_stepping {
             respond(failure, &NAMES, || tracked(model, still(inputs.get()?), dt, motion, report))
         }
 
-        /// A step of `dt` seconds between two inputs that may lie far apart, near by where `dt` is 0: to tolerance,
-        /// in as many sub-steps as it takes, 200 at most. `motion` is the one at `from`; in between the
-        /// drives follow the cubics that have their values and rates at the ends or, where these lead
-        /// past a lock, straight lines from rest, in 200 more. `report` may be NULL.
+        /// A step of `dt` seconds between two inputs that may be far apart, or near each other if `dt` is
+        /// 0: to tolerance, in as many sub-steps as necessary, at most 200. `motion` is the one at `from`.
+        /// In between the drives follow the cubics with their values and rates at both ends or, if these
+        /// lead past a lock, straight lines from rest, in at most 200 further sub-steps. `report` may be
+        /// NULL.
         fn step_between(model: In<Model>, from: In<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, from, to) = (model.object()?, from.get()?, to.get()?);
@@ -26,10 +27,11 @@ macro_rules! functions_of_stepping {
             })
         }
 
-        /// `step_between` along the cubics alone that keeps what it has got to where it stops early, as at a lock:
-        /// `inputs`, those of `motion`, become `to`. If not, both are those of the last good sub-step,
-        /// `failure->reached` seconds from the start; from a lock no step may lead on or back, as rates have no bound
-        /// there. `report` may be NULL.
+        /// `step_between` along the cubics only, which keeps its progress if it stops early, for example at
+        /// a lock: `inputs`, those of `motion`, become `to`. If the step stops early, `inputs` and `motion`
+        /// become those of the last good sub-step, `failure->reached` seconds after the start. From a lock
+        /// there may be no step forwards or backwards, because rates are unbounded there. `report` may be
+        /// NULL.
         fn advance(model: In<Model>, inputs: InOut<Inputs>, to: In<Inputs>, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 let (model, inputs, to) = (model.object()?, inputs.get()?, to.get()?);
@@ -43,38 +45,40 @@ macro_rules! functions_of_stepping {
             })
         }
 
-        /// One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. Solved for:
-        /// SUSP_POSITION, SUSP_VELOCITY (position too) or SUSP_ACCELERATION (all three). Rates that are
-        /// not solved for are estimates, good for the next step. `report` may be NULL. A first step from
-        /// rest is one with `dt` = 0.
+        /// One step of fixed cost, of `dt` seconds, to the configuration of `inputs`. `outputs` states what
+        /// it solves for: SUSP_POSITION, SUSP_VELOCITY (and position) or SUSP_ACCELERATION (all three). The
+        /// other rates are estimates, which suffice for the next step. `report` may be NULL. The first step
+        /// from rest has `dt` = 0.
         fn bounded_step(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 bounded::<_, 1>(model, still(inputs.get()?), outputs, dt, motion, report)
             })
         }
 
-        /// The same with two corrections in place of one, for longer steps, and for steps of a millisecond
-        /// that do not solve for the acceleration.
+        /// `bounded_step` with two corrections in place of one, for longer steps, and for steps of a
+        /// millisecond that do not solve for the acceleration.
         fn bounded_step_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>, failure: Out<Failure>) -> Status {
             respond(failure, &NAMES, || {
                 bounded::<_, 2>(model, still(inputs.get()?), outputs, dt, motion, report)
             })
         }
 
-        /// `bounded_step` in one fixed order of pivots or not at all: the call for a hard real-time loop. A
-        /// refusal takes no longer than a step and leaves the motion; `bounded_step` with the same
-        /// arguments finds the reason, or another order. `report` may be NULL.
+        /// `bounded_step` in one fixed order of pivots, or a refusal: the call for a hard real-time loop. A
+        /// refusal takes no longer than a step and does not change the motion; `bounded_step` with the same
+        /// arguments returns the reason, or uses another order. `report` may be NULL.
         fn attempt(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<1>(model, inputs, outputs, dt, motion, report))
         }
 
-        /// `attempt` with two corrections in place of one, as `bounded_step_twice` has them: in `double` for a wheel on a road.
+        /// `attempt` with two corrections in place of one, like `bounded_step_twice`: in `double` for a
+        /// wheel on a road.
         fn attempt_twice(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<2>(model, inputs, outputs, dt, motion, report))
         }
 
-        /// `attempt` without the terms of the prediction's error, for a quarter less. Accepted only where
-        /// that error is within the tolerance, so that what is left out is rounding: `float` at 1 ms.
+        /// `attempt` without the terms for the error of the prediction, which saves a quarter of the time.
+        /// It refuses unless that error is within the tolerance, so that the omitted terms are rounding:
+        /// for `float` at 1 ms.
         fn attempt_without_corrections(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<0>(model, inputs, outputs, dt, motion, report))
         }

@@ -4,7 +4,7 @@ use core::fmt::{self, Display, Formatter, Write};
 
 use crate::describe::Interface;
 
-/// `PointRates` as `point_rates`.
+/// Writes `PointRates` as `point_rates`.
 pub(super) struct Snake<'a>(pub(super) &'a str);
 
 impl Display for Snake<'_> {
@@ -19,7 +19,7 @@ impl Display for Snake<'_> {
     }
 }
 
-/// `PointRates` and `point_rates` as `POINT_RATES`.
+/// Writes `PointRates` and `point_rates` as `POINT_RATES`.
 pub(super) struct Upper<'a>(pub(super) &'a str);
 
 impl Display for Upper<'_> {
@@ -36,7 +36,7 @@ impl Display for Upper<'_> {
     }
 }
 
-/// A line of a comment, which does not end it.
+/// Writes a line of a comment so that it does not end the comment.
 pub(super) struct Commented<'a>(pub(super) &'a str);
 
 impl Display for Commented<'_> {
@@ -47,7 +47,8 @@ impl Display for Commented<'_> {
     }
 }
 
-/// A name of the listing; one that C or C++ keeps for itself gets an underscore more, and so does one that has it already.
+/// Writes a name of the listing. A keyword of C or C++ gets an underscore appended, and so does a keyword
+/// that already ends with underscores, so that names stay different.
 pub(super) struct Field<'a>(pub(super) &'a str);
 
 impl Display for Field<'_> {
@@ -62,7 +63,8 @@ impl Display for Field<'_> {
     }
 }
 
-/// Words of C23 and C++23, besides those that begin with an underscore: Rust allows some as names, and the others behind `r#`.
+/// Keywords of C23 and C++23 that do not begin with an underscore: Rust allows some as names, and the
+/// others after `r#`.
 const KEPT: [&str; 94] = [
     "alignas",
     "alignof",
@@ -166,7 +168,7 @@ struct TypeName<'a> {
     name: &'a str,
 }
 
-/// The name of what a pointer points to: a plain type or a struct.
+/// The name of the type to which a pointer points: a number type or a struct.
 struct Pointee<'a>(TypeName<'a>);
 
 impl Display for Pointee<'_> {
@@ -191,7 +193,7 @@ impl Display for TypeName<'_> {
 }
 
 impl Interface {
-    /// What C calls a struct.
+    /// Returns the name of a struct in C.
     pub fn type_name<'a>(&'a self, name: &'a str) -> impl Display {
         TypeName {
             interface: self,
@@ -199,7 +201,7 @@ impl Interface {
         }
     }
 
-    /// What C calls what a pointer points to.
+    /// Returns the name in C of the type to which a pointer points.
     pub(super) fn pointee<'a>(&'a self, name: &'a str) -> impl Display {
         Pointee(TypeName {
             interface: self,
@@ -215,7 +217,7 @@ impl Interface {
         }
     }
 
-    /// A type that is no struct, with the blank or the star that a name follows.
+    /// Returns a type that is not a struct, followed by the blank or the star before a name.
     pub(super) fn type_of(&self, kind: &str) -> Result<&'static str, fmt::Error> {
         Ok(match kind {
             "Number" | "T" if self.number == "f32" => "float ",
@@ -233,7 +235,7 @@ impl Interface {
         })
     }
 
-    /// A member of a struct.
+    /// Writes a member of a struct.
     pub(super) fn declare(&self, f: &mut Formatter<'_>, kind: &str, name: &str) -> fmt::Result {
         let array = kind
             .strip_prefix('[')

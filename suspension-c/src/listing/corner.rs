@@ -15,7 +15,7 @@ use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel};
 use crate::pointer::{Create, Destroy, In, InOut, Object, Out};
 use crate::status::Status;
 
-/// Does the work of a call that moves a suspension.
+/// Runs the work of a call that moves a suspension.
 fn moved(
     corner: InOut<'_, Corner>,
     failure: Out<'_, Failure>,
@@ -27,7 +27,7 @@ fn moved(
     }
 }
 
-/// The number of the wheel where a call has none.
+/// The number of the wheel if a call does not state one.
 const FIRST: usize = 0;
 
 fn read_wheel(corner: In<'_, Corner>, index: usize, wheel: Out<'_, Wheel>) -> Status {
@@ -64,9 +64,8 @@ fn read_kingpin(corner: In<'_, Corner>, index: usize, kingpin: Out<'_, Kingpin>)
 }
 
 crate::functions! { "susp":
-    /// Makes a suspension at rest where the points are, `points[POINTS][3]`: those that `susp_listing_design`
-    /// gives, or others in their place. Where the listing states no positions the order of elimination is
-    /// chosen by these.
+    /// Makes a suspension at rest at the points `points[POINTS][3]`: those that `susp_listing_design`
+    /// returns, or others. If the listing states no positions, they determine the order of elimination.
     fn corner_new(listing: In<Listing>, points: In<Number>, count: usize, corner: Create<Corner>, failure: Out<Failure>) -> Status {
         let parsed = match listing.object() {
             Ok(parsed) => parsed,
@@ -82,8 +81,8 @@ crate::functions! { "susp":
         })
     }
 
-    /// Makes a copy of a suspension, which stands as it does and goes on by itself: with it a state is saved, before a
-    /// lock say.
+    /// Makes an independent copy of a suspension in its present state, for example to save the state before
+    /// a lock.
     fn corner_copy(corner: In<Corner>, copy: Create<Corner>) -> Status {
         answer(|| {
             let (corner, copy) = (corner.object()?, copy.get()?);
@@ -92,12 +91,12 @@ crate::functions! { "susp":
         })
     }
 
-    /// Frees a suspension; NULL is none.
+    /// Frees a suspension; NULL has no effect.
     fn corner_destroy(corner: Destroy<Corner>) -> Status {
         answer(|| corner.end())
     }
 
-    /// The time, s, from 0 where the suspension was made.
+    /// The time, s, which is 0 when the suspension is made.
     fn corner_time(corner: In<Corner>, time: Out<Number>) -> Status {
         answer(|| {
             let (corner, time) = (corner.object()?, time.get()?);
@@ -116,10 +115,11 @@ crate::functions! { "susp":
         })
     }
 
-    /// A step of `dt` seconds (0: a pause, to drives near the last ones) to the values and rates of the drives at its end,
-    /// `drives[3][DRIVES]`, however far: in as many sub-steps as it takes, 200 at most. In between the
-    /// drives follow the cubics that have their values and rates at both ends or, where these lead past a
-    /// lock, straight lines from rest, in 200 more. `report` may be NULL.
+    /// A step of `dt` seconds to `drives[3][DRIVES]`, the values and rates of the drives at its end,
+    /// however far: in as many sub-steps as necessary, at most 200. With `dt` = 0 the step takes no time,
+    /// and the drives must be near the last ones. In between the drives follow the cubics with their values
+    /// and rates at both ends or, if these lead past a lock, straight lines from rest, in at most 200
+    /// further sub-steps. `report` may be NULL.
     fn corner_step(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
@@ -129,9 +129,9 @@ crate::functions! { "susp":
         })
     }
 
-    /// `susp_corner_step` that keeps what it has got to where it stops early, as at a lock:
-    /// `failure->reached` seconds from its start. Time, drives and points are then those there; from a lock
-    /// no step may lead on or back, as rates have no bound there.
+    /// `susp_corner_step` that keeps its progress if it stops early, for example at a lock: time, drives
+    /// and points become those of `failure->reached` seconds after its start. From a lock there may be no
+    /// step forwards or backwards, because rates are unbounded there.
     fn corner_advance(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
@@ -151,8 +151,8 @@ crate::functions! { "susp":
         })
     }
 
-    /// What the listing measures, `measures[3][MEASURES]`. A rate is NaN where a measured length is zero, or
-    /// a measured angle 0 or pi.
+    /// The measures of the listing, `measures[3][MEASURES]`. A rate is NaN where a measured length is zero,
+    /// or a measured angle is 0 or pi.
     fn corner_read_measures(corner: In<Corner>, measures: Out<Number>, count: usize) -> Status {
         answer(|| {
             let (corner, measures) = (corner.object()?, measures.many(count)?);
@@ -162,10 +162,10 @@ crate::functions! { "susp":
         })
     }
 
-    /// Motion ratios: points and measures with their first and second derivative where the drives change
-    /// as `change[DRIVES]` says, say one of them by 1 and the rest by 0, at rest too: per unit of that
-    /// change in place of per second. `points[3][POINTS][3]` and `measures[3][MEASURES]` may each be NULL.
-    /// SUSP_ERROR_SINGULAR where the drives lock.
+    /// Motion ratios: points and measures with their first and second derivatives for the change
+    /// `change[DRIVES]` of the drives, for example 1 for one of them and 0 for the rest; the suspension may
+    /// be at rest. Derivatives are per unit of that change in place of per second. `points[3][POINTS][3]`
+    /// and `measures[3][MEASURES]` may each be NULL. SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_derivatives(corner: In<Corner>, change: In<Number>, drive_count: usize, points: Out<Number>, point_count: usize, measures: Out<Number>, measure_count: usize, failure: Out<Failure>) -> Status {
         let corner = match corner.object() {
             Ok(corner) => corner,
@@ -189,9 +189,10 @@ crate::functions! { "susp":
         })
     }
 
-    /// Adds to `forces[POINTS][3]` weight and inertia of masses where the suspension is, as it moves: for
-    /// `susp_corner_read_loads`. `design[POINTS][3]` are the points where the masses are stated. Each is at any points;
-    /// SUSP_ERROR_ABSENT of no point, SUSP_ERROR_NO_DIRECTION where three points that hold a body are in line.
+    /// Adds weight and inertia of masses in the present motion of the suspension to `forces[POINTS][3]`,
+    /// for `susp_corner_read_loads`. `design[POINTS][3]` are the points at which the masses are stated. A
+    /// mass may refer to any points; SUSP_ERROR_ABSENT for a number without a point,
+    /// SUSP_ERROR_NO_DIRECTION if the three points of a body are in line.
     fn corner_add_masses(corner: In<Corner>, masses: In<Masses>, design: In<Number>, design_count: usize, forces: InOut<Number>, force_count: usize) -> Status {
         answer(|| {
             let (corner, masses) = (corner.object()?, masses.get()?);
@@ -203,12 +204,14 @@ crate::functions! { "susp":
         })
     }
 
-    /// What forces at the points do, `forces[POINTS][3]`, in N in the axes of the points, the suspension at rest where it
-    /// is: at a marker on its body, at a chassis point on the drive that moves it. `drives[DRIVES]` is their work per unit of each
-    /// drive, which what moves the drive bears, of a length in N, of an angle in N times the unit of the points;
-    /// `tensions[PARTS]` the force in each link, positive in tension, 0 of other parts; `reactions[PARTS][POINTS][3]`
-    /// the forces that each part exerts on the points; what drives or holds an angle acts on the parts that carry the
-    /// angle's lines, so that an angle between lines of parts exerts none itself. Each of these may be NULL.
+    /// The effects of forces at the points, `forces[POINTS][3]`, N in the axes of the points, on the
+    /// suspension at rest at its present position. A force at a marker acts on its body, a force at a
+    /// chassis point on the drive that moves it. `drives[DRIVES]` receives the work of the forces per unit
+    /// of each drive, which is the load on its actuator: N for a length, N times the unit of the points for
+    /// an angle. `tensions[PARTS]` receives the force in each link, positive in tension, and 0 for other
+    /// parts. `reactions[PARTS][POINTS][3]` receives the forces that each part exerts on the points. The
+    /// moment that drives or holds an angle acts on the parts that carry the lines of the angle, so that an
+    /// angle between lines of parts exerts no force itself. Each of these three may be NULL.
     /// SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_loads(corner: In<Corner>, forces: In<Number>, force_count: usize, drives: Out<Number>, drive_count: usize, tensions: Out<Number>, tension_count: usize, reactions: Out<Number>, reaction_count: usize, failure: Out<Failure>) -> Status {
         let corner = match corner.object() {
@@ -237,32 +240,32 @@ crate::functions! { "susp":
         })
     }
 
-    /// The wheel, the first of several; SUSP_ERROR_ABSENT where the listing states none.
+    /// The wheel, or the first of several; SUSP_ERROR_ABSENT if the listing states none.
     fn corner_read_wheel(corner: In<Corner>, wheel: Out<Wheel>) -> Status {
         read_wheel(corner, FIRST, wheel)
     }
 
-    /// How the body that carries that wheel turns; SUSP_ERROR_ABSENT where the listing states no wheel.
+    /// The rotation of the body that carries that wheel; SUSP_ERROR_ABSENT if the listing states no wheel.
     fn corner_read_rotation(corner: In<Corner>, rotation: Out<CarrierRotation>) -> Status {
         read_rotation(corner, FIRST, rotation)
     }
 
-    /// The kingpin of that wheel; SUSP_ERROR_ABSENT where the listing states none, or no wheel.
+    /// The kingpin of that wheel; SUSP_ERROR_ABSENT if the listing states none, or no wheel.
     fn corner_read_kingpin(corner: In<Corner>, kingpin: Out<Kingpin>) -> Status {
         read_kingpin(corner, FIRST, kingpin)
     }
 
-    /// Any of several wheels, by its number as SUSP_WHEEL; SUSP_ERROR_ABSENT where there is no such wheel.
+    /// One of several wheels, by its number as SUSP_WHEEL; SUSP_ERROR_ABSENT if there is no such wheel.
     fn corner_read_wheel_at(corner: In<Corner>, index: usize, wheel: Out<Wheel>) -> Status {
         read_wheel(corner, index, wheel)
     }
 
-    /// How the body that carries it turns; SUSP_ERROR_ABSENT where there is no such wheel.
+    /// The rotation of the body that carries it; SUSP_ERROR_ABSENT if there is no such wheel.
     fn corner_read_rotation_at(corner: In<Corner>, index: usize, rotation: Out<CarrierRotation>) -> Status {
         read_rotation(corner, index, rotation)
     }
 
-    /// Its kingpin; SUSP_ERROR_ABSENT where there is no such wheel, or it has none.
+    /// Its kingpin; SUSP_ERROR_ABSENT if there is no such wheel, or it has none.
     fn corner_read_kingpin_at(corner: In<Corner>, index: usize, kingpin: Out<Kingpin>) -> Status {
         read_kingpin(corner, index, kingpin)
     }

@@ -15,12 +15,12 @@ use crate::masses::{add_at, each_force};
 use crate::shared::Masses;
 use crate::status::Status;
 
-/// What of a listing takes forces and passes them on.
+/// The parts of a listing that transmit forces.
 #[derive(Clone, Debug)]
 pub(super) struct Structure {
-    /// The statements that hold points, but drives.
+    /// The statements that hold points, without drives.
     pub(super) parts: Vec<Part>,
-    /// Markers with three points of the body that carries each.
+    /// Markers, each with three points of the body that carries it.
     pub(super) carriers: Vec<(usize, [usize; 3])>,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Structure {
 pub(super) struct Part {
     pub(super) name: String,
     forces: PartForces,
-    /// The ends of a link.
+    /// The end points of a link.
     ends: Option<[usize; 2]>,
 }
 
@@ -48,14 +48,15 @@ impl Structure {
     }
 }
 
-/// Where C wants what it asks for, empty where it does not: of each drive, of each part, and of each part at each point.
+/// Memory for the requested results, empty if C does not ask for them: per drive, per part, and per part at
+/// each point.
 pub(super) struct Wanted<'a> {
     pub(super) drives: Row<'a>,
     pub(super) tensions: Row<'a>,
     pub(super) reactions: Row<'a>,
 }
 
-/// Writes what forces do, x, y, z at each point.
+/// Writes the effects of forces, x, y, z at each point.
 pub(super) fn read<const N: usize>(
     corner: &Corner<Model<'_, f64, N>, N>,
     structure: &Structure,
@@ -84,7 +85,7 @@ where
     Ok(())
 }
 
-/// Adds weight and inertia of masses, stated where the points are as in `design`, to forces, x, y, z at each point.
+/// Adds weight and inertia of masses, stated at the points `design`, to forces, x, y, z at each point.
 pub(super) fn add_masses<const N: usize>(
     corner: &Corner<Model<'_, f64, N>, N>,
     masses: &Masses<f64>,
@@ -101,7 +102,7 @@ where
         let of = |all: &_| nth(all, point);
         Ok((stated.into(), points.map(of)))
     };
-    // Told where one is wrong before anything is added.
+    // All masses are checked before anything is added.
     each_force(masses, place, |_, _| {})?;
     let (forces, _) = forces.as_chunks_mut();
     each_force(masses, place, |point, force| add_at(forces, point, force))
@@ -111,7 +112,7 @@ fn nth<P: Values<Vector3<f64>>>(all: &P, point: usize) -> Vector3<f64> {
     all.values().nth(point).unwrap_or_default()
 }
 
-/// The forces with those at markers spread over their bodies.
+/// Distributes the forces at markers over the points of their bodies.
 fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: P) -> P {
     let of = nth;
     let mut spreaded = forces;
@@ -127,7 +128,7 @@ fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: 
 }
 
 impl Part {
-    /// The force in a link; zero of what is none.
+    /// Returns the force in a link, and zero for other parts.
     fn tension<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
         loads: &Loads<'_, L, N>,

@@ -1,4 +1,4 @@
-//! A moving suspension with a model of any size, over rows of numbers.
+//! A moving suspension with a model of any size, for arrays of numbers.
 
 use std::boxed::Box;
 
@@ -15,10 +15,10 @@ use super::row::{Row, write};
 use crate::shared::Masses;
 use crate::status::Status;
 
-/// What C asks of a suspension. Rows have the counts of the listing; those of drives, points and measures
-/// with rates are values, rates and second rates, one after the other.
+/// The operations of C on a suspension. Rows have the counts of the listing; rows of drives, points and
+/// measures with rates contain all values, then all rates, then all second rates.
 pub(super) trait Moving: Send + Sync {
-    /// The same once more.
+    /// Returns a copy.
     fn copied<'a>(&self) -> Box<dyn Moving + 'a>
     where
         Self: 'a;
@@ -40,7 +40,7 @@ pub(super) trait Moving: Send + Sync {
     /// See [`Corner::per`].
     fn read_per(&self, change: &[f64], points: Row<'_>, measures: Row<'_>) -> Result<(), Facts>;
 
-    /// What forces at the points do: see [`loads::read`].
+    /// Computes the effects of forces at the points: see [`loads::read`].
     fn read_loads(
         &self,
         structure: &Structure,
@@ -48,7 +48,7 @@ pub(super) trait Moving: Send + Sync {
         wanted: Wanted<'_>,
     ) -> Result<(), Facts>;
 
-    /// Weight and inertia of masses, stated where the points are as in `design`, added to forces at the points.
+    /// Adds weight and inertia of masses, stated at the points `design`, to forces at the points.
     fn add_masses(
         &self,
         masses: &Masses<f64>,
@@ -56,7 +56,7 @@ pub(super) trait Moving: Send + Sync {
         forces: &mut [f64],
     ) -> Result<(), Status>;
 
-    /// Of a wheel by its number, as what follows.
+    /// Returns the spin axis of a wheel by its number.
     fn wheel_axis(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
 
     fn wheel_carrier(&self, wheel: usize) -> Option<Signal<[Vector3<f64>; 3]>>;
@@ -64,7 +64,7 @@ pub(super) trait Moving: Send + Sync {
     fn kingpin(&self, wheel: usize) -> Option<[Vector3<f64>; 2]>;
 }
 
-/// A corner of a listing that has so many parts.
+/// A corner of a listing with its numbers of points, drives and measures.
 pub(super) struct Counted<'l, const N: usize>
 where
     Room<N>: Size,
@@ -176,7 +176,7 @@ where
     }
 }
 
-/// The drives of a row.
+/// Converts a row to the signal of the drives.
 fn signal<D: Values<f64>>(row: &[f64], count: usize) -> Signal<D> {
     let part = |place| D::from_values(row.iter().copied().skip(place * count).take(count));
     Signal {

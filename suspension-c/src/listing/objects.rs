@@ -3,7 +3,7 @@
 use super::{parsed, placed};
 use crate::pointer::{Object, tag};
 
-/// A listing that was read.
+/// A parsed listing.
 pub type Listing = Object<parsed::Parsed, { tag("susp_listing") }>;
 
 /// A suspension that moves.

@@ -1,4 +1,4 @@
-//! A listing that was read, and its names as C reads them.
+//! A parsed listing and its names for C.
 
 use core::mem::MaybeUninit;
 use std::ffi::{CStr, CString};
@@ -31,7 +31,7 @@ pub struct Parsed {
 }
 
 impl Parsed {
-    /// Reads a text; if it is no listing, all mistakes in words.
+    /// Parses a text; the error has all mistakes in words.
     pub(super) fn new(text: &[u8]) -> Result<Self, String> {
         let text = core::str::from_utf8(text).map_err(|error| {
             let good = error.valid_up_to();
@@ -71,14 +71,14 @@ impl Parsed {
         }
     }
 
-    /// The same, with the order of elimination that is good around these hardpoints.
+    /// Returns the listing with the order of elimination that suits these hardpoints.
     pub(super) fn ordered_at(&self, hardpoints: &[Vector3<f64>]) -> Self {
         let mut ordered = self.clone();
         ordered.listing = ordered.listing.ordered_at(hardpoints);
         ordered
     }
 
-    /// How many points there are, drives, measures and parts.
+    /// Returns the numbers of points, drives, measures and parts.
     pub(super) fn counts(&self) -> Counts {
         Counts {
             points: self.points.len(),
@@ -88,7 +88,7 @@ impl Parsed {
         }
     }
 
-    /// The names of a kind of parts: `SUSP_POINT` and the like.
+    /// Returns the names of a kind of parts, for example `SUSP_POINT`.
     pub(super) fn names(&self, kind: kind::Kind) -> Result<&[CString], Status> {
         match kind {
             0 => Ok(&self.points),
@@ -100,14 +100,14 @@ impl Parsed {
         }
     }
 
-    /// The number of a name.
+    /// Returns the number of the part with a name.
     pub(super) fn find(&self, kind: kind::Kind, name: &CStr) -> Result<usize, Status> {
         let mut names = self.names(kind)?.iter();
         let place = names.position(|other| other.as_c_str() == name);
         place.ok_or(Status::Absent)
     }
 
-    /// The positions that the listing states; NaN where it states none.
+    /// Returns the positions that the listing states, NaN for the others.
     pub(super) fn design(&self) -> Vec<Vector3<f64>> {
         let mut design: Vec<_> = self.points.iter().map(|_| UNSTATED).collect();
         for (place, at) in self.listing.stated() {
@@ -121,7 +121,7 @@ impl Parsed {
 
 const UNSTATED: Vector3<f64> = Vector3::new(f64::NAN, f64::NAN, f64::NAN);
 
-/// How many parts a listing has.
+/// The numbers of parts of a listing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counts {
     pub(super) points: usize,
@@ -145,7 +145,7 @@ impl Naming for Parsed {
     }
 }
 
-/// Copies a text, closed by a zero and cut where the memory ends.
+/// Copies a text into memory, truncated to its size and terminated by a zero.
 pub(super) fn copy(text: &str, memory: &mut [MaybeUninit<u8>]) {
     let Some(room) = memory.len().checked_sub(1) else {
         return;

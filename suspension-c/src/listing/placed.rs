@@ -13,13 +13,13 @@ use crate::status::Status;
 
 /// A listing with hardpoints, in motion.
 pub struct Placed {
-    // Dropped first: it borrows what `parsed` holds.
+    // Dropped before `parsed`, from which it borrows.
     moving: Box<dyn Moving>,
     parsed: Arc<Parsed>,
 }
 
 impl Placed {
-    /// At rest where the points are.
+    /// Makes the suspension at rest at the points.
     #[allow(unsafe_code, reason = "no type says: as long as the field beside it")]
     pub(super) fn new(parsed: &Parsed, points: &[Vector3<f64>]) -> Result<Self, Trouble> {
         let parsed = Arc::new(parsed.ordered_at(points));
@@ -27,16 +27,16 @@ impl Placed {
             parsed: &parsed,
             points,
         })?;
-        // SAFETY: the types differ by the lifetime of what is borrowed alone. That is the content of an
-        // `Arc`, which neither moves nor changes and is kept longer than this and its copies, to which nobody
-        // else has access; what the methods of `Moving` answer borrows nothing else.
+        // SAFETY: the types differ only in the lifetime of the borrow. It borrows the content of an `Arc`,
+        // which neither moves nor changes, and which this object keeps longer than `moving` and its copies;
+        // nobody else has access to these. The methods of `Moving` return nothing that borrows.
         let moving = unsafe {
             core::mem::transmute::<Box<dyn Moving + '_>, Box<dyn Moving + 'static>>(borrowing)
         };
         Ok(Self { moving, parsed })
     }
 
-    /// The same once more, with the listing that both borrow.
+    /// Returns a copy, which shares the listing.
     pub(super) fn copied(&self) -> Self {
         Self {
             moving: self.moving.copied(),
@@ -44,7 +44,7 @@ impl Placed {
         }
     }
 
-    /// What moves, and its listing.
+    /// Returns the moving suspension and its listing.
     pub(super) fn parts(&mut self) -> (&mut dyn Moving, &Parsed) {
         (&mut *self.moving, &self.parsed)
     }
@@ -58,7 +58,7 @@ impl Placed {
     }
 }
 
-/// Work that places a listing.
+/// The work that makes a suspension from a listing.
 struct Place<'a> {
     parsed: &'a Parsed,
     points: &'a [Vector3<f64>],

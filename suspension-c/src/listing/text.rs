@@ -15,7 +15,7 @@ pub(super) type Number = f64;
 /// A byte of a text.
 type Char = u8;
 
-/// Whether an array has as many numbers as it must.
+/// Checks the length of an array.
 pub(super) fn check_count(count: usize, expected: usize) -> Result<(), Status> {
     if count == expected {
         Ok(())
@@ -25,10 +25,10 @@ pub(super) fn check_count(count: usize, expected: usize) -> Result<(), Status> {
 }
 
 crate::functions! { "susp":
-    /// Reads a listing: `length` bytes of UTF-8, the statements as they stand in a `.linkage` file. If it
-    /// answers SUSP_ERROR_LISTING, `message` has every mistake on a line of its own, as
-    /// `listing:LINE:COLUMN: what is wrong and what to write instead`, closed by a zero and cut after
-    /// `size` bytes; `needed`, how many bytes the whole takes. Both may be NULL.
+    /// Parses a listing: `length` bytes of UTF-8, the statements as in a `.linkage` file. If the result is
+    /// SUSP_ERROR_LISTING, `message` receives every mistake on a line of its own, as
+    /// `listing:LINE:COLUMN: what is wrong and what to write instead`, truncated to `size` bytes and
+    /// terminated by a zero; `needed` receives the size of the whole message. Both may be NULL.
     fn listing_parse(text: In<Char>, length: usize, listing: Create<Listing>, message: Out<Char>, size: usize, needed: Out<usize>) -> Status {
         answer(|| {
             let (text, listing) = (text.many(length)?, listing.get()?);
@@ -47,12 +47,12 @@ crate::functions! { "susp":
         })
     }
 
-    /// Frees a listing; NULL is none. Corners that were made of it stay good.
+    /// Frees a listing; NULL has no effect. Corners made from it stay valid.
     fn listing_destroy(listing: Destroy<Listing>) -> Status {
         answer(|| listing.end())
     }
 
-    /// How many parts of a kind a listing has.
+    /// The number of parts of a kind in a listing.
     fn listing_count(listing: In<Listing>, kind: Kind, count: Out<usize>) -> Status {
         answer(|| {
             let (listing, count) = (listing.object()?, count.get()?);
@@ -61,15 +61,16 @@ crate::functions! { "susp":
         })
     }
 
-    /// The name of a part by its number, from 0: a text that lives as long as the listing. NULL beyond
-    /// the last, and where `listing` is none or there is no such kind.
+    /// The name of a part by its number, from 0: a text that lives as long as the listing. NULL beyond the
+    /// last number, and if `listing` is not a listing or there is no such kind.
     fn listing_name(listing: In<Listing>, kind: Kind, index: usize) -> Text {
         let names = listing.object().and_then(|listing| listing.names(kind));
         let name = names.ok().and_then(|names| names.get(index));
         name.map_or(Text::NONE, |name| name.as_c_str().into())
     }
 
-    /// The number of a part by its name, which a zero closes; SUSP_ERROR_ABSENT where there is none.
+    /// The number of a part by its name, a text terminated by a zero; SUSP_ERROR_ABSENT if there is no such
+    /// part.
     fn listing_find(listing: In<Listing>, kind: Kind, name: In<Char>, index: Out<usize>) -> Status {
         answer(|| {
             let (listing, name, index) = (listing.object()?, name.text()?, index.get()?);
@@ -78,7 +79,7 @@ crate::functions! { "susp":
         })
     }
 
-    /// The positions that the listing states, `points[POINTS][3]`; NaN where it states none.
+    /// The positions that the listing states, `points[POINTS][3]`; NaN for points without a position.
     fn listing_design(listing: In<Listing>, points: Out<Number>, count: usize) -> Status {
         answer(|| {
             let (listing, points) = (listing.object()?, points.many(count)?);

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 use super::{In, check};
 use crate::status::Status;
 
-/// Numbers of the caller's: a pointer to the first of `count`, which nobody writes as long as this
+/// An array of the caller: a pointer to the first of `count` numbers, which nobody writes as long as this
 /// is used.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -30,7 +30,7 @@ impl<T> From<&'static [T]> for Numbers<T> {
     }
 }
 
-/// Whether so many fit into the address space.
+/// Checks that `count` numbers fit into the address space.
 fn check_count<T>(count: usize) -> Result<(), Status> {
     if count > isize::MAX as usize / size_of::<T>() {
         Err(Status::Size)
@@ -40,12 +40,12 @@ fn check_count<T>(count: usize) -> Result<(), Status> {
 }
 
 impl<'a, T> In<'a, T> {
-    /// A pointer to the first of `count`.
+    /// Returns the array of `count` numbers at the pointer.
     pub(crate) fn many(self, count: usize) -> Result<&'a [T], Status> {
         check(self.0)?;
         check_count::<T>(count)?;
-        // SAFETY: neither null nor misaligned, so that by what the header asks for it points to `count`
-        // of them which are only read for 'a; they fit into the address space.
+        // SAFETY: neither null nor misaligned, so by the contract of the header it points to `count`
+        // numbers that are only read for 'a; they fit into the address space.
         Ok(unsafe { core::slice::from_raw_parts(self.0, count) })
     }
 }
@@ -60,37 +60,37 @@ mod of_listings {
     use crate::status::Status;
 
     impl<'a> In<'a, u8> {
-        /// A text that a zero closes.
+        /// Returns the text at the pointer, which is terminated by a zero.
         pub(crate) fn text(self) -> Result<&'a CStr, Status> {
             check(self.0)?;
-            // SAFETY: not null, so that by what the header asks for a zero closes it; it is only read
+            // SAFETY: not null, so by the contract of the header it is terminated by a zero and only read
             // for 'a.
             Ok(unsafe { CStr::from_ptr(self.0.cast()) })
         }
     }
 
     impl<'a, T> InOut<'a, T> {
-        /// A pointer to the first of `count`.
+        /// Returns the array of `count` numbers at the pointer.
         pub(crate) fn many(self, count: usize) -> Result<&'a mut [T], Status> {
             check(self.0)?;
             check_count::<T>(count)?;
-            // SAFETY: neither null nor misaligned, so that by what the header asks for it points to `count`
-            // of them which are this call's alone for 'a; they fit into the address space.
+            // SAFETY: neither null nor misaligned, so by the contract of the header it points to `count`
+            // numbers to which only this call has access for 'a; they fit into the address space.
             Ok(unsafe { core::slice::from_raw_parts_mut(self.0, count) })
         }
     }
 
     impl<'a, T> Out<'a, T> {
-        /// Memory for `count`.
+        /// Returns the memory for `count` numbers at the pointer.
         pub(crate) fn many(self, count: usize) -> Result<&'a mut [MaybeUninit<T>], Status> {
             check(self.0)?;
             check_count::<T>(count)?;
-            // SAFETY: neither null nor misaligned, so that by what the header asks for it points to memory
-            // for `count` of them which is this call's alone for 'a; they fit into the address space.
+            // SAFETY: neither null nor misaligned, so by the contract of the header it points to memory for
+            // `count` numbers to which only this call has access for 'a; they fit into the address space.
             Ok(unsafe { core::slice::from_raw_parts_mut(self.0.cast(), count) })
         }
 
-        /// `None` where C passes NULL.
+        /// Returns `None` for NULL.
         pub(crate) fn optional_many(
             self,
             count: usize,

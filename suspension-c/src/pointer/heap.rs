@@ -1,4 +1,4 @@
-//! Objects that the library keeps on the heap until C gives them back.
+//! Objects that the library keeps on the heap until C frees them.
 #![allow(unsafe_code, reason = "how long they live is C's promise")]
 
 use core::marker::PhantomData;
@@ -8,17 +8,17 @@ use std::boxed::Box;
 use super::{Object, Out, check_object};
 use crate::status::Status;
 
-/// `T **` of a call: where a pointer to a new object goes.
+/// `T **` of a call, which receives the pointer to a new object.
 pub type Create<'a, T> = Out<'a, *mut T>;
 
-/// `T *` of a call: null, misaligned, to no object of this kind, or to one that the library made and
-/// that nobody uses any more.
+/// `T *` of a call: null, misaligned, to no object of this kind, or to one that the library made and nobody
+/// uses any more.
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct Destroy<'a, T>(*mut T, PhantomData<&'a mut T>);
 
 impl<V, const TAG: u32> Object<V, TAG> {
-    /// An object that lives until [`Destroy::end`].
+    /// Makes an object that lives until [`Destroy::end`].
     pub(crate) fn on_heap(value: V) -> *mut Self {
         Box::into_raw(Box::new(Self {
             tag: TAG,
@@ -28,7 +28,7 @@ impl<V, const TAG: u32> Object<V, TAG> {
 }
 
 impl<T> Destroy<'_, T> {
-    /// A pointer as C passes it.
+    /// Takes a pointer from C.
     ///
     /// # Safety
     ///
@@ -39,16 +39,16 @@ impl<T> Destroy<'_, T> {
 }
 
 impl<V, const TAG: u32> Destroy<'_, Object<V, TAG>> {
-    /// Ends the object; NULL is none.
+    /// Drops the object; NULL has no effect.
     pub(crate) fn end(self) -> Result<(), Status> {
         if self.0.is_null() {
             return Ok(());
         }
         check_object(self.0)?;
-        // SAFETY: objects of this kind are made by `on_heap` alone, and the header asks that each is
-        // given back once, when nobody uses it any more.
+        // SAFETY: only `on_heap` makes objects of this kind, and by the contract of the header each is
+        // freed once, when nobody uses it any more.
         let mut object = unsafe { Box::from_raw(self.0) };
-        // SAFETY: the mark is written together with the value, which is not used after this.
+        // SAFETY: the tag is written together with the value, which is not used after this.
         unsafe { object.value.assume_init_drop() };
         Ok(())
     }

@@ -23,11 +23,11 @@ pub(crate) const DESIGN: Points = Points {
     ],
 };
 
-/// Memory, and what a call made in it.
+/// Calls a function and returns the object that it writes.
 pub(crate) fn made<T>(call: impl FnOnce(Out<'_, T>) -> Status) -> Result<T, Status> {
     let mut memory = MaybeUninit::uninit();
     match call((&mut memory).into()) {
-        // SAFETY: an answer of `Ok` means that it is made.
+        // SAFETY: the status `Ok` means that the object is written.
         Status::Ok => Ok(unsafe { memory.assume_init() }),
         status => Err(status),
     }

@@ -1,4 +1,4 @@
-//! Forces on listings from text, and what bears them.
+//! Loads on listings from text and their reactions.
 
 use std::ffi::CStr;
 
@@ -9,7 +9,7 @@ use suspension_core::nalgebra::Vector3;
 
 use crate::text::{DRIVE, PART, POINT, Read, from, placed, pushrod, to};
 
-/// What forces do.
+/// The results of forces.
 struct Loads {
     drives: Vec<f64>,
     tensions: Vec<f64>,
@@ -40,8 +40,8 @@ fn loads(listing: &Read, corner: In<'_, Corner>, forces: &[f64]) -> Loads {
     }
 }
 
-/// What a weight on the wheel's marker does: the drive bears it by virtual work, and each part's forces are those of a body in
-/// equilibrium, whose sum and moment vanish.
+/// A weight on the wheel's marker: the drive bears it by virtual work, and the forces of each part are in
+/// equilibrium: their sum and moment vanish.
 #[test]
 fn loads_are_borne_and_passed_on() {
     let (listing, corner) = (pushrod(), placed());
@@ -105,8 +105,8 @@ fn loads_are_borne_and_passed_on() {
     assert_eq!(status, Status::Size);
 }
 
-/// A drive about the axis of an arm's bushes, which the angle of a rod from an axis turns with: what holds an angle acts on what
-/// carries its lines.
+/// A drive about the axis of an arm's bushes, which also turns the angle of a rod from an axis: the moment
+/// that holds an angle acts on the parts that carry its lines.
 #[test]
 fn moments_about_angles_act_on_the_parts_that_carry_their_lines() {
     let listing = Read::new(
@@ -138,7 +138,8 @@ drive ahead: top.x;",
         let off = by(c"arm", at) - Vector3::new(0.0, 0.0, expected);
         assert!(off.norm() < 1e-8, "{at:?} {off:?}");
     }
-    // Three fifths of the force are along the rod, four fifths make the moment, on an arm of half a metre.
+    // Three fifths of the force act along the rod, four fifths cause the moment, with a lever arm of half a
+    // metre.
     let rod = listing.find(PART, c"rod").expect("a link");
     assert!((tensions[rod] - 300.0).abs() < 1e-8, "{tensions:?}");
     let lean = listing.find(DRIVE, c"lean").expect("a drive");

@@ -1,17 +1,17 @@
-//! Libraries as users build them, and programs that C compilers make with them.
+//! Libraries as users build them, and programs that C compilers link with them.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The repository.
+/// Returns the folder of the repository.
 pub(crate) fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .parent()
         .expect("the crate lies in the repository")
 }
 
-/// Whether there is such a compiler. Where it must be, in CI, it is an error that there is not.
+/// Returns whether there is such a compiler. In CI, where there must be one, its absence is an error.
 pub(crate) fn has(compiler: &str, test: &str) -> bool {
     if Command::new(compiler).arg("--version").output().is_ok() {
         return true;
@@ -22,9 +22,9 @@ pub(crate) fn has(compiler: &str, test: &str) -> bool {
     false
 }
 
-/// Builds an example of this crate, and returns the folder where it is. `cargo test --workspace` has
-/// built it with the same features: those of the whole workspace, by which elementary functions are
-/// C's. What users link is tested by `.ci/c_interface.sh`.
+/// Returns the folder of an example of this crate. `cargo test --workspace` has built it with the features
+/// of the whole workspace, with which elementary functions are those of C. `.ci/c_interface.sh` tests what
+/// users link.
 pub(crate) fn example(name: &str) -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .parent()

@@ -8,40 +8,40 @@ use suspension_c::listing::{self, Corner, Listing};
 use suspension_c::of::f64::{Failure, Report};
 use suspension_c::{Create, Destroy, In, InOut, Out, Status};
 
-/// What `kind` may be.
+/// The values of `kind`.
 pub(crate) const POINT: i32 = 0;
 pub(crate) const DRIVE: i32 = 1;
 pub(crate) const MEASURE: i32 = 2;
 pub(crate) const WHEEL: i32 = 3;
 pub(crate) const PART: i32 = 4;
 
-/// Numbers that are read.
+/// Returns a pointer to numbers that are read.
 pub(crate) fn from<T>(numbers: &[T]) -> In<'_, T> {
-    // SAFETY: tests say how many there are as the slice does, or less.
+    // SAFETY: tests state the length of the slice, or less.
     unsafe { In::from_raw(numbers.as_ptr()) }
 }
 
-/// Numbers that are written.
+/// Returns a pointer to numbers that are written.
 pub(crate) fn to<T>(numbers: &mut [T]) -> Out<'_, T> {
     // SAFETY: as above.
     unsafe { Out::from_raw(numbers.as_mut_ptr()) }
 }
 
-/// Memory, and what a call made in it.
+/// Calls a function and returns the object that it writes.
 pub(crate) fn made<T>(call: impl FnOnce(Out<'_, T>) -> Status) -> Result<T, Status> {
     let mut memory = MaybeUninit::uninit();
     match call((&mut memory).into()) {
-        // SAFETY: an answer of `Ok` means that it is made.
+        // SAFETY: the status `Ok` means that the object is written.
         Status::Ok => Ok(unsafe { memory.assume_init() }),
         status => Err(status),
     }
 }
 
-/// A listing, freed at the end.
+/// A listing, freed when it is dropped.
 pub(crate) struct Read(pub(crate) *mut Listing);
 
 impl Read {
-    /// All mistakes in words where it is none.
+    /// Parses a listing; the error has all mistakes in words.
     pub(crate) fn new(text: &str) -> Result<Self, String> {
         let (mut message, mut needed) = ([0_u8; 4096], MaybeUninit::new(0));
         let read = made(|listing: Create<'_, Listing>| {
@@ -59,7 +59,7 @@ impl Read {
         read.map(Self).map_err(|status| {
             assert_eq!(status, Status::Listing);
             let message = CStr::from_bytes_until_nul(&message).expect("closed");
-            // SAFETY: it was made, and a call writes numbers into it alone.
+            // SAFETY: the call writes the number in any case.
             assert_eq!(unsafe { needed.assume_init() }, message.count_bytes() + 1);
             message.to_str().expect("UTF-8").to_owned()
         })
@@ -78,7 +78,7 @@ impl Read {
         made(|index| listing::listing_find(self.get(), kind, from(name.to_bytes_with_nul()), index))
     }
 
-    /// The positions that it states.
+    /// Returns the positions that the listing states.
     pub(crate) fn design(&self) -> Vec<f64> {
         let count = 3 * self.count(POINT);
         let mut points = vec![0.0; count];
@@ -87,14 +87,14 @@ impl Read {
         points
     }
 
-    /// A suspension, or what is wrong with its points.
+    /// Makes a suspension; the error is the failure with its points.
     pub(crate) fn place(&self, points: &[f64]) -> Result<Moving, Failure> {
         let mut failure = MaybeUninit::uninit();
         let corner = made(|corner: Create<'_, Corner>| {
             let failure = (&mut failure).into();
             listing::corner_new(self.get(), from(points), points.len(), corner, failure)
         });
-        // SAFETY: any answer but `Ok` means that the failure is made.
+        // SAFETY: a status other than `Ok` means that the failure is written.
         corner
             .map(Moving)
             .map_err(|_| unsafe { failure.assume_init() })
@@ -109,7 +109,7 @@ impl Drop for Read {
     }
 }
 
-/// A suspension, freed at the end.
+/// A suspension, freed when it is dropped.
 pub(crate) struct Moving(pub(crate) *mut Corner);
 
 impl Moving {
@@ -119,7 +119,7 @@ impl Moving {
     }
 
     pub(crate) fn get_mut(&mut self) -> InOut<'_, Corner> {
-        // SAFETY: as above, and it is nobody else's meanwhile.
+        // SAFETY: as above, and nobody else has access to it meanwhile.
         unsafe { InOut::from_raw(self.0) }
     }
 
@@ -131,7 +131,7 @@ impl Moving {
         made(|time| listing::corner_time(self.get(), time)).expect("a corner")
     }
 
-    /// The values of two drives.
+    /// Returns the values of the two drives.
     pub(crate) fn drives(&self) -> [f64; 2] {
         let mut drives = [0.0; 2];
         let status = listing::corner_drives(self.get(), to(&mut drives), 2);
@@ -139,7 +139,7 @@ impl Moving {
         drives
     }
 
-    /// A step to these values, at rest there.
+    /// Steps to these values, at rest there.
     pub(crate) fn step(&mut self, values: [f64; 2], stay: bool) -> Result<Report, Failure> {
         let drives = [values, [0.0; 2], [0.0; 2]];
         let drives = from(drives.as_flattened());
@@ -152,9 +152,9 @@ impl Moving {
             listing::corner_advance(corner, drives, 6, 0.5, told, wrong)
         };
         match status {
-            // SAFETY: an answer of `Ok` means that the report is made.
+            // SAFETY: the status `Ok` means that the report is written.
             Status::Ok => Ok(unsafe { report.assume_init() }),
-            // SAFETY: any other that the failure is.
+            // SAFETY: any other status means that the failure is written.
             _ => Err(unsafe { failure.assume_init() }),
         }
     }
@@ -176,7 +176,7 @@ pub(crate) fn pushrod() -> Read {
     Read::new(PUSHROD).expect("a listing")
 }
 
-/// The same where its listing states the points.
+/// The double wishbone at the points that its listing states.
 pub(crate) fn placed() -> Moving {
     let listing = pushrod();
     listing.place(&listing.design()).expect("a geometry")
