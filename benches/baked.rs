@@ -23,7 +23,7 @@ const RANGE: [f64; 2] = [0.7, 2.150_312_5];
 type Wheel<'a> = Place<'a, f64, 6, TERMS>;
 type AllPoints<'a> = Place<'a, f64, 18, TERMS>;
 
-/// Times what is read at one place after the other.
+/// Times evaluations at a sequence of places.
 fn time<R, const OUT: usize>(
     criterion: &mut Criterion,
     id: String,
@@ -32,7 +32,7 @@ fn time<R, const OUT: usize>(
 ) {
     let segments = baked.table::<f64, OUT>().expect("so many outputs");
     let curve = baked.curve(&segments);
-    // Multiples of the golden ratio, modulo 1: all over the range, no two in a row near.
+    // Multiples of the golden ratio, modulo 1: spread over the range, consecutive ones far apart.
     let part = |k: usize| (k as f64 * 0.618_033_988_749_895).fract();
     let places: Vec<f64> = (0..PLACES)
         .map(|k| RANGE[0] + (RANGE[1] - RANGE[0]) * part(k))

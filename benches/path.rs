@@ -29,7 +29,7 @@ where
     T: Real,
     L: Build<15, Scalar = T, Points: HasWheel<T>>,
 {
-    /// At t = 1 s of the published motion, at rest.
+    /// The motion at t = 1 s of the published one, at rest.
     fn new(
         name: &str,
         model: L,

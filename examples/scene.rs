@@ -1,4 +1,4 @@
-//! A scene of 40 cars at 1 kHz: one detail for all corners, and what each needs.
+//! A scene of 40 cars at 1 kHz: one detail for all corners, or for each car the detail that it needs.
 //!
 //! The player's car is exact, acceleration included. The rest need 0.1 mm and no acceleration; how
 //! they are computed is chosen from measured figures (`suspension::detail`).
@@ -47,10 +47,10 @@ const STEP: f64 = 1e-3;
 /// Travel of a wheel up and down, m.
 const TRAVEL: f64 = 0.08;
 
-/// What is read of a corner: the wheel centre and its velocity.
+/// The results of a corner: the wheel centre and its velocity.
 type Read = [Vector3<f64>; 2];
 
-/// How a corner is computed. More methods are more variants.
+/// The computation of a corner. More methods are more variants.
 #[derive(Clone)]
 enum Corner<'a> {
     Exact(Box<Motion<f64, 15>>),
@@ -86,7 +86,7 @@ impl Corner<'_> {
     }
 }
 
-/// The scene: one geometry, a corner's own road under each wheel.
+/// The scene: one geometry, and a different road under each wheel.
 struct Scene {
     model: Model<f64>,
     design: Points<f64>,
@@ -131,7 +131,7 @@ impl Scene {
         }
     }
 
-    /// A tick's median time, and what was read in all ticks.
+    /// Returns the median time of a tick, and the results of all ticks.
     fn run(&self, corners: &[Corner<'_>]) -> Result<(Duration, Vec<Read>), Box<dyn Error>> {
         let mut corners = corners.to_vec();
         let (mut times, mut read) = (Vec::new(), Vec::new());

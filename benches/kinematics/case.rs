@@ -4,11 +4,11 @@ use suspension_core::step::bounded::Outputs;
 use suspension_core::{Build, Inputs, Linkage, Listing, Motion, Newton, Still, Tracker, assemble};
 use suspension_lanes::Lane;
 
-/// With steps of half a millisecond one correction is enough whatever is asked; their cost does not
-/// depend on their length.
+/// With steps of half a millisecond one correction is enough for all outputs; the cost of a step does not depend on its
+/// length.
 pub(crate) const STEP: f64 = 5e-4;
 
-/// What a step may be asked for, by the name in the ids.
+/// The outputs of a step, by their names in the ids.
 pub(crate) const OUTPUTS: [(&str, Outputs); 3] = [
     ("position", Outputs::Position),
     ("velocity", Outputs::Velocity),

@@ -1,4 +1,4 @@
-//! The parts of an iteration, and one whole, at many instants of the motion.
+//! The parts of an iteration, and a whole iteration, at many instants of the motion.
 
 use std::hint::black_box;
 
@@ -46,7 +46,7 @@ where
     all.collect()
 }
 
-/// Times `work` on one item after the other.
+/// Times `work` on a sequence of items.
 fn time<I, R>(bencher: &mut Bencher<'_>, items: &[I], work: impl Fn(&I) -> R) {
     let mut items = items.iter().cycle();
     bencher.iter(|| work(black_box(items.next().expect("endless"))));

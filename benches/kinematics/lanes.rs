@@ -8,7 +8,7 @@ use suspension_lanes::{Instructions, Lane, Lanes};
 
 use super::case::{Case, OUTPUTS, STEP};
 
-/// As many as lead the eighth lane to 1.8 s; then from the start again.
+/// The number of steps after which the eighth lane is at 1.8 s; then the motion restarts.
 const STEPS: u32 = 2200;
 
 fn time(lane: usize, step: u32) -> f64 {

@@ -8,7 +8,7 @@ use suspension_lanes::Lane;
 
 use super::case::{Case, OUTPUTS, STEP};
 
-/// As many as lead to 1.8 s; then from the start again.
+/// The number of steps up to 1.8 s; then the motion restarts.
 const STEPS: u32 = 3600;
 
 pub(crate) fn bench<G: Listing<15>, T: Lane + std::fmt::LowerExp>(

@@ -43,16 +43,16 @@ use suspension::number::{number, rounded};
 use suspension::output::files::{announce, refuse_input, write_file};
 use suspension_double_double::DoubleDouble;
 
-/// What to make a chart of, and where it goes.
+/// The contents of a chart, and where it is written.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// The motion file; without one the published motion.
     pub file: Option<PathBuf>,
-    /// Where the table goes instead of `chart.csv` in the folder.
+    /// The path of the table, in place of `chart.csv` in the folder.
     pub csv: Option<PathBuf>,
-    /// The folder of all else: `chart.svg`, `chart.html`, and `rivals.csv` if there is one.
+    /// The folder of the other files: `chart.svg`, `chart.html`, and `rivals.csv` if there is one.
     pub folder: PathBuf,
-    /// How much is measured.
+    /// The number of measurements.
     pub effort: Effort,
 }
 
@@ -67,7 +67,7 @@ const MOST_STEPS: f64 = 2e5;
 ///
 /// # Errors
 ///
-/// See [`Failure`]. Where the user interrupts, what was measured is written.
+/// See [`Failure`]. If the user interrupts, the results so far are written.
 pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = wanted
         .file
@@ -114,7 +114,7 @@ pub fn chart(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses a motion of less than a step, and of more than fit into memory.
+/// Refuses a motion of less than a step, and of more steps than fit into memory.
 fn check_steps(source: &Source, [first, last]: [f64; 2], step: f64) -> Result<(), Failure> {
     let steps = (last - first).abs() / step;
     if (1.0..MOST_STEPS).contains(&steps) {
@@ -131,7 +131,7 @@ fn check_steps(source: &Source, [first, last]: [f64; 2], step: f64) -> Result<()
     )))
 }
 
-/// The published motion.
+/// Returns the published motion.
 fn published() -> Source {
     Source::new(
         "examples/attia2003.toml",
@@ -158,7 +158,7 @@ fn write(findings: &Findings, folder: &Path, csv: PathBuf) -> Result<(), Failure
     Ok(())
 }
 
-/// All methods of the chart, put through the motion between two times.
+/// The motion between two times, with which all methods are measured.
 struct Measuring<'a> {
     ends: [f64; 2],
     effort: &'a Effort,
@@ -166,7 +166,7 @@ struct Measuring<'a> {
 }
 
 impl Measuring<'_> {
-    /// Of the linkage that a file names.
+    /// Measures the linkage that a file names.
     fn survey_of(self, source: &Source, loaded: &Loaded<'_>) -> Result<Survey, Failure> {
         match loaded.of_catalogue() {
             Some("five_link") => self.survey::<five_link::Model<f64>, 15>(loaded),
@@ -179,7 +179,7 @@ impl Measuring<'_> {
         }
     }
 
-    /// Lanes and `lu()` of nalgebra are not for every linkage that a program can run.
+    /// Lanes and `lu()` of nalgebra are not available for every linkage that a program can run.
     fn survey<L, const N: usize>(self, loaded: &Loaded<'_>) -> Result<Survey, Failure>
     where
         L: Suspension<N, Listing: Default> + 'static,

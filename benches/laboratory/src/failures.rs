@@ -1,4 +1,4 @@
-//! The failure map: where each method finds the right configuration, another one, or none.
+//! The failure map: for each method how often it finds the right configuration, another one, or none.
 
 pub mod axes;
 pub mod closure;
@@ -41,14 +41,14 @@ use suspension::output::progress::Progress;
 use truth::Truth;
 use turning::turning_points;
 
-/// What to try, and where the results go.
+/// The methods to try, and where the results are written.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// The motion file.
     pub file: PathBuf,
     /// The folder of `failures.csv`, `failures.svg` and `failures.html`.
     pub folder: PathBuf,
-    /// How much is tried.
+    /// The number of trials.
     pub effort: Effort,
 }
 
@@ -59,7 +59,7 @@ const TABLE: &str = "failures.csv";
 ///
 /// # Errors
 ///
-/// See [`Failure`]. Where the user interrupts, what was counted is written.
+/// See [`Failure`]. If the user interrupts, the results so far are written.
 pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::read(&wanted.file)?;
     let loaded = load(&source)?;
@@ -212,7 +212,7 @@ impl Followed<'_> {
         subject.try_all(survey);
         let single = L::Listing::rounded::<f32>(model);
         subject.with_model(&single).try_all(survey);
-        // How bodies are closed is of no account here.
+        // The formulation of bodies does not matter here.
         if closure != NINE_DISTANCES {
             for way in Way::ALL {
                 long_run::add(survey, closure, LongRun::new(way, model, &truth));

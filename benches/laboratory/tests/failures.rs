@@ -1,4 +1,4 @@
-//! The failure map: what is known of each method, as properties of the counts.
+//! The failure map: known properties of each method, as properties of the counts.
 
 use std::sync::atomic::AtomicBool;
 
@@ -51,7 +51,7 @@ fn rigid_body() -> Case<five_link::Model<f64>> {
 type Trying<'a, L> = &'a dyn Fn(&Subject<'_, L, L, 15>, &mut Survey<'_>);
 
 impl<L: Suspension<15> + Linkage<15>> Case<L> {
-    /// The motion between two times, of which the first is one of the reference.
+    /// Returns the motion between two times, the first of which is an instant of the reference.
     fn truth(&self, ends: [f64; 2]) -> Truth<'_, L, 15> {
         let first = support::INSTANTS.iter().position(|t| *t == ends[0]);
         let start = support::Reference::load().unknowns(first.expect("a reference"), "");
@@ -214,7 +214,7 @@ fn beside_turning_points() {
     assert_eq!(near.right, 0, "{near:?}");
 }
 
-/// The same in single precision: what cannot be told apart is not counted as wrong.
+/// In single precision, configurations that cannot be distinguished do not count as wrong.
 #[test]
 fn single_precision_beside_turning_points() {
     let case = rigid_body();

@@ -48,7 +48,7 @@ fn does_not_drift<T: Real>(model: &Model<T>, bound: f64) {
         assert_eq!(allocations, 0);
         assert!(stretch.drift <= bound, "{stretch:?} after {first:?}");
     }
-    // The same legs, again and again: no more iterations in the last than in the first of them.
+    // The same legs repeatedly: the last one takes no more iterations than the first.
     let [(early, _), _, (late, _)] = later;
     let slack = early.steps / 1000;
     assert!(
@@ -63,7 +63,7 @@ fn the_tracker_does_not_drift() {
     does_not_drift(&support::five_link_model::<f32>(), 3e-7);
 }
 
-/// What the tracker is held against.
+/// The tracker is compared with integrated velocities.
 #[test]
 fn integrated_velocities_drift() {
     let model = support::five_link_model::<f64>();

@@ -117,7 +117,7 @@ impl Panel {
                 .legend(move |at| stroke(at, line));
             plane.draw_series(points().map(|point| Circle::new(point, 3, colour.filled())))?;
         }
-        // Parallel to what grows linearly.
+        // A line parallel to linear growth.
         let linear = [(1.0, low), (most, low * most)];
         let line = BLACK.mix(0.4).into();
         plane

@@ -15,17 +15,17 @@ use crate::median::median;
 /// The program that drives a ladder.
 const PROGRAM: &str = include_str!("../template/main.rs");
 
-/// How often each build is repeated for a median.
+/// The number of builds for a median.
 const REPEATS: usize = 3;
 
 /// A crate that is rewritten for each ladder, with its dependencies compiled.
 pub(crate) struct Workshop {
     folder: PathBuf,
-    /// What an empty program takes to check and to compile.
+    /// The effort of checking and of compiling an empty program.
     empty: [Effort; 2],
 }
 
-/// What compiling a ladder takes, and a step of it.
+/// The effort of compiling a ladder, and the time of a step.
 pub(crate) struct Compilation {
     pub(crate) check: Effort,
     pub(crate) release: Effort,
@@ -49,7 +49,7 @@ impl Effort {
 }
 
 impl Workshop {
-    /// In a folder of its own under `out`.
+    /// Compiles in a separate folder under `out`.
     pub(crate) fn new(out: &Path) -> Result<Self, Box<dyn Error>> {
         let folder = out.join("crate");
         fs::create_dir_all(folder.join("src"))?;
@@ -117,7 +117,7 @@ impl Workshop {
     }
 }
 
-/// Processor seconds of all builds so far.
+/// Returns the processor seconds of all builds so far.
 fn cpu_of_children() -> nix::Result<f64> {
     let usage = getrusage(UsageWho::RUSAGE_CHILDREN)?;
     let seconds = |time: TimeVal| time.tv_sec() as f64 + 1e-6 * time.tv_usec() as f64;

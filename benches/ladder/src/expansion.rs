@@ -1,5 +1,4 @@
-//! A listing expanded here, by the macro's own code: how long it takes, and what the header of the
-//! generated module says.
+//! The expansion of a listing by the macro's own code: its time, and the figures in the header of the generated module.
 
 use std::time::Instant;
 use suspension_listing::include::NoIncludes;
@@ -10,13 +9,13 @@ use suspension_listing::{order, text};
 use crate::median::median;
 use crate::{expand, listing};
 
-/// What an expansion takes and says.
+/// The time and the results of an expansion.
 pub(crate) struct Expansion {
     pub(crate) unknowns: usize,
     pub(crate) non_zeros: usize,
     pub(crate) factor_non_zeros: usize,
     pub(crate) factor_chain: usize,
-    /// Of residual, factorisation and solution.
+    /// Operations of residual, factorisation and solution.
     pub(crate) operations: [usize; 3],
     pub(crate) expansion_s: f64,
     pub(crate) order_s: f64,

@@ -45,7 +45,7 @@ pub(crate) fn listing(bodies: usize) -> String {
     )
 }
 
-/// The statements alone: what the macro is given as the body of `mod ladder`.
+/// Returns the statements, without the surrounding `mod ladder`.
 pub(crate) fn statements(bodies: usize) -> String {
     let mut text = String::new();
     let mut line = |statement: String| {
@@ -80,7 +80,7 @@ pub(crate) fn statements(bodies: usize) -> String {
     text
 }
 
-/// All points by name: those of the chassis, then the free ones.
+/// Returns all points with their names: those of the chassis, then the free ones.
 fn points(bodies: usize) -> impl Iterator<Item = (String, Vector)> {
     let row = move |prefix: &'static str, of: fn(&Corner) -> Vector| {
         (1..=bodies).flat_map(move |body| {

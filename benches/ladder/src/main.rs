@@ -18,7 +18,7 @@ mod macros {
     pub(crate) mod listing_files;
     pub(crate) mod module;
 }
-// Where they look for each other.
+// The modules look for each other at the root of the crate.
 use macros::{emit, expand, listing_files, module};
 
 mod chart;
@@ -49,7 +49,7 @@ struct Arguments {
     out: PathBuf,
 }
 
-/// A name, and what of a row it stands for.
+/// A name, and the quantity of a row.
 type Quantity = (&'static str, fn(&Row) -> f64);
 
 /// A row of the table.
@@ -67,7 +67,7 @@ struct Row {
     /// The whole expansion, and of it the choice of the order of elimination.
     expansion_s: f64,
     order_s: f64,
-    /// Beyond what an empty program takes.
+    /// In addition to the time of an empty program.
     check_s: f64,
     check_cpu_s: f64,
     release_s: f64,

@@ -55,7 +55,7 @@ impl Ride {
             .unwrap_or_else(|error| panic!("at {} s: {error}", self.time));
     }
 
-    /// The largest distance of a body from where a copy of the first would be.
+    /// Returns the largest distance of a body from a copy of the first one.
     fn unlike(&self) -> f64 {
         let bodies = self.motion.position.as_slice().chunks_exact(9).enumerate();
         let differences = bodies.flat_map(|(index, body)| {

@@ -1,4 +1,4 @@
-//! The Rust rivals beside our generated solver, `quantity/method` as ids.
+//! The Rust rivals and our generated solver, with ids `quantity/method`.
 
 use std::hint::black_box;
 

@@ -1,5 +1,5 @@
-//! What the general multibody engines are asked beside a step, of ours: the forces of four rods under a
-//! load at rest, and what is said past the lock.
+//! The tasks of the general multibody engines in addition to a step, for our solver: the forces of four rods under a load at
+//! rest, and the message past the lock.
 
 use suspension_core::linkages::attia2003::Points;
 use suspension_core::nalgebra::Vector3;
@@ -10,9 +10,9 @@ use suspension_core::{Linkage, SolveError, Tracker};
 use crate::mechanism::inputs;
 use crate::{Mechanism, Motion, STEP};
 
-/// At the wheel centre, N.
+/// The load at the wheel centre, N.
 const LOAD: Vector3<f64> = Vector3::new(0.0, 0.0, 3000.0);
-/// Loaded after each of so many steps.
+/// The number of steps between two loads.
 const STRIDE: usize = 100;
 /// Steps that lead past the lock.
 const PAST_LOCK: usize = 2100;
@@ -47,7 +47,7 @@ pub fn rods<'a>(
         })
 }
 
-/// What each way of ours says when it is driven on.
+/// Returns the message of each of our methods when it is driven past the lock.
 pub fn past_lock(mechanism: &Mechanism) -> [(&'static str, String); 2] {
     let model = &mechanism.model;
     let tracker = Tracker::default();

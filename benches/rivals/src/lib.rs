@@ -9,7 +9,7 @@ mod rootfinders;
 pub use asked::{past_lock, rods};
 pub use mechanism::{Inputs, Mechanism, Motion, STEP, Start, Vector};
 
-/// Who is timed.
+/// The name and version of a timed method.
 pub struct Method {
     pub name: &'static str,
     pub version: &'static str,
@@ -17,7 +17,7 @@ pub struct Method {
     pub note: &'static str,
 }
 
-/// Times work and keeps what it computes.
+/// Times work and keeps its results.
 pub trait Stopwatch {
     /// `newton` or `position`: from a start to the next position.
     fn part(&mut self, method: &Method, quantity: &str, work: impl FnMut(&Start) -> Vector);

@@ -16,7 +16,7 @@ use rivals::{
     Inputs, Mechanism, Method, Motion, Start, Stopwatch, Vector, past_lock, rods, time_all,
 };
 
-/// Parts are timed in batches of one call from each thirtieth start, 64 of them.
+/// Parts are timed in batches of 64, one call from each thirtieth start.
 const STRIDE: usize = 30;
 const PART_BATCHES: usize = 2000;
 /// Steps are timed in batches of this many.
@@ -83,7 +83,7 @@ impl Batches<'_> {
             .unwrap_or_else(|error| stop(&format!("{}: {error}", path.display())));
     }
 
-    /// From point 6, at the steps that are loaded.
+    /// The wheel centres relative to point 6, at the steps with a load.
     fn wheel_centres(&self) -> Vec<[f64; 3]> {
         let path = self.folder.join("centres.bin");
         let bytes = std::fs::read(&path)

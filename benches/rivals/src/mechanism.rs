@@ -15,7 +15,7 @@ pub type Inputs = suspension_core::Inputs<Still, Drives<f64>>;
 
 /// Length of a step, s.
 pub const STEP: f64 = 1e-3;
-/// To t = 1.9 s.
+/// The number of steps to t = 1.9 s.
 const STEPS: usize = 1900;
 
 const DATA: &str = include_str!("../../../src/commands/published/attia2003.toml");

@@ -19,7 +19,7 @@ fn to_tolerance(mechanism: &Mechanism, watch: &mut impl Stopwatch) {
     let model = &mechanism.model;
     let method = Method {
         name: "ours, to tolerance",
-        // All packages of the repository share one.
+        // All packages of the repository have the same version.
         version: env!("CARGO_PKG_VERSION"),
         note: "geometry read at run time; steps are tested against their residual",
     };

@@ -1,4 +1,4 @@
-//! Crates for systems of nonlinear equations: the position alone, from the same prediction.
+//! Crates for systems of nonlinear equations: only the position, from the same prediction.
 
 mod by_eqsolver;
 mod by_gomez;

@@ -17,7 +17,7 @@ use crate::saloon::Parameters;
 pub struct Car {
     /// Chassis.
     pub chassis: Chassis,
-    /// Its corners.
+    /// The four corners.
     pub corners: [Corner; 4],
     bars: [f64; 2],
 }
@@ -34,19 +34,19 @@ pub struct Stopped {
     pub refused: Refused,
 }
 
-/// What a driver does.
+/// The inputs of a driver.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Controls {
     /// Place of the rack to the left, from straight ahead, m: ahead of the axle, it turns the car to the left.
     pub rack: Signal<f64>,
-    /// Of each rear wheel.
+    /// The torque at each rear wheel.
     pub drive: f64,
-    /// Of each front wheel, and of each rear wheel.
+    /// The largest brake torque of each front wheel, and of each rear wheel.
     pub brake: [f64; 2],
 }
 
 impl Car {
-    /// At rest in the design, its corners in a detail.
+    /// A car at rest in the design position, with its corners in a detail.
     ///
     /// # Errors
     ///
@@ -87,11 +87,12 @@ impl Car {
         self
     }
 
-    /// Goes on in another detail, whose kinematics are given in the order of the corners; those that the car had are left in their place.
+    /// Continues in another detail, whose kinematics are given in the order of the corners, and returns the car's former
+    /// kinematics in their place.
     ///
     /// # Errors
     ///
-    /// Where one of them cannot get there; nothing has changed then.
+    /// If one of them cannot reach the present position; then nothing has changed.
     pub fn change(
         &mut self,
         others: &mut [Box<dyn Kinematics>; 4],
@@ -111,7 +112,7 @@ impl Car {
     ///
     /// # Errors
     ///
-    /// Those of the kinematics; chassis and wheels then stay where they were, and may go on in another detail.
+    /// Those of the kinematics. Chassis and wheels then stay unchanged and may continue in another detail.
     pub fn tick(&mut self, dt: f64, road: &Road, controls: &Controls) -> Result<(), Stopped> {
         self.look(dt, controls)?;
         let frame = self.touch(dt, road);
@@ -119,7 +120,7 @@ impl Car {
         Ok(())
     }
 
-    /// The kinematics of the four corners: the first part of a tick.
+    /// Computes the kinematics of the four corners: the first part of a tick.
     ///
     /// # Errors
     ///
@@ -148,7 +149,7 @@ impl Car {
             let (torque, bar) = (controls.torque(place), self.bar(place));
             self.corners[place].add_to(&mut equations, frame, &torque, bar, dt)
         });
-        // Masses are positive, so that there is a solution.
+        // Masses are positive, so there is a solution.
         let acceleration = equations.solve().unwrap_or_else(Vector6::zeros);
         self.chassis.advance(frame, &acceleration, dt);
         for (corner, row) in self.corners.iter_mut().zip(&rows) {
@@ -166,7 +167,7 @@ impl Car {
         self.chassis.energy() + bars.sum::<f64>() + corners.sum::<f64>()
     }
 
-    /// What comes in less what is lost, W, after [`touch`](Self::touch), on a flat road with the rack at rest.
+    /// The power supplied minus the power dissipated, W, after [`touch`](Self::touch), on a flat road with the rack at rest.
     pub fn power(&self, dt: f64, frame: &Frame, controls: &Controls) -> f64 {
         let corners = self.corners.iter().enumerate();
         corners
@@ -174,7 +175,7 @@ impl Car {
             .sum()
     }
 
-    /// What the anti-roll bar does to a corner's travel, N.
+    /// The force of the anti-roll bar on a corner's travel, N.
     fn bar(&self, place: usize) -> f64 {
         self.bars[place / 2] * (self.corners[place ^ 1].travel - self.corners[place].travel)
     }

@@ -10,16 +10,16 @@ use crate::plot::{Area, COLOURS, FINE, font, save};
 /// A detail in the chart.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark {
-    /// In the legend.
+    /// The name in the legend.
     pub name: &'static str,
-    /// Of a tick, µs.
+    /// The time of a tick, µs.
     pub time: f64,
-    /// As [`QUANTITIES`]; zero is drawn at the left edge.
+    /// The errors in the order of [`QUANTITIES`]; zero is drawn at the left edge.
     pub errors: [f64; 4],
 }
 
 impl Mark {
-    /// Its name, with an error of zero, which is not where it is drawn.
+    /// The name, marked if the error is zero, because that is not where the point is drawn.
     fn label(&self, quantity: usize) -> String {
         if self.errors[quantity] > 0.0 {
             self.name.to_owned()
@@ -29,7 +29,7 @@ impl Mark {
     }
 }
 
-/// What the errors are.
+/// The titles of the errors.
 pub const QUANTITIES: [&str; 4] = [
     "wheel centre at the same travel, largest error in m",
     "camber at the same travel, largest error in deg",
@@ -41,11 +41,11 @@ const SIZE: [u32; 2] = [1000, 720];
 /// Decades from the left edge to the right.
 const DECADES: f64 = 9.0;
 
-/// Draws four panels; a dashed line is the error that the step of the integrator makes itself.
+/// Draws four panels; a dashed line is the error of the integrator's own step.
 ///
 /// # Errors
 ///
-/// Where the file cannot be written.
+/// If the file cannot be written.
 pub fn draw(marks: &[Mark], step: &[f64; 4], to: &Path) -> Result<(), Box<dyn Error>> {
     let title = "A tick of the car: time against error of its kinematics";
     save(SIZE, title, to, |area| {
@@ -55,7 +55,7 @@ pub fn draw(marks: &[Mark], step: &[f64; 4], to: &Path) -> Result<(), Box<dyn Er
     })
 }
 
-/// The left and the right edge of a panel, the largest error being near the right one.
+/// Returns the left and the right edge of a panel, the largest error near the right one.
 fn edges(errors: impl Iterator<Item = f64>, step: f64) -> [f64; 2] {
     let largest = errors.fold(step, f64::max);
     let right = 10.0_f64.powf(largest.log10().ceil() + 0.3);

@@ -7,11 +7,11 @@ use crate::saloon::GRAVITY;
 /// The sprung mass, its centre the origin of the chassis axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chassis {
-    /// Of the origin, in world axes, m.
+    /// The position of the origin, in world axes, m.
     pub position: Vector3<f64>,
-    /// From chassis axes to world axes.
+    /// The rotation from chassis axes to world axes.
     pub attitude: UnitQuaternion<f64>,
-    /// Of the origin, in world axes, m/s.
+    /// The velocity of the origin, in world axes, m/s.
     pub velocity: Vector3<f64>,
     /// Angular velocity, in chassis axes, rad/s.
     pub turning: Vector3<f64>,
@@ -19,14 +19,14 @@ pub struct Chassis {
     inertia: Matrix3<f64>,
 }
 
-/// What a tick asks of the chassis again and again, vectors in chassis axes.
+/// The state of the chassis in the form that a tick uses repeatedly, vectors in chassis axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Of the origin, in world axes, m.
+    /// The position of the origin, in world axes, m.
     pub position: Vector3<f64>,
-    /// From chassis axes to world axes.
+    /// The rotation from chassis axes to world axes.
     pub rotation: Matrix3<f64>,
-    /// Of the origin, m/s.
+    /// The velocity of the origin, m/s.
     pub velocity: Vector3<f64>,
     /// rad/s.
     pub turning: Vector3<f64>,
@@ -37,7 +37,7 @@ pub struct Frame {
 /// The chassis' equations of motion: mass times accelerations (of the origin, angular, in chassis axes) is force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equations {
-    /// Of the chassis and of what moves with it.
+    /// The mass matrix of the chassis and of the parts that move with it.
     pub mass: Matrix6<f64>,
     /// Forces, then moments about the origin.
     pub force: Vector6<f64>,
@@ -56,7 +56,7 @@ impl Chassis {
         }
     }
 
-    /// Where it is.
+    /// Returns the state in the form of a [`Frame`].
     pub fn frame(&self) -> Frame {
         let rotation = self.attitude.to_rotation_matrix().into_inner();
         Frame {
@@ -68,7 +68,7 @@ impl Chassis {
         }
     }
 
-    /// Its own part of the equations.
+    /// Returns the chassis' own part of the equations.
     pub fn equations(&self, frame: &Frame) -> Equations {
         let mut mass = Matrix6::zeros();
         mass.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(self.mass);
@@ -91,7 +91,7 @@ impl Chassis {
         self.attitude.renormalize_fast();
     }
 
-    /// Kinetic energy and that of its height, J.
+    /// Returns the kinetic and the potential energy, J.
     pub fn energy(&self) -> f64 {
         let turning = self.turning.dot(&(self.inertia * self.turning));
         0.5 * (self.mass * self.velocity.norm_squared() + turning)
@@ -100,14 +100,14 @@ impl Chassis {
 }
 
 impl Equations {
-    /// The accelerations; `None` where the mass is not positive definite.
+    /// Returns the accelerations; `None` if the mass matrix is not positive definite.
     pub fn solve(&self) -> Option<Vector6<f64>> {
         let factors: Cholesky<f64, Const<6>> = self.mass.cholesky()?;
         Some(factors.solve(&self.force))
     }
 }
 
-/// A force and a moment in one vector.
+/// Joins a force and a moment to one vector.
 pub fn both(force: &Vector3<f64>, moment: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
 }

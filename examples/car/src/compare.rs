@@ -13,21 +13,21 @@ use crate::detail::Detail;
 use crate::drive::{self, Parts, TICK, microseconds};
 use crate::kinematics::{Drives, Kinematics};
 
-/// How long the car is driven, s.
+/// The duration of the drive, s.
 const SECONDS: f64 = 10.0;
-/// By what the step of the reference that shows the integrator's own error is shorter.
+/// The reference that shows the integrator's own error has steps shorter by this factor.
 const FINER: usize = 8;
 
-/// What a detail is off by.
+/// The errors of a detail.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// Of a wheel centre at the same travel and rack, the largest of the drive, m.
+    /// The largest error of a wheel centre at the same travel and rack, m.
     pub wheel: f64,
-    /// Of camber likewise, rad.
+    /// The largest error of camber, rad.
     pub camber: f64,
-    /// Of the wheel loads in the drive, root of the mean square, N.
+    /// The root mean square error of the wheel loads in the drive, N.
     pub load: f64,
-    /// Of the chassis' place at the end, m.
+    /// The error of the chassis' position at the end, m.
     pub trajectory: f64,
 }
 
@@ -42,7 +42,7 @@ pub struct Compared {
     pub errors: Errors,
 }
 
-/// What is kept of a drive, tick by tick: the drives of the corners and their loads; and the place at the end.
+/// A record of a drive: the drives of the corners and their loads in each tick, and the position at the end.
 struct Driven {
     drives: Vec<[Signal<Drives>; 4]>,
     loads: Vec<[f64; 4]>,
@@ -97,7 +97,7 @@ pub fn compare() -> Result<Vec<Compared>, Box<dyn Error>> {
     Ok(compared)
 }
 
-/// What the step of a tick is off by itself, exact kinematics in both.
+/// Returns the error of the integrator's step, with exact kinematics in both runs.
 ///
 /// # Errors
 ///
@@ -110,7 +110,7 @@ pub fn step_error() -> Result<Errors, Box<dyn Error>> {
     Ok(between(&coarse, &fine, FINER))
 }
 
-/// Loads and places, where the second drive has `finer` ticks in one of the first.
+/// Compares loads and positions, if the second run has `finer` ticks in one of the first.
 fn between(one: &Driven, other: &Driven, finer: usize) -> Errors {
     let pairs = one.loads.iter().zip(other.loads.iter().step_by(finer));
     let squares =
@@ -196,7 +196,7 @@ fn row(name: &str, parts: &Parts, errors: &Errors) {
 }
 
 impl Errors {
-    /// In m, deg, N and m.
+    /// Returns the errors in m, deg, N and m.
     pub fn shown(&self) -> [f64; 4] {
         [
             self.wheel,

@@ -7,20 +7,21 @@ use nalgebra::Vector3;
 pub struct Contact {
     /// Ahead in the wheel's plane and in the road's, of unit length.
     pub ahead: Vector3<f64>,
-    /// To the left in the road's plane, of unit length.
+    /// The unit vector to the left in the plane of the road.
     pub left: Vector3<f64>,
     /// Out of the road, of unit length.
     pub normal: Vector3<f64>,
-    /// From the wheel centre to the contact point, in the wheel's plane, m.
+    /// The vector from the wheel centre to the contact point, in the plane of the wheel, m.
     pub arm: Vector3<f64>,
-    /// By what that is shorter than the tyre's radius, m; negative off the ground.
+    /// The tyre's radius minus the length of that vector, m; negative off the ground.
     pub deflection: f64,
     /// Cosine of the angle between the wheel's plane and the normal.
     pub upright: f64,
 }
 
 impl Contact {
-    /// Of a wheel whose centre is a clearance above the road's plane, with its spin axis to the left and its unloaded radius.
+    /// Computes the contact of a wheel whose centre is `clearance` above the plane of the road, with its spin axis to the
+    /// left and its unloaded radius.
     pub fn new(clearance: f64, normal: Vector3<f64>, axis: Vector3<f64>, radius: f64) -> Self {
         let up = normal - axis * normal.dot(&axis);
         let upright = up.norm();

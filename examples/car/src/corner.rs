@@ -23,15 +23,15 @@ pub struct Corner {
     pub travel: f64,
     /// m/s.
     pub travel_rate: f64,
-    /// As of the last tick, m/s^2: what the kinematics predict with.
+    /// The second rate of the travel in the last tick, m/s^2, from which the kinematics predict.
     travel_second_rate: f64,
     /// Angular velocity of the wheel about its axis, rad/s, positive ahead.
     pub spin: f64,
-    /// Of the tread: longitudinal and lateral.
+    /// The slip of the tread: longitudinal and lateral.
     pub slip: Vector2<f64>,
-    /// As of the last [`look`](Self::look), in chassis axes from the chassis' origin.
+    /// The hub from the last [`look`](Self::look), in chassis axes from the chassis' origin.
     pub hub: Hub,
-    /// As of the last [`touch`](Self::touch).
+    /// The contact from the last [`touch`](Self::touch).
     pub ground: Ground,
     kinematics: Box<dyn Kinematics>,
     on_the_right: bool,
@@ -42,7 +42,7 @@ pub struct Corner {
     tyre: Tyre,
 }
 
-/// What is between wheel and road, in chassis axes.
+/// The contact of wheel and road, in chassis axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
     /// Where.
@@ -51,7 +51,7 @@ pub struct Ground {
     pub load: f64,
     /// On the wheel, load included, N.
     pub force: Vector3<f64>,
-    /// Of the carrier at the wheel centre, m/s.
+    /// The velocity of the carrier at the wheel centre, m/s.
     centre_velocity: Vector3<f64>,
     /// Angular velocity of the carrier, rad/s.
     carrier: Vector3<f64>,
@@ -60,14 +60,14 @@ pub struct Ground {
 /// Moments about a wheel's axis, N m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Torque {
-    /// From a differential on the chassis.
+    /// The torque from a differential on the chassis.
     pub drive: f64,
-    /// What a brake on the carrier takes at most.
+    /// The largest torque of a brake on the carrier.
     pub brake: f64,
 }
 
 impl Corner {
-    /// At rest under its load; `left` are the kinematics of the left corner, on either side.
+    /// A corner at rest under its load; `left` are the kinematics of the left corner, on either side.
     ///
     /// # Errors
     ///
@@ -101,7 +101,8 @@ impl Corner {
         Ok(corner)
     }
 
-    /// The hub where the wheel is now, `dt` after the last look; `rack` to the left, from straight ahead.
+    /// Computes the hub at the present position of the wheel, `dt` after the last call; `rack` is positive to the left of
+    /// straight ahead.
     ///
     /// # Errors
     ///
@@ -118,14 +119,15 @@ impl Corner {
         Ok(())
     }
 
-    /// Goes on with other kinematics, which have entered where this corner is; the old ones are left in their place.
+    /// Continues with other kinematics, which have entered at the position of this corner, and returns the former ones in
+    /// their place.
     pub fn change(&mut self, other: &mut Box<dyn Kinematics>) {
         std::mem::swap(&mut self.kinematics, other);
     }
 
-    /// What the kinematics of the left corner follow.
+    /// Returns the drives of the kinematics of the left corner.
     pub fn drives(&self, rack: &Signal<f64>) -> Signal<Drives> {
-        // Of zero not the negative.
+        // Zero stays positive.
         let to_left = |rack: f64| if self.on_the_right { 0.0 - rack } else { rack };
         let drives = |travel, rack| Drives {
             travel,
@@ -186,7 +188,7 @@ impl Corner {
         self.ground.force += contact.ahead * force.x + contact.left * force.y;
     }
 
-    /// The brake's moment: what would stop the wheel in one step, if it can.
+    /// Returns the brake's torque: the one that stops the wheel in one step, if the brake is strong enough.
     fn brake(&self, torque: &Torque, dt: f64) -> f64 {
         (self.rolling() * self.spin_inertia / dt).clamp(-torque.brake, torque.brake)
     }

@@ -31,7 +31,7 @@ impl Detail {
         Self::Constant,
     ];
 
-    /// Its name in tables.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -42,11 +42,11 @@ impl Detail {
         }
     }
 
-    /// The left corner of the front axle (0) or of the rear axle (1).
+    /// Makes the left corner of the front axle (0) or of the rear axle (1).
     ///
     /// # Errors
     ///
-    /// Where the positions in a listing are not those of a linkage.
+    /// If the positions in a listing do not suit its linkage.
     pub fn corner(self, axle: usize) -> Result<Box<dyn Kinematics>, Box<dyn Error>> {
         let is_front = axle == 0;
         Ok(match self {
@@ -62,11 +62,11 @@ impl Detail {
         })
     }
 
-    /// All four corners of a car.
+    /// Makes all four corners of a car.
     ///
     /// # Errors
     ///
-    /// As [`corner`](Self::corner).
+    /// Those of [`corner`](Self::corner).
     pub fn corners(self) -> Result<[Box<dyn Kinematics>; 4], Box<dyn Error>> {
         let corner = |axle| self.corner(axle);
         Ok([corner(0)?, corner(0)?, corner(1)?, corner(1)?])

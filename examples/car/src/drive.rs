@@ -1,4 +1,4 @@
-//! The scripted drive, and how long the parts of its ticks take.
+//! The scripted drive, and the time of the parts of its ticks.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -26,7 +26,7 @@ pub const ROAD: Road = Road::Bumpy {
     from: 65.0,
 };
 
-/// The saloon at the start of the drive.
+/// Returns the saloon at the start of the drive.
 ///
 /// # Errors
 ///
@@ -46,8 +46,8 @@ pub struct Parts {
     pub motion: Duration,
 }
 
-/// Drives a car for some seconds, and shows it to `each` in every tick, once its corners stand where it is, with the time and the controls.
-/// The times are medians of the ticks.
+/// Drives a car for some seconds. Calls `each` in every tick with the car after its kinematics, the time and the controls.
+/// Returns medians of the times of the ticks.
 ///
 /// # Errors
 ///

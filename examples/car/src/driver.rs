@@ -11,23 +11,23 @@ use crate::car::{Car, Controls};
 pub struct Driver {
     /// m/s.
     pub speed: f64,
-    /// How far the rack goes, m.
+    /// The amplitude of the rack, m.
     pub rack: f64,
     /// When it is first turned, s.
     pub from: f64,
-    /// How long a turn of it takes, s.
+    /// The duration of a turn, s.
     pub ramp: f64,
-    /// How long it is held between two, s.
+    /// The duration for which the rack is held between two turns, s.
     pub hold: f64,
 }
 
-/// Of each rear wheel, N m.
+/// The torque of each rear wheel, N m.
 const FULL_TORQUE: f64 = 600.0;
 /// The lack of speed at which the driver gives it, m/s.
 const FULL_LACK: f64 = 2.0;
 
 impl Driver {
-    /// What the driver does at a time, s.
+    /// Returns the controls at a time, s.
     pub fn controls(&self, time: f64, car: &Car) -> Controls {
         let lack = self.speed - car.chassis.velocity.norm();
         Controls {
@@ -37,7 +37,7 @@ impl Driver {
         }
     }
 
-    /// Each turn is half a cosine wave, so that rates and second rates are known.
+    /// Each turn is half a period of a cosine, so that rates and second rates are known.
     fn rack_at(&self, time: f64) -> Signal<f64> {
         let period = self.ramp + self.hold;
         let periods = (time - self.from) / period;

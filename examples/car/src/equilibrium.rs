@@ -8,7 +8,7 @@ use crate::saloon::{Axle, GRAVITY};
 use crate::strut::Strut;
 use crate::tyre::Tyre;
 
-/// How far the origin of the hub's axes is above the ground where the tyre bears a load along the normal, m.
+/// Returns the height of the origin of the hub's axes above the ground at which the tyre bears a load along the normal, m.
 pub fn clearance(hub: &Hub, tyre: &Tyre, load: f64) -> f64 {
     let upright = Contact::new(0.0, Vector3::z(), hub.axis, tyre.radius).upright;
     let deflection = load * upright / tyre.stiffness;

@@ -17,8 +17,8 @@ pub use grid::Grid;
 pub use hub::{Hub, Marks, PerTravel};
 pub use solved::{Solved, bounded, exact};
 
-/// What a left corner's wheel follows, changes from the design in m: of the wheel centre's height, and of the rack's place
-/// to the left. A corner without a rack does not see the second.
+/// The drives of a left corner's wheel, as changes from the design position in m: the height of the wheel centre, and the
+/// position of the rack to the left. A corner without a rack ignores the second.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drives {
     /// Bump travel, upwards.
@@ -36,8 +36,8 @@ pub trait Kinematics: Send {
     /// [`Refused`]; the next call may succeed.
     fn step(&mut self, dt: f64, drives: &Signal<Drives>) -> Result<Hub, Refused>;
 
-    /// Goes from the design to where another detail has led a wheel, in as many steps as it takes: before the first tick in a new
-    /// detail. What looks up or multiplies is there anyway.
+    /// Moves from the design position to the position at which another detail has left a wheel, in as many steps as
+    /// necessary: before the first tick in a new detail. Kinematics that look up or multiply need no such move.
     ///
     /// # Errors
     ///
@@ -50,13 +50,13 @@ pub trait Kinematics: Send {
 /// No motion of a wheel is known for these drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refused {
-    /// Where the wheel was to go.
+    /// The drives that the wheel was to follow.
     pub drives: Drives,
-    /// Why it cannot.
+    /// The reason.
     pub why: Why,
 }
 
-/// Why a wheel's motion is not known.
+/// The reason for which a wheel's motion is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Why {
     /// The solver refused.

@@ -21,7 +21,7 @@ pub struct Panel {
 /// A curve.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// In the legend.
+    /// The name in the legend.
     pub name: String,
     /// Across and up.
     pub line: Vec<(f64, f64)>,
@@ -31,7 +31,7 @@ const WIDTH: u32 = 900;
 const HEIGHT: u32 = 230;
 /// Room for the legend right of the curves, as a part of their span.
 const LEGEND: f64 = 0.22;
-/// Drawing units to one of those shown: plotters rounds to whole units, which would be seen as steps.
+/// Drawing units per pixel: plotters rounds to whole units, which would be visible as steps.
 pub const FINE: u32 = 8;
 
 /// One colour a curve.
@@ -43,7 +43,7 @@ pub const COLOURS: [RGBColor; 5] = [
     RGBColor(110, 110, 110),
 ];
 
-/// What is drawn on.
+/// The area of a drawing.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// A font of a size as shown.
@@ -51,11 +51,11 @@ pub fn font(size: u32) -> (&'static str, u32) {
     ("sans-serif", size * FINE)
 }
 
-/// Draws a picture of a width and a height as shown into a file.
+/// Draws a picture of a width and a height in pixels into a file.
 ///
 /// # Errors
 ///
-/// Those of the drawing, and where the file cannot be written.
+/// Those of the drawing, and if the file cannot be written.
 pub fn save(
     [width, height]: [u32; 2],
     title: &str,
@@ -78,7 +78,7 @@ pub fn save(
 ///
 /// # Errors
 ///
-/// Where the file cannot be written.
+/// If the file cannot be written.
 pub fn draw(title: &str, panels: &[Panel], to: &Path) -> Result<(), Box<dyn Error>> {
     let height = HEIGHT * panels.len() as u32 + 40;
     save([WIDTH, height], title, to, |area| {
@@ -135,7 +135,7 @@ impl Panel {
     }
 }
 
-/// From the least to the largest, and a part of that beyond both.
+/// Returns the range of the values, extended on both sides by a part of it.
 fn span(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
         [low.min(value), high.max(value)]

@@ -16,7 +16,7 @@ use crate::tyre::Tyre;
 pub struct Quarter<K> {
     /// Rise of the mass and travel of the wheel, m.
     pub position: Vector2<f64>,
-    /// Their rates, m/s.
+    /// The rates of both, m/s.
     pub velocity: Vector2<f64>,
     kinematics: K,
     masses: [f64; 2],
@@ -27,7 +27,7 @@ pub struct Quarter<K> {
 }
 
 impl<K: Kinematics> Quarter<K> {
-    /// At rest under a sprung mass, on the spring that holds it there.
+    /// A quarter car at rest under a sprung mass, with the spring that holds it there.
     ///
     /// # Errors
     ///
@@ -53,7 +53,7 @@ impl<K: Kinematics> Quarter<K> {
     ///
     /// # Errors
     ///
-    /// Those of the kinematics; the car then stands where it was.
+    /// Those of the kinematics; the car is then unchanged.
     pub fn tick(&mut self, dt: f64) -> Result<(), Refused> {
         self.look(dt)?;
         self.velocity += self.acceleration() * dt;
@@ -61,7 +61,7 @@ impl<K: Kinematics> Quarter<K> {
         Ok(())
     }
 
-    /// The hub where the wheel is now, a time after the last look.
+    /// Computes the hub at the present position of the wheel, a time after the last call.
     ///
     /// # Errors
     ///
@@ -91,7 +91,7 @@ impl<K: Kinematics> Quarter<K> {
             + 0.5 * self.tyre.stiffness * deflection * deflection
     }
 
-    /// What damper and tyre take as of the last look, W, not positive.
+    /// The power of damper and tyre in the last tick, W, not positive.
     pub fn power(&self) -> f64 {
         let contact = self.contact();
         let rate = contact.deflection_rate(&self.contact_velocity(&contact));

@@ -13,7 +13,7 @@ use crate::plot::{Curve, Panel};
 pub struct Row {
     /// s.
     pub time: f64,
-    /// Of the sprung mass's centre, m.
+    /// The position of the sprung mass's centre, m.
     pub position: [f64; 3],
     /// m/s.
     pub speed: f64,
@@ -32,7 +32,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The car as it is.
+    /// Records the car.
     pub fn of(time: f64, car: &Car, controls: &Controls) -> Self {
         let chassis = &car.chassis;
         let (roll, pitch, yaw) = chassis.attitude.euler_angles();
@@ -70,7 +70,7 @@ impl Row {
 ///
 /// # Errors
 ///
-/// Where the file cannot be written.
+/// If the file cannot be written.
 pub fn write(rows: &[Row], to: &Path) -> Result<(), Box<dyn Error>> {
     let whole = "time_s x_m y_m z_m speed_m_s roll_rad pitch_rad yaw_rad yaw_rate_rad_s rack_m";
     let mut names: Vec<String> = whole.split(' ').map(str::to_owned).collect();

@@ -13,7 +13,7 @@ pub enum Road {
     Bumpy {
         /// Amplitude of the longest, m.
         size: f64,
-        /// Where they begin, x in m; they grow over 20 m.
+        /// The beginning of the waves, x in m; they grow over 20 m.
         from: f64,
     },
 }
@@ -29,7 +29,7 @@ const WAVES: [[f64; 3]; 4] = [
 const GROWTH: f64 = 20.0;
 
 impl Road {
-    /// Its height above a place, and the normal there, of unit length.
+    /// Returns the height at a place, and the unit normal there.
     pub fn at(&self, x: f64, y: f64) -> (f64, Vector3<f64>) {
         let Self::Bumpy { size, from } = *self else {
             return (0.0, Vector3::z());

@@ -11,7 +11,7 @@ pub const GRAVITY: f64 = 9.81;
 /// A car whose sides are alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
-    /// Of the chassis with all that it carries, kg.
+    /// The mass of the chassis with everything that it carries, kg.
     pub sprung_mass: f64,
     /// About the axes through the centre of mass of the sprung mass, kg m^2.
     pub inertia: [f64; 3],
@@ -30,13 +30,13 @@ pub struct Axle {
     pub ahead: f64,
     /// One wheel, with its part of the links, in the wheel centre, kg.
     pub unsprung_mass: f64,
-    /// Of a wheel about its spin axis, kg m^2.
+    /// The inertia of a wheel about its spin axis, kg m^2.
     pub spin_inertia: f64,
     /// N/m along the strut.
     pub stiffness: f64,
     /// N s/m along the strut.
     pub damping: f64,
-    /// Of the anti-roll bar: N at each wheel per m of difference in travel.
+    /// The stiffness of the anti-roll bar: N at each wheel per m of difference in travel.
     pub bar: f64,
 }
 
@@ -94,7 +94,7 @@ impl Parameters {
 }
 
 impl Axle {
-    /// Its struts, with a spring that bears a force at a length.
+    /// Returns its struts, with a spring that exerts a force at a length.
     pub fn strut(&self, force: f64, length: f64) -> Strut {
         Strut {
             stiffness: self.stiffness,

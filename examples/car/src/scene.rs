@@ -7,18 +7,18 @@ use crate::car::Car;
 use crate::detail::Detail;
 use crate::drive::{self, DRIVER, ROAD, TICK, median, microseconds};
 
-/// Cars by detail: the player's, those beside it, those in sight, those far away.
+/// The number of cars by detail: the player's, those next to it, those in sight, those far away.
 const MIXED: [(Detail, usize); 4] = [
     (Detail::Exact, 1),
     (Detail::Bounded, 3),
     (Detail::Baked, 8),
     (Detail::Constant, 4),
 ];
-/// All of them.
+/// The number of all cars.
 const CARS: usize = 16;
 /// Ticks that are timed.
 const TICKS: usize = 10_000;
-/// From car to car, m.
+/// The distance between cars, m.
 const GAP: f64 = 4.0;
 
 /// The median time of a tick of all cars, side by side on the same road.

@@ -16,12 +16,12 @@ pub struct Strut {
 }
 
 impl Strut {
-    /// What pushes both ends apart, N.
+    /// The force that pushes the ends apart, N.
     pub fn force(&self, [length, rate]: [f64; 2]) -> f64 {
         self.stiffness * (self.free_length - length) - self.damping * rate
     }
 
-    /// What a stop does to the travel, N.
+    /// The force of a stop on the travel, N.
     pub fn stop_force(&self, travel: f64) -> f64 {
         -self.stop * self.beyond(travel)
     }
@@ -32,7 +32,7 @@ impl Strut {
         0.5 * (self.stiffness * spring * spring + self.stop * stop * stop)
     }
 
-    /// What the damper takes, W, not positive.
+    /// The power of the damper, W, not positive.
     pub fn power(&self, rate: f64) -> f64 {
         -self.damping * rate * rate
     }

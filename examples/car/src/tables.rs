@@ -24,7 +24,7 @@ const TERMS: usize = 6;
 
 /// Places of wheel centre, axle, lower ball and strut among the points of the listing.
 pub const IN_FRONT: [usize; 4] = [3, 4, 0, 5];
-/// Places of wheel centre, axle, lateral ball, and of the strut, which stands on that.
+/// The indices of wheel centre, axle, lateral ball, and of the strut, whose lower end is the lateral ball.
 pub const BEHIND: [usize; 4] = [5, 6, 0, 0];
 
 static FRONT_PATCHES: [Patch<f64, COORDINATES, TERMS>; ALL_FRONT.patches.len()] = {

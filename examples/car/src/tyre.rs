@@ -19,15 +19,15 @@ use nalgebra::Vector2;
 pub struct Tyre {
     /// Unloaded radius, m.
     pub radius: f64,
-    /// Of the radial spring, N/m.
+    /// The stiffness of the radial spring, N/m.
     pub stiffness: f64,
-    /// Of the radial damper, N s/m.
+    /// The coefficient of the radial damper, N s/m.
     pub damping: f64,
     /// Slip stiffness as a part of the load, 1/1.
     pub slip_stiffness: f64,
     /// Friction at the nominal load.
     pub friction: f64,
-    /// What friction loses per unit of load in excess of the nominal, as a part of it.
+    /// The relative loss of friction per unit of load above the nominal one.
     pub friction_loss: f64,
     /// N.
     pub nominal_load: f64,
@@ -36,7 +36,7 @@ pub struct Tyre {
 }
 
 impl Tyre {
-    /// The load for a deflection and its rate; none off the ground.
+    /// Returns the load for a deflection and its rate; zero off the ground.
     pub fn load(&self, deflection: f64, rate: f64) -> f64 {
         if deflection > 0.0 {
             (self.stiffness * deflection + self.damping * rate).max(0.0)
@@ -45,8 +45,9 @@ impl Tyre {
         }
     }
 
-    /// The slip after a time in which the tread slides with a velocity (ahead, to the left) where the wheel travels ahead with a
-    /// speed; implicit in the slip, so that no speed is too high. What slides anyway is not wound up further.
+    /// Returns the slip after a time in which the tread slides with a velocity (ahead, to the left) while the wheel travels
+    /// ahead with a speed. The step is implicit in the slip, so it is stable at any speed. A tread that slides fully is not
+    /// deflected further.
     pub fn slip(
         &self,
         slip: Vector2<f64>,
@@ -64,7 +65,7 @@ impl Tyre {
             self.friction * (1.0 - self.friction_loss * (load / self.nominal_load - 1.0)).max(0.1);
         let per_slip = self.slip_stiffness / (3.0 * friction);
         let part = per_slip * slip.norm();
-        // (3 t - 3 t^2 + t^3) / t, and 1 / t where all of it slides.
+        // (3 t - 3 t^2 + t^3) / t, and 1 / t if all of the tread slides.
         let shape = if part < 1.0 {
             3.0 - 3.0 * part + part * part
         } else {

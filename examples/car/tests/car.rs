@@ -41,8 +41,8 @@ fn it_comes_to_rest_on_the_loads_of_the_lever() {
     }
 }
 
-/// The most that energy is off by in a second, less what came in and what was lost: the car falls on its springs in a turn, driven,
-/// then braked.
+/// The largest error of the energy balance in a second, in which the car falls on its springs in a turn, is driven, then
+/// braked.
 fn energy_error(dt: f64) -> f64 {
     let mut car = rolling();
     car.chassis.position.z += 0.02;

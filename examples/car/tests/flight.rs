@@ -1,4 +1,4 @@
-//! The car in the air: nothing but its weight acts on it, so that its momenta are known.
+//! The car in the air: only its weight acts on it, so its momenta are known.
 
 use nalgebra::Vector3;
 use suspension_car::car::{Car, Controls};
@@ -29,7 +29,7 @@ fn momenta(car: &Car) -> [Vector3<f64>; 2] {
     momenta
 }
 
-/// What both momenta are off by after a quarter of a second in which the car tumbles, its wheels spin and drop.
+/// The errors of both momenta after a quarter of a second in which the car tumbles while its wheels spin and drop.
 fn errors(dt: f64) -> [f64; 2] {
     let mut car = Car::new(&SALOON, Detail::Exact)
         .expect("the design")

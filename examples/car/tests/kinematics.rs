@@ -139,7 +139,7 @@ fn the_carrier_turns_as_the_library_says() {
     );
 }
 
-/// What a detail is off by at most over a motion: wheel centre in m, its rate in m/s, motion ratio.
+/// The largest errors of a detail over a motion: wheel centre in m, its rate in m/s, motion ratio.
 fn off(detail: Detail, axle: usize, size: f64) -> [f64; 3] {
     let [mut fine, mut coarse] =
         [Detail::Exact, detail].map(|detail| detail.corner(axle).expect("a linkage"));
@@ -187,7 +187,7 @@ fn details_are_as_good_as_they_say() {
                 detail.name()
             );
         }
-        // Half a step from a place, in m, is off by an eighth of its square over the smallest radius of a path.
+        // Half a step from a grid point, in m, the error is an eighth of its square over the smallest radius of a path.
         let linear = off(Detail::Table, axle, 1.0)[0];
         assert!((1e-5..2e-4).contains(&linear), "{linear}");
         let [coarse, fine] = [1.0, 0.5].map(|size| off(Detail::Constant, axle, size));

@@ -26,7 +26,7 @@ fn free() -> Parameters {
     car
 }
 
-/// A corner as the library's front door tells it: positions, rates and second rates per bump.
+/// A corner computed with the library's `Corner`: positions, rates and second rates per bump.
 struct Corner {
     centre: Signal<Vector3<f64>>,
     axis: Signal<Vector3<f64>>,
@@ -101,7 +101,8 @@ fn image(v: Vector3<f64>, place: usize) -> Vector3<f64> {
     }
 }
 
-/// From the chassis' centre of mass to the origin of a corner's coordinates, m: ahead, and so that the tyre bears its load.
+/// The vector from the chassis' centre of mass to the origin of a corner's coordinates, m: ahead, and at the height where
+/// the tyre bears its load.
 fn origin(car: &Parameters, corner: &Corner, axle: usize) -> Vector3<f64> {
     let deflection = car.static_loads()[axle] / car.tyre.stiffness;
     let upright = (1.0 - corner.axis.value.z.powi(2)).sqrt();
@@ -113,7 +114,7 @@ fn origin(car: &Parameters, corner: &Corner, axle: usize) -> Vector3<f64> {
     )
 }
 
-/// What springs, bars, tyres and heights store, J.
+/// The potential energy of springs, bars, tyres and heights, J.
 fn energy(car: &Parameters, corners: &[Corner; 2], q: &Coordinates) -> f64 {
     let position = Vector3::new(q[0], q[1], car.height + q[2]);
     let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(q[3], q[4], q[5]));
@@ -127,7 +128,7 @@ fn energy(car: &Parameters, corners: &[Corner; 2], q: &Coordinates) -> f64 {
             .normalize()
             .z;
         let deflection = car.tyre.radius - height / (1.0 - lean * lean).sqrt();
-        // The spring's own force holds the wheel where the test starts.
+        // The force of the spring itself holds the wheel at the start of the test.
         let strut = &corner.strut;
         let spring = strut.rate * travel + 0.5 * strut.second_rate * travel * travel;
         let preload = preload(car, corners, place / 2);
@@ -140,7 +141,7 @@ fn energy(car: &Parameters, corners: &[Corner; 2], q: &Coordinates) -> f64 {
     energy
 }
 
-/// The force of a spring at rest: of the sprung weight over the motion ratio, but for the lean of the wheel.
+/// The force of a spring at rest: the sprung weight over the motion ratio, without the lean of the wheel.
 fn preload(car: &Parameters, corners: &[Corner; 2], axle: usize) -> f64 {
     let corner = &corners[axle];
     let load = car.static_loads()[axle];

@@ -1,4 +1,4 @@
-//! Tyre, road and strut against what defines them.
+//! Tyre, road and strut against their definitions.
 
 use nalgebra::Vector2;
 use suspension_car::road::Road;

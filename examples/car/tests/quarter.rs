@@ -35,7 +35,7 @@ fn at_rest_it_stays_at_rest() {
     assert!(car.position.amax() < 1e-12, "{}", car.position);
 }
 
-/// The most that energy is off by in a second of falling from 20 mm, less what dampers took.
+/// The largest error of the energy balance in a second of falling from 20 mm.
 fn energy_error((axle, tyre): (Axle, Tyre), dt: f64) -> f64 {
     let mut car = quarter(&axle, tyre);
     car.position.x = 0.02;

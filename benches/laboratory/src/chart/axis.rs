@@ -1,19 +1,19 @@
 //! Logarithmic axes.
 
-/// Left free between an end and the first value, in decades: points are not cut by the frame.
+/// The gap between an end and the first value, in decades, so that the frame does not cut points.
 const MARGIN: f64 = 0.08;
 
-/// A logarithmic axis of a figure: whole decades, from one place of the drawing to another.
+/// A logarithmic axis of a figure: whole decades between two places of the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// Exponents of ten at its ends.
     decades: [i32; 2],
-    /// Where its ends are drawn.
+    /// The places of its ends in the drawing.
     places: [f64; 2],
 }
 
 impl Axis {
-    /// Whole decades around the values, all of which are positive and finite.
+    /// Makes an axis of whole decades that contains the values, all of which are positive and finite.
     pub fn around(values: impl Iterator<Item = f64>, places: [f64; 2]) -> Self {
         let ends = values.map(f64::log10).fold(None, |ends, exponent| {
             let (low, high) = ends.unwrap_or((exponent, exponent));
@@ -25,7 +25,7 @@ impl Axis {
         Self::between([low, high], places)
     }
 
-    /// From one power of ten to another.
+    /// Makes an axis between two powers of ten.
     pub fn between([low, high]: [i32; 2], places: [f64; 2]) -> Self {
         Self {
             decades: [low, high.max(low + 1)],
@@ -33,7 +33,7 @@ impl Axis {
         }
     }
 
-    /// Where a value is drawn.
+    /// Returns the place of a value in the drawing.
     pub fn place(&self, value: f64) -> f64 {
         let [low, high] = self.decades.map(f64::from);
         let [from, to] = self.places;

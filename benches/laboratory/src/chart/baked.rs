@@ -40,8 +40,7 @@ impl<const N: usize> Tables<N> {
     }
 }
 
-/// Baked curves of a motion by name; none where it has several drives, or a tolerance is out of
-/// reach.
+/// Bakes curves of a motion, by name; none if it has several drives, or if a tolerance cannot be met.
 pub fn tables<L: Suspension<N>, D: Values<f64>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     course: &Course<D>,
@@ -83,7 +82,7 @@ fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
     })
 }
 
-/// Of a path the free points alone, which come first.
+/// The free points of a path, which come first.
 struct FreePoints<P> {
     path: P,
     count: usize,
@@ -130,7 +129,7 @@ where
     ) -> Option<[[T; N]; 3]> {
         let zero = [T::zero(); N];
         let place = self.0.at(drive.value);
-        // Rounding may put an end of the range beside it.
+        // Rounding may put an end of the range outside it.
         let place = place.or_else(|outside| self.0.at(outside.nearest)).ok()?;
         Some(match outputs {
             Outputs::Position => [place.position(), zero, zero],

@@ -1,4 +1,4 @@
-//! The motion by its series alone.
+//! The motion computed only from its series.
 
 use nalgebra::SVector;
 use suspension_core::linkage::Linkage;
@@ -9,7 +9,7 @@ use super::course::{Given, cast};
 use super::formulation::to_f64;
 use super::method::{Coordinates, Method, Outputs};
 
-/// One factorisation a step and a Taylor series of order `K` from it, whatever is computed.
+/// One factorisation per step and a Taylor series of order `K` from it, for all outputs.
 #[derive(Clone, Copy, Debug)]
 pub struct BySeries<R, const K: usize>(pub R);
 
@@ -43,7 +43,7 @@ where
         from: &Motion<T, N>,
     ) -> Option<Motion<T, N>> {
         let mut next = *from;
-        // The chart shows the error, whatever it is.
+        // The chart shows the error, so every step is accepted.
         let tracker = SeriesTracker::within(self.0.size());
         let step = tracker.step(self.0, input, T::constant(dt), &mut next);
         step.ok().map(|_| next)

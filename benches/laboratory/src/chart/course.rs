@@ -4,8 +4,7 @@ use suspension_core::{Scalar, Signal, Values};
 
 use suspension::mechanism::DriveLaws;
 
-/// Evenly spaced instants with the drives' values there, computed once: reference and methods are
-/// given the same numbers.
+/// Evenly spaced instants with the drives' values there, computed once, so that reference and methods use the same numbers.
 #[derive(Clone, Debug)]
 pub struct Course<D> {
     /// Instants, s.
@@ -15,7 +14,7 @@ pub struct Course<D> {
     spacing: f64,
 }
 
-/// The drives at and about an instant.
+/// The drives at an instant and their series about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Given<D> {
     /// Value and rates.
@@ -27,12 +26,12 @@ pub struct Given<D> {
 /// The highest order of a series in the chart.
 pub const ORDERS: usize = 8;
 
-/// Of a step: how far a number may lie from a multiple of it and still be one.
+/// A number this near to a multiple counts as one; a part of the step.
 const SLACK: f64 = 1e-6;
 
 impl<D: Values<f64>> Course<D> {
-    /// From the first to the last of `ends`, either way, `spacing` seconds apart. What is left at
-    /// the end is not gone through.
+    /// Makes instants `spacing` seconds apart from the first to the last of `ends`, in either direction. A remainder at the
+    /// end is omitted.
     pub fn new(laws: &DriveLaws, ends: [f64; 2], spacing: f64) -> Self {
         let [first, last] = ends;
         let count = ((last - first).abs() / spacing + SLACK).floor();
@@ -52,8 +51,8 @@ impl<D: Values<f64>> Course<D> {
         }
     }
 
-    /// The indices of instants `step` seconds apart; `None` where it is no multiple of the spacing
-    /// or longer than the course.
+    /// Returns the number of instants in `step` seconds; `None` if `step` is not a multiple of the spacing or longer than
+    /// the course.
     pub fn stride(&self, step: f64) -> Option<usize> {
         let stride = (step / self.spacing).round();
         let is_multiple = (step - stride * self.spacing).abs() < SLACK * step;
@@ -62,12 +61,12 @@ impl<D: Values<f64>> Course<D> {
     }
 }
 
-/// The same numbers in another type, under the same names.
+/// Converts numbers to another type, under the same names.
 pub fn cast<T: Scalar, D: Values<f64>, E: Values<T>>(numbers: &D) -> E {
     E::from_values(numbers.values().map(T::constant))
 }
 
-/// The same drives in another number type.
+/// Converts drives to another number type.
 pub fn cast_drives<T: Scalar, D: Values<f64>, E: Values<T>>(drives: &Signal<D>) -> Signal<E> {
     Signal {
         value: cast(&drives.value),

@@ -10,28 +10,28 @@ use super::style::{INK, Style};
 /// A point of a figure.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// Shown at the Pareto front, and on hover.
+    /// The name, shown at the Pareto front and on hover.
     pub name: String,
-    /// All there is to say, on hover.
+    /// The text on hover.
     pub details: String,
     /// Time of a step, ns.
     pub time: f64,
-    /// What the middle half of the times span, ns.
+    /// The range of the middle half of the times, ns.
     pub spread: f64,
     /// Worst error.
     pub error: f64,
-    /// How it is drawn.
+    /// The style.
     pub style: Style,
 }
 
 /// Time against error.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// Above it.
+    /// The title.
     pub title: String,
     /// The vertical axis, with its unit.
     pub quantity: String,
-    /// The points; those that are not positive and finite are left out.
+    /// The points; those that are not positive and finite are omitted.
     pub marks: Vec<Mark>,
 }
 
@@ -99,7 +99,7 @@ impl Figure {
     }
 }
 
-/// The front's staircase, corner by corner: what is above and right of it is beaten.
+/// Returns the front's staircase, corner by corner: points above and right of it are beaten.
 fn staircase(front: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut corners = Vec::new();
     let mut level = TOP;
@@ -121,7 +121,7 @@ fn draw_staircase(corners: &[(f64, f64)]) -> Markup {
     }
 }
 
-/// What a name must not cover: points, and the staircase's lines.
+/// Returns the areas that a name must not cover: points, and the staircase's lines.
 fn drawn(places: &[(f64, f64)], corners: &[(f64, f64)]) -> Vec<Area> {
     const POINT: f64 = 5.0;
     let points = places

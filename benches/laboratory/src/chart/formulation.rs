@@ -15,7 +15,7 @@ pub type State<T, const M: usize> = [SVector<T, M>; 3];
 ///
 /// Velocities and accelerations solve `J xdot = rate` and `J xddot = second_rate`.
 pub trait Formulation<T: Real, D, const M: usize, const N: usize> {
-    /// What is prescribed at an instant.
+    /// The prescribed quantities at an instant.
     type Input: Copy;
 
     /// The inputs of an instant.
@@ -41,14 +41,14 @@ pub trait Formulation<T: Real, D, const M: usize, const N: usize> {
         input: &Self::Input,
     ) -> SVector<T, M>;
 
-    /// The coordinates near the given ones of the free points.
+    /// Returns the coordinates for the given coordinates of the free points.
     fn near_points(&self, position: &SVector<f64, N>) -> SVector<T, M>;
 
     /// The coordinates of the free points.
     fn points(&self, state: &State<T, M>) -> [SVector<f64, N>; 3];
 }
 
-/// The same numbers as `f64`.
+/// Converts numbers to `f64`.
 pub fn to_f64<T: Real, const N: usize>(vector: SVector<T, N>) -> SVector<f64, N> {
     vector.map(|x| x.to_subset_unchecked())
 }

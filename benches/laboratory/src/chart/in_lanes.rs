@@ -42,8 +42,8 @@ where
         Self { label, model, make }
     }
 
-    /// Goes through the course: the worst errors, and where runs start. Velocities and
-    /// accelerations that steps do not compute are estimates, from which the next step starts.
+    /// Moves through the course; returns the worst errors and the starts of runs. Velocities and accelerations that steps do
+    /// not compute are estimates, from which the next step starts.
     fn follow(
         &self,
         outputs: Outputs,
@@ -96,7 +96,7 @@ struct Runs<'a, G: Listing<N>, T: Lane, const N: usize, const LANES: usize> {
     runs: Vec<Run<T, G::Drives<T>, N>>,
 }
 
-/// Where a run starts, and the drives of each step.
+/// The start of a run, and the drives of each step.
 struct Run<T, D, const N: usize> {
     from: Motion<T, N>,
     drives: Vec<Signal<D>>,
@@ -105,7 +105,7 @@ struct Run<T, D, const N: usize> {
 /// Worst errors, and runs to time.
 type Followed<G, T, const N: usize> = ([f64; 3], Vec<Run<T, <G as Listing<N>>::Drives<T>, N>>);
 
-/// Of a batch, and steps of each.
+/// The number of runs in a batch, and of steps in each.
 const RUNS: usize = 8;
 const RUN: usize = 12;
 

@@ -5,7 +5,7 @@
 pub struct Area(pub [f64; 4]);
 
 impl Area {
-    /// Around a centre.
+    /// Makes an area around a centre.
     pub fn around((x, y): (f64, f64), half_width: f64, half_height: f64) -> Self {
         Self([
             x - half_width,
@@ -15,7 +15,7 @@ impl Area {
         ])
     }
 
-    /// Whether two areas share a point.
+    /// Returns whether two areas share a point.
     pub fn meets(&self, other: &Self) -> bool {
         let (a, b) = (self.0, other.0);
         a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
@@ -36,14 +36,13 @@ impl Area {
 /// Height of a line of text.
 pub const LINE: f64 = 13.0;
 
-/// The width of a text in the figures' size, on the safe side.
+/// Returns an upper estimate of the width of a text in the figures' font size.
 pub fn width(text: &str) -> f64 {
     7.0 * text.chars().count() as f64
 }
 
-/// Puts each text beside its point: the nearest of many places around it that is inside `frame`
-/// and meets neither what is `drawn` nor another text; where there is none, the one that covers
-/// least.
+/// Places each text near its point: at the nearest of many places that is inside `frame` and overlaps neither `drawn` nor
+/// another text, or else at the place with the least overlap.
 pub fn place(texts: &[(String, (f64, f64))], drawn: &[Area], frame: Area) -> Vec<Area> {
     let mut taken = drawn.to_vec();
     let mut placed = Vec::new();

@@ -15,7 +15,7 @@ use super::method::{Method, Outputs};
 pub struct Latencies {
     /// The method.
     pub method: String,
-    /// Threads beside the one that steps.
+    /// The number of threads in addition to the one that steps.
     pub load: usize,
     /// Nanoseconds, to three digits.
     pub times: Histogram<u64>,
@@ -49,8 +49,8 @@ fn record(times: &mut Histogram<u64>, began: Instant) {
     times.saturating_record(nanoseconds);
 }
 
-/// Steps through the course in strides, again and again, up to `count` steps, and times each step
-/// to position, velocity and acceleration. `None` where a step fails.
+/// Moves through the course repeatedly, up to `count` steps, and times each step to position, velocity and acceleration.
+/// `None` if a step fails.
 pub fn latencies<M: Method<D, N>, D, const N: usize>(
     method: &M,
     rest: &M::State,
@@ -85,8 +85,7 @@ pub fn latencies<M: Method<D, N>, D, const N: usize>(
     Some(times)
 }
 
-/// Does `work`, which is told their number, beside as many threads as the machine has cores, all
-/// of which compute and copy memory.
+/// Runs `work` while as many threads as the machine has cores compute and copy memory; `work` receives their number.
 pub fn under_load<R>(work: impl FnOnce(usize) -> R) -> R {
     let cores = thread::available_parallelism().map_or(1, Into::into);
     let done = AtomicBool::new(false);

@@ -12,7 +12,7 @@ const RIGHT: f64 = SIZE.0 - 26.0;
 const TOP: f64 = 40.0;
 const BOTTOM: f64 = SIZE.1 - 56.0;
 
-/// What part of all steps takes longer than how many nanoseconds, from all to the worst one.
+/// Returns pairs of a time in nanoseconds and the part of all steps that take longer, from all to the worst one.
 fn tail(latencies: &Latencies) -> Vec<(f64, f64)> {
     let times = &latencies.times;
     let count = times.len() as f64;

@@ -6,10 +6,10 @@ pub use suspension_core::step::bounded::Outputs;
 
 use super::course::Given;
 
-/// What a step can compute, from the least to the most.
+/// The outputs of a step, from the fewest to the most.
 pub const ALL_OUTPUTS: [Outputs; 3] = [Outputs::Position, Outputs::Velocity, Outputs::Acceleration];
 
-/// The name of what a step computes last, in tables.
+/// Returns the name of the last output of a step, in tables.
 pub fn name_of(outputs: Outputs) -> &'static str {
     match outputs {
         Outputs::Position => "position",
@@ -18,7 +18,7 @@ pub fn name_of(outputs: Outputs) -> &'static str {
     }
 }
 
-/// The unit of its error.
+/// Returns the unit of its error.
 pub fn unit_of(outputs: Outputs) -> &'static str {
     match outputs {
         Outputs::Position => "m",
@@ -30,21 +30,21 @@ pub fn unit_of(outputs: Outputs) -> &'static str {
 /// Position, velocity and acceleration of the free points' coordinates.
 pub type Coordinates<const N: usize> = [SVector<f64, N>; 3];
 
-/// A way to step from one motion of a linkage to the next, with drives `D`.
+/// A method that steps from one motion of a linkage to the next, with drives `D`.
 pub trait Method<D, const N: usize> {
-    /// What a step is given, in the method's own number type.
+    /// The input of a step, in the method's own number type.
     type Input: Copy;
     /// A motion in the method's own coordinates.
     type State: Copy;
 
-    /// What a step between two instants is given.
+    /// Returns the input of a step between two instants.
     fn input(&self, from: &Given<D>, to: &Given<D>) -> Self::Input;
 
     /// A rest near the positions of the first instant.
     fn rest(&self, position: &SVector<f64, N>) -> Self::State;
 
-    /// One step of `dt` seconds from `from` by `input`; `None` where the method finds no
-    /// configuration. What `outputs` leave out is of no account in the result.
+    /// Makes one step of `dt` seconds from `from` with `input`; `None` if the method finds no configuration. Rates that
+    /// `outputs` omit do not matter in the result.
     fn step(
         &self,
         outputs: Outputs,
@@ -53,8 +53,8 @@ pub trait Method<D, const N: usize> {
         from: &Self::State,
     ) -> Option<Self::State>;
 
-    /// What is computed on the way through a course whose errors are those of `outputs`: everything,
-    /// but by methods that go on from their own estimates of what they leave out.
+    /// Returns the outputs that the method computes on a course whose errors are those of `outputs`: all of them, except for
+    /// methods that continue from their own estimates of the omitted ones.
     fn on_the_way(&self, _outputs: Outputs) -> Outputs {
         Outputs::Acceleration
     }

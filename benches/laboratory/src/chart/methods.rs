@@ -1,4 +1,4 @@
-//! The table of methods: one row each.
+//! The table of methods, one row each.
 
 use nalgebra::{Const, DimMin, SVector};
 use suspension_core::{Build, Linkage, Listing, Real, Values};
@@ -19,7 +19,7 @@ use suspension_lanes::{Lane, Lanes};
 
 /// The methods of the chart, for drives `D` and `N` coordinates.
 pub struct Methods<'a, D, const N: usize> {
-    /// In the order of the table.
+    /// The methods in the order of the table.
     pub rows: Vec<Box<dyn Candidate<'a, D, N> + 'a>>,
 }
 
@@ -57,8 +57,8 @@ impl<'a, D: Values<f64> + 'a, const N: usize> Methods<'a, D, N> {
         }
     }
 
-    /// Bounded steps in lanes, in the number type of `model`. One lane with the best instructions
-    /// of the processor has a name of its own.
+    /// Adds bounded steps in lanes, in the number type of `model`. A single lane with the best instructions of the processor
+    /// has its own name.
     pub fn add_lanes<G, T>(&mut self, model: &'a G::Model<T>)
     where
         G: Listing<N, Drives<f64> = D> + 'static,

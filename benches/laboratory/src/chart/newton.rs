@@ -56,9 +56,8 @@ impl<T: Real, const M: usize> Dense<T, M> for Own {
     }
 }
 
-/// Newton's method on a formulation: predicted to second order, iterated until the residual is at
-/// rounding level, then corrected once more with the same factors; velocity and acceleration from
-/// one factorisation at the root.
+/// Newton's method on a formulation: it predicts to second order, iterates until the residual is at rounding level, then
+/// corrects once more with the same factors; velocity and acceleration follow from one factorisation at the root.
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<T, F, S, const M: usize> {
     formulation: F,

@@ -10,16 +10,16 @@ use super::style::{LEGEND, Style, legend};
 use super::survey::Survey;
 use suspension::number::rounded;
 
-/// All that the chart shows.
+/// The contents of the chart.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
-    /// What moves, and when.
+    /// The mechanism and the instants.
     pub motion: String,
     /// Our methods.
     pub survey: Survey,
     /// The median reading of the clock with nothing to time, ns.
     pub clock: u64,
-    /// Rivals.
+    /// Other programs and libraries.
     pub rivals: Vec<Rival>,
 }
 
@@ -96,7 +96,7 @@ impl Findings {
         self.latency_figure().map(Markup::into_string)
     }
 
-    /// Everything, as an HTML document without links to others.
+    /// Returns the HTML document, which is self-contained.
     pub fn html(&self) -> String {
         let page = html! {
             (DOCTYPE)

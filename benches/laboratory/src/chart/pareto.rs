@@ -1,7 +1,7 @@
 //! The Pareto front: methods that no other method beats in both time and accuracy.
 
-/// The indices of the points that no other point equals or beats in both coordinates, in order of
-/// the first one. Of equal points the first counts.
+/// Returns the indices of the points that no other point equals or beats in both coordinates, sorted by the first
+/// coordinate. Of equal points only the first counts.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| {

@@ -82,8 +82,8 @@ impl<const N: usize> Reference<N> {
 /// Corrections to a number known to 13 digits: each gains about as many again.
 const CORRECTIONS: usize = 4;
 
-/// The motion where the drives of `exact` have the values `drives`, near one in `f64`: residuals in double-double numbers,
-/// corrections with factors in `f64`.
+/// Refines a motion near `exact` for the values `drives`: residuals in double-double numbers, corrections with factors in
+/// `f64`.
 ///
 /// # Errors
 ///

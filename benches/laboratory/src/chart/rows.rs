@@ -18,19 +18,19 @@ pub struct Row {
     pub lanes: usize,
     /// The time step, s.
     pub step_s: f64,
-    /// What a step computes: `position`, `velocity`, `acceleration`, each with the ones before.
+    /// The last output of a step: `position`, `velocity`, `acceleration`, each with the ones before.
     pub outputs: String,
-    /// The median time of a step, of one suspension.
+    /// The median time of a step, per suspension.
     pub nanoseconds: f64,
-    /// What the middle half of the times span.
+    /// The range of the middle half of the times.
     pub spread_ns: f64,
     /// The worst error of a coordinate over the motion.
     pub error_position_m: Option<f64>,
-    /// The same of a velocity.
+    /// The worst error of a velocity.
     pub error_velocity_m_s: Option<f64>,
-    /// The same of an acceleration.
+    /// The worst error of an acceleration.
     pub error_acceleration_m_s2: Option<f64>,
-    /// Of which points: `all` here; other tables know `wheel`.
+    /// The points of the errors: `all` here, `wheel` in other tables.
     pub points: String,
 }
 
@@ -50,20 +50,20 @@ pub struct Rival {
     pub step_s: Option<f64>,
     /// The median time.
     pub nanoseconds: Option<f64>,
-    /// What the middle half of the times span.
+    /// The range of the middle half of the times.
     pub spread_ns: Option<f64>,
     /// The worst error of a coordinate.
     pub error_position_m: Option<f64>,
-    /// The same of a velocity.
+    /// The worst error of a velocity.
     pub error_velocity_m_s: Option<f64>,
-    /// The same of an acceleration.
+    /// The worst error of an acceleration.
     pub error_acceleration_m_s2: Option<f64>,
-    /// Anything else.
+    /// A remark.
     pub note: String,
 }
 
 impl Row {
-    /// Method, number type where it is not `f64`, lanes where there are several.
+    /// Returns the method, the number type unless it is `f64`, and the lanes if there are several.
     pub fn name(&self) -> String {
         let scalar = if self.scalar == "f64" {
             ""
@@ -79,7 +79,7 @@ impl Row {
         parts.collect::<Vec<_>>().join(" ")
     }
 
-    /// The error of what the row computes last.
+    /// Returns the error of the row's last output.
     pub fn error(&self) -> Option<f64> {
         match self.outputs.as_str() {
             "position" => self.error_position_m,
@@ -90,8 +90,8 @@ impl Row {
 }
 
 impl Rival {
-    /// Time and error, where it computes just what `outputs` ask in steps of `step_s`. The rows
-    /// that the rivals are measured beside are none of them.
+    /// Returns time and error if the row computes exactly `outputs` in steps of `step_s`. Rows of our own methods in the
+    /// table of rivals are omitted.
     pub fn point(&self, outputs: &str, step_s: f64) -> Option<(f64, f64)> {
         let is_rival = !self.method.starts_with("ours");
         let error = match (self.quantity.as_str(), outputs) {
@@ -125,7 +125,7 @@ const COLUMNS: [&str; 11] = [
 ///
 /// [`Failure::Output`].
 pub fn to_csv(rows: &[Row]) -> Result<String, Failure> {
-    // Without rows there are columns all the same.
+    // The header is written even without rows.
     let mut writer = csv::WriterBuilder::new()
         .has_headers(false)
         .from_writer(Vec::new());
@@ -138,11 +138,11 @@ pub fn to_csv(rows: &[Row]) -> Result<String, Failure> {
     text.map_err(|error| Failure::Output(format!("the table cannot be written: {error}")))
 }
 
-/// A table of comma-separated values; empty where there is no file.
+/// Reads a table of comma-separated values; empty if there is no file.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] where the file is not such a table.
+/// [`Failure::Input`] if the file is not such a table.
 pub fn from_csv<R: DeserializeOwned>(path: &Path) -> Result<Vec<R>, Failure> {
     if !path.exists() {
         return Ok(Vec::new());

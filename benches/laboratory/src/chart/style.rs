@@ -1,5 +1,5 @@
-//! How methods are drawn: colours that the colour-blind tell apart (M. Okabe and K. Ito, Color
-//! Universal Design, 2008), and shapes.
+//! The style of methods in figures: colours for colour-blind readers (M. Okabe and K. Ito, Color Universal Design, 2008),
+//! and shapes.
 
 use maud::{Markup, html};
 
@@ -18,7 +18,7 @@ const FAMILIES: [(&str, &str); 8] = [
     ("baked", "#d55e00"),
 ];
 
-/// How a point is drawn.
+/// The style of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// The method's.
@@ -36,7 +36,7 @@ enum Shape {
 }
 
 impl Style {
-    /// Of one of our methods: the colour by its name, hollow for `f32`, the shape by its lanes.
+    /// The style of one of our methods: the colour by its name, hollow for `f32`, the shape by its lanes.
     pub fn new(method: &str, scalar: &str, lanes: usize) -> Self {
         let family = FAMILIES.iter().find(|(name, _)| method.starts_with(name));
         let shape = match lanes {
@@ -51,7 +51,7 @@ impl Style {
         }
     }
 
-    /// Of a rival.
+    /// The style of a rival.
     pub fn rival() -> Self {
         Self {
             colour: "#5a5a5a",
@@ -79,7 +79,7 @@ impl Style {
 /// Width and height of the legend.
 pub const LEGEND: (f64, f64) = (720.0, 62.0);
 
-/// What colours and shapes mean, as a group of SVG elements of the size [`LEGEND`].
+/// Returns the legend of colours and shapes, as a group of SVG elements of the size [`LEGEND`].
 pub fn legend() -> Markup {
     const ACROSS: f64 = 82.0;
     const SHAPES: [(&str, &str, usize); 4] = [

@@ -15,7 +15,7 @@ use super::trial::{Failed, Label, Trial};
 use suspension::number::number;
 use suspension::output::progress::Progress;
 
-/// How much is measured.
+/// The number of measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effort {
     /// Time steps, s: multiples of the first.
@@ -27,7 +27,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// For figures to rely on: a minute or two.
+    /// Enough for reliable figures: a minute or two.
     pub fn full() -> Self {
         Self {
             steps: vec![1e-4, 1e-3, 5e-3, 20e-3],
@@ -36,7 +36,7 @@ impl Effort {
         }
     }
 
-    /// For a look: some seconds.
+    /// Enough for a first look: some seconds.
     pub fn quick() -> Self {
         Self {
             steps: vec![5e-3, 20e-3],
@@ -46,7 +46,7 @@ impl Effort {
     }
 }
 
-/// What is known of a method at a time step, and what a step took in each round.
+/// The errors of a method at a time step, and the times of a step in each round.
 struct Tried<'a> {
     label: Label,
     step: f64,
@@ -54,12 +54,12 @@ struct Tried<'a> {
     times: Vec<f64>,
 }
 
-/// What was measured.
+/// The measured results.
 #[derive(Clone, Debug, Default)]
 pub struct Survey {
-    /// One row a method, number type, time step and what is computed.
+    /// One row per method, number type, time step and output.
     pub rows: Vec<Row>,
-    /// What there is no row of, and why.
+    /// The combinations without a row, and the reasons.
     pub missing: Vec<String>,
     /// Times of single steps.
     pub latencies: Vec<Latencies>,
@@ -76,13 +76,13 @@ pub struct Plan<'a, D, const N: usize> {
     pub methods: Methods<'a, D, N>,
     /// The motion.
     pub course: &'a Course<D>,
-    /// The same, exactly.
+    /// The exact motion.
     pub reference: &'a Reference<N>,
-    /// How much.
+    /// The number of measurements.
     pub effort: &'a Effort,
     /// A metre in the unit of the reference.
     pub metre: f64,
-    /// Set where the user wants no more: what was measured until then is kept.
+    /// Set if the user interrupts: the results so far are kept.
     pub interrupted: &'a AtomicBool,
 }
 
@@ -151,7 +151,7 @@ impl<'a, D: Values<f64>, const N: usize> Plan<'a, D, N> {
         )
     }
 
-    /// In rounds, so that what else the machine does is shared out evenly.
+    /// Times all methods in rounds, so that other load of the machine affects them equally.
     fn time_all(&self, tried: &mut [Tried<'_>], progress: &mut Progress) {
         for _ in 0..self.effort.rounds {
             for Tried { trial, times, .. } in &mut *tried {
@@ -165,7 +165,7 @@ impl<'a, D: Values<f64>, const N: usize> Plan<'a, D, N> {
         }
     }
 
-    /// With the time step that is nearest to a millisecond.
+    /// Measures single steps with the time step nearest to a millisecond.
     fn latencies(&self) -> (f64, Vec<Latencies>) {
         let step = nearest_to(MILLISECOND, self.effort.steps.iter().copied());
         let step = step.unwrap_or(MILLISECOND);
@@ -206,7 +206,7 @@ pub fn nearest_to(wanted: f64, steps: impl Iterator<Item = f64>) -> Option<f64> 
     steps.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// The row of a trial; `None` where it was not timed.
+/// Returns the row of a trial; `None` if it was not timed.
 fn row(tried: Tried<'_>, metre: f64) -> Option<Row> {
     let Tried {
         label,

@@ -14,7 +14,7 @@ pub trait Batch {
     fn steps(&self) -> usize;
 }
 
-/// Where a step starts and what it is given.
+/// The start and the input of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S, I> {
     /// The motion before the step.
@@ -26,7 +26,7 @@ pub struct Start<S, I> {
 }
 
 impl<S: Copy, I: Copy> Start<S, I> {
-    /// Makes the step; `None` where the method finds no configuration.
+    /// Makes the step; `None` if the method finds no configuration.
     #[inline(always)]
     pub fn step<M, D, const N: usize>(&self, method: &M, outputs: Outputs) -> Option<S>
     where
@@ -40,9 +40,9 @@ impl<S: Copy, I: Copy> Start<S, I> {
 pub struct Steps<M: Method<D, N>, D, const N: usize> {
     /// The method.
     pub method: M,
-    /// What each step computes.
+    /// The outputs of each step.
     pub outputs: Outputs,
-    /// Where each step starts.
+    /// The start of each step.
     pub starts: Vec<Start<M::State, M::Input>>,
 }
 
@@ -69,12 +69,12 @@ impl<M: Method<D, N>, D, const N: usize> Batch for Steps<M, D, N> {
 pub struct Measured {
     /// Half of the values are smaller.
     pub median: f64,
-    /// Between the quartiles lies the middle half of the values.
+    /// The distance between the quartiles.
     pub between_quartiles: f64,
 }
 
 impl Measured {
-    /// Of values in any order; `None` without any.
+    /// Computes the statistics of values in any order; `None` without any.
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_unstable_by(f64::total_cmp);
         let last = values.len().checked_sub(1)?;

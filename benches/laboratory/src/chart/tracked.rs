@@ -20,7 +20,7 @@ pub struct Tracked<R, S> {
 
 /// A loop of the core.
 pub trait Stepper: Copy {
-    /// The next motion; `None` where there is none.
+    /// Returns the next motion; `None` if there is none.
     fn step<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         &self,
         outputs: Outputs,
@@ -34,7 +34,7 @@ pub trait Stepper: Copy {
     fn on_the_way(&self, outputs: Outputs) -> Outputs;
 }
 
-/// To tolerance: all of the motion, whatever is asked.
+/// Steps to tolerance with all outputs.
 #[derive(Clone, Copy, Debug)]
 pub struct ToTolerance;
 

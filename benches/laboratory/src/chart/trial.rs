@@ -26,9 +26,9 @@ pub struct Label {
     pub lanes: usize,
 }
 
-/// What a method did over a course.
+/// The results of a method over a course.
 pub struct Trial<'a> {
-    /// What its steps computed.
+    /// The outputs of its steps.
     pub outputs: Outputs,
     /// The worst error of position, velocity and acceleration, in the unit of the reference.
     pub errors: [f64; 3],
@@ -36,7 +36,7 @@ pub struct Trial<'a> {
     pub batch: Box<dyn Batch + 'a>,
 }
 
-/// What steps were to compute, and the index of the instant at which they found nothing.
+/// The requested outputs, and the index of the instant at which a step failed.
 pub type Failed = (Outputs, usize);
 
 /// A method, whatever its types, over drives `D` and `N` coordinates.
@@ -52,8 +52,7 @@ pub trait Candidate<'a, D, const N: usize> {
         reference: &Reference<N>,
     ) -> Vec<Result<Trial<'a>, Failed>>;
 
-    /// Times each of `count` steps to position, velocity and acceleration by itself; `None` where
-    /// a step fails.
+    /// Times each of `count` steps to position, velocity and acceleration; `None` if a step fails.
     fn latencies(
         &self,
         course: &Course<D>,
@@ -92,7 +91,7 @@ impl<M, D> Entry<M, D> {
     }
 }
 
-/// The worst errors of a method over a course, and where steps of it start.
+/// The worst errors of a method over a course, and starts of its steps.
 struct Followed<S, I> {
     errors: [f64; 3],
     starts: Vec<Start<S, I>>,

@@ -32,15 +32,15 @@ pub const DISTANCES: [f64; 12] = [
 /// Points of all axes, for one model.
 pub const POINTS: usize = (NOISES.len() + STEPS.len() + DISTANCES.len()) * Method::ALL.len();
 
-/// A result is right where no coordinate is off by more, m.
+/// The largest error of a coordinate of a right result, m.
 pub const RIGHT_WITHIN: f64 = 1e-4;
 
-/// Steps behind a point, at most: through short ones there are fewer runs.
+/// The most steps per point: with short steps there are fewer runs.
 const STEPS_A_POINT: f64 = 1e5;
 
-/// A model in the number type of the trials, beside the truth.
+/// A model in the number type of the trials, with the exact motion.
 pub struct Subject<'a, L, M, const N: usize> {
-    /// How bodies are closed.
+    /// The formulation of bodies.
     pub closure: &'a str,
     /// The motion.
     pub truth: &'a Truth<'a, L, N>,
@@ -51,7 +51,7 @@ pub struct Subject<'a, L, M, const N: usize> {
 }
 
 impl<'a, L, M, const N: usize> Subject<'a, L, M, N> {
-    /// The same with the model in another number type.
+    /// Returns the subject with the model in another number type.
     pub fn with_model<K>(&self, model: &'a K) -> Subject<'a, L, K, N> {
         Subject {
             closure: self.closure,
@@ -88,7 +88,7 @@ where
         }
     }
 
-    /// Tries every method from starts beside the motion.
+    /// Tries every method from starts near the motion.
     pub fn try_noises(&self, survey: &mut Survey<'_>) {
         for (index, noise) in NOISES.into_iter().enumerate() {
             if survey.is_interrupted() {
@@ -107,7 +107,7 @@ where
         }
     }
 
-    /// A start beside the motion at a random instant.
+    /// Returns a trial that starts near the motion at a random instant.
     fn noisy(&self, noise: f64, tolerance: f64, random: &mut Pcg64) -> Trial<'_, N> {
         let t = self.truth.ends[0] + self.truth.duration() * uniform(random);
         let meant = self.truth.at(t).position;

@@ -16,17 +16,16 @@ pub const RIGID_BODY: &str = "rigid body";
 
 /// Both closures of a five-link suspension, and the configuration that they were built in.
 pub struct Closures {
-    /// With nine distances.
+    /// The knuckle with nine distances.
     pub nine_distances: attia2003::Model<f64>,
-    /// With a rigid body.
+    /// The knuckle as a rigid body.
     pub rigid_body: five_link::Model<f64>,
-    /// The free points' coordinates where the motion begins, in either.
+    /// The free points' coordinates at the start of the motion, in either formulation.
     pub start: SVector<f64, 15>,
 }
 
 impl Closures {
-    /// Those of a mechanism; `None` where it is no five-link suspension, or one whose knuckle has
-    /// not both.
+    /// Returns both formulations of a mechanism; `None` if it is not a five-link suspension whose knuckle has both.
     pub fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Option<Self> {
         let position = mechanism.start.position.map(DoubleDouble::from);
         let links = FiveLinks::<f64>::of(&mechanism.model, &position)?;

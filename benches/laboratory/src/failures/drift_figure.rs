@@ -15,7 +15,7 @@ const RIGHT: f64 = SIZE.0 - 230.0;
 const TOP: f64 = 40.0;
 const BOTTOM: f64 = SIZE.1 - 56.0;
 
-/// Colours that the colour-blind tell apart, a run each.
+/// Colours for colour-blind readers, one per run.
 const COLOURS: [&str; 4] = ["#0072b2", "#d55e00", "#56b4e9", "#e69f00"];
 
 /// The figure as a group of SVG elements; a drift of zero cannot be drawn.

@@ -18,7 +18,7 @@ const LINE: f64 = 32.0;
 const BAR: f64 = 26.0;
 const BELOW: f64 = 46.0;
 
-/// Shares from the bottom of a cell upwards, in colours that the colour-blind tell apart.
+/// Shares from the bottom of a cell upwards, in colours for colour-blind readers.
 const SHARES: [(&str, &str); 3] = [
     ("right", "#56b4e9"),
     ("no root, and it says so", "#dddddd"),
@@ -30,12 +30,12 @@ const SHARES: [(&str, &str); 3] = [
 pub struct Line {
     /// The method.
     pub method: String,
-    /// How bodies are closed.
+    /// The formulation of bodies.
     pub closure: String,
 }
 
 impl Line {
-    /// Whose row it is.
+    /// Returns the line of a row.
     pub fn of(row: &Row) -> Self {
         Self {
             method: row.method.clone(),
@@ -44,12 +44,12 @@ impl Line {
     }
 }
 
-/// The height of a map of so many lines.
+/// Returns the height of a map with this number of lines.
 pub fn height(lines: usize) -> f64 {
     TOP + LINE * lines as f64 + BELOW
 }
 
-/// The map of some lines, from rows of one number type, as a group of SVG elements.
+/// Returns the map of some lines, from rows of one number type, as a group of SVG elements.
 pub fn draw(title: &str, lines: &[Line], rows: &[&Row]) -> Markup {
     let bottom = TOP + LINE * lines.len() as f64;
     html! {

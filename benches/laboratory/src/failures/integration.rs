@@ -8,7 +8,7 @@ use suspension_core::{Inputs, Linkage, Real, SolveError, Still, Tangent};
 ///
 /// # Errors
 ///
-/// [`SolveError::Singular`] where a velocity is not determined.
+/// [`SolveError::Singular`] if a velocity is not determined.
 pub fn runge_kutta<T, L, const N: usize>(
     linkage: &L,
     inputs: impl Fn(T) -> Inputs<Still, L::Drives>,

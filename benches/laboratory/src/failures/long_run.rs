@@ -16,12 +16,12 @@ use suspension::mechanism::{DriveLaws, Suspension};
 /// The length of a step, s.
 pub const STEP: f64 = 1e-3;
 
-/// How steps are made.
+/// The kind of steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// By the core's tracker.
+    /// Steps of the core's tracker.
     Tracked,
-    /// By integrating velocities.
+    /// Integration of velocities.
     Integrated,
 }
 
@@ -48,15 +48,15 @@ pub struct LongRun<'a, D, M, T, const N: usize> {
     named: PhantomData<D>,
     first: f64,
     step: f64,
-    /// Steps from one end of the motion to the other.
+    /// The number of steps from one end of the motion to the other.
     leg: u64,
     done: u64,
     motion: Motion<T, N>,
-    /// Why the last step failed.
+    /// The reason for which the last step failed.
     failed: Option<SolveError<T>>,
 }
 
-/// What a stretch of steps was like.
+/// The results of a number of steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stretch {
     /// Steps.
@@ -73,7 +73,7 @@ where
     T: Real,
     M: Linkage<N, Scalar = T>,
 {
-    /// From the first instant of `truth`.
+    /// Starts at the first instant of `truth`.
     pub fn new<L: Suspension<N, Drives = D>>(
         way: Way,
         model: &'a M,
@@ -94,7 +94,7 @@ where
         }
     }
 
-    /// Makes `steps` more steps; fewer where one fails.
+    /// Makes `steps` more steps; fewer if one fails.
     pub fn advance(&mut self, steps: u64) -> Stretch {
         let mut stretch = Stretch::default();
         while stretch.steps < steps {
@@ -130,7 +130,7 @@ where
     T: Real,
     M: Linkage<N, Scalar = T>,
 {
-    /// One step; the number of its iterations.
+    /// Makes one step and returns the number of its iterations.
     fn step(
         &mut self,
         inputs: impl Fn(T) -> Inputs<Still, M::Drives>,
@@ -150,10 +150,10 @@ where
     }
 }
 
-/// Steps from one look at the user's wish to the next.
+/// The number of steps between two checks for an interrupt.
 const A_LOOK: u64 = 100_000;
 
-/// Looks in a run of so many steps.
+/// Returns the number of checks in a run.
 pub fn looks(steps: u64) -> usize {
     (steps / A_LOOK) as usize
 }

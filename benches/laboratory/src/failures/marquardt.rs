@@ -48,7 +48,7 @@ impl<T: Number, L: Linkage<N, Scalar = T>, const N: usize> LeastSquaresProblem<T
     }
 }
 
-/// Where the method, as the crate sets it up, ends from `start`: a root or not.
+/// Returns the result of the method, with the crate's settings, from `start`: a root or not.
 pub fn end_of_descent<T, L, const N: usize>(
     linkage: &L,
     prescribed: &Prescribed<L::Fixed, L::Drives>,

@@ -1,4 +1,4 @@
-//! The methods: ways to get from one configuration to another, or from a rough guess to one.
+//! The methods that step from one configuration to another, or start from a rough guess.
 
 use nalgebra::SVector;
 use suspension_core::solve::motion::Prescribed;
@@ -10,7 +10,7 @@ use super::marquardt::{Number, end_of_descent};
 /// A method of the failure map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Newton's method from the last configuration, as it stands.
+    /// Newton's method from the last configuration, without safeguards.
     Plain,
     /// Newton's method, corrections halved until the residual falls.
     Damped,
@@ -22,25 +22,25 @@ pub enum Method {
     Tracked,
     /// The core's tracker in a single step.
     Stepped,
-    /// The same without bounds on corrections and on the change of the Jacobian, and without memory
-    /// of the determinant's sign; mirrored bodies are still refused.
+    /// The tracker without bounds on corrections and on the change of the Jacobian, and without memory of the determinant's
+    /// sign; mirrored bodies are still refused.
     Unguarded,
     /// Velocities integrated by the method of Runge and Kutta.
     Integrated,
-    /// The same, each step brought back onto the constraints by Newton's method.
+    /// Integration with each step projected onto the constraints by Newton's method.
     Projected,
 }
 
-/// From an instant to another: the inputs by time, and the two times.
+/// The step from an instant to another: the inputs as a function of time, and the two times.
 pub struct Step<'a, T, D> {
-    /// What is prescribed at a time.
+    /// The prescribed quantities at a time.
     pub inputs: &'a dyn Fn(T) -> Inputs<Still, D>,
-    /// From where to where, s.
+    /// Start and end, s.
     pub times: [T; 2],
 }
 
 impl Method {
-    /// In the order of tables and figures.
+    /// All methods in the order of tables and figures.
     pub const ALL: [Self; 9] = [
         Self::Plain,
         Self::Damped,
@@ -53,7 +53,7 @@ impl Method {
         Self::Tracked,
     ];
 
-    /// Its name in tables and figures.
+    /// Returns the name in tables and figures.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain Newton",
@@ -68,13 +68,13 @@ impl Method {
         }
     }
 
-    /// Whether it can begin beside the motion; the others go on from where they are.
+    /// Returns whether the method can start near the motion; the others continue from their last result.
     pub fn takes_guesses(self) -> bool {
         !matches!(self, Self::Tracked | Self::Integrated | Self::Projected)
     }
 
-    /// The configuration at the end of a step that begins in `start`; `None` where the method
-    /// says that it finds none.
+    /// Returns the configuration at the end of a step that begins at `start`; `None` if the method reports that it finds
+    /// none.
     pub fn step<T, L, const N: usize>(
         self,
         linkage: &L,
@@ -160,8 +160,7 @@ fn tracked<T: Real, L: Build<N, Scalar = T>, const N: usize>(
     converged.ok().map(|_| motion)
 }
 
-/// What the least-squares solver ends at, where it is a root by the measure that holds for the
-/// others.
+/// Returns the result of the least-squares solver, if it is a root by the measure of the other methods.
 fn descended<T: Number, L: Build<N, Scalar = T>, const N: usize>(
     linkage: &L,
     inputs: &Inputs<Still, L::Drives>,

@@ -2,17 +2,17 @@
 
 use nalgebra::{SVector, Vector3};
 
-/// What became of a trial.
+/// The outcome of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The configuration that was meant.
     Right,
     /// Another, given out as a result.
     Wrong {
-        /// Whether a body of it is mirrored.
+        /// Whether a body is mirrored.
         mirrored: bool,
     },
-    /// None; the method says so.
+    /// No root, as the method reports.
     NoRoot,
 }
 
@@ -25,11 +25,11 @@ pub struct Counts {
     pub right: usize,
     /// Another, given out as a result.
     pub wrong: usize,
-    /// Those of them in which a body is mirrored.
+    /// The number of these in which a body is mirrored.
     pub mirrored: usize,
-    /// None, and the method said so.
+    /// The number without a root, as the method reports.
     pub no_root: usize,
-    /// The largest residual of what was given out as a result, in the unit of length.
+    /// The largest residual of a result, in the unit of length.
     pub residual: f64,
 }
 
@@ -49,8 +49,7 @@ impl Counts {
     }
 }
 
-/// Holds a result against the configuration that was meant: right where no coordinate is off by
-/// more than `tolerance`.
+/// Compares a result with the intended configuration: right if no coordinate differs by more than `tolerance`.
 pub fn judged<const N: usize>(
     found: &SVector<f64, N>,
     meant: &SVector<f64, N>,
@@ -65,7 +64,7 @@ pub fn judged<const N: usize>(
     }
 }
 
-/// Whether four points keep their six distances but not their handedness.
+/// Returns whether four points have the same six distances but the opposite handedness.
 fn has_mirrored_body<const N: usize>(found: &SVector<f64, N>, meant: &SVector<f64, N>) -> bool {
     let points = |q: &SVector<f64, N>| -> Vec<Vector3<f64>> {
         let points = q.as_slice().chunks_exact(3);
@@ -84,7 +83,7 @@ fn has_mirrored_body<const N: usize>(found: &SVector<f64, N>, meant: &SVector<f6
     })
 }
 
-/// Of a length: distances that differ by less are the same.
+/// Distances count as equal up to this part of a length.
 const SAME: f64 = 1e-3;
 
 fn is_mirror_image(found: &[Vector3<f64>; 4], meant: &[Vector3<f64>; 4]) -> bool {

@@ -14,9 +14,9 @@ use suspension::number::rounded;
 /// All that the page shows.
 #[derive(Clone, Debug)]
 pub struct Findings {
-    /// What moves, and when.
+    /// The mechanism and the instants.
     pub motion: String,
-    /// How much was tried.
+    /// The number of trials.
     pub effort: Effort,
     /// The counts.
     pub counted: Counted,

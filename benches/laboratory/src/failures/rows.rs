@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use suspension::failure::Failure;
 
-/// What is varied.
+/// The varied quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
@@ -17,10 +17,10 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// In the order of figures.
+    /// All axes in the order of figures.
     pub const ALL: [Self; 3] = [Self::StartNoise, Self::Step, Self::TurningPoint];
 
-    /// What it measures.
+    /// Returns the quantity in words.
     pub fn in_words(self) -> &'static str {
         match self {
             Self::StartNoise => "noise of the start",
@@ -33,29 +33,29 @@ impl Axis {
 /// One method at one point of an axis: a row of the table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// What is varied.
+    /// The varied quantity.
     pub axis: Axis,
-    /// Its value.
+    /// The value of the varied quantity.
     pub value: f64,
     /// The unit of the value: m, s or rad.
     pub unit: String,
     /// The method.
     pub method: String,
-    /// How bodies are closed.
+    /// The formulation of bodies.
     pub closure: String,
     /// The number type.
     pub scalar: String,
     /// All trials.
     pub trials: usize,
-    /// Those that ended in the right configuration.
+    /// The number of trials that ended in the right configuration.
     pub right: usize,
-    /// In another, given out as a result.
+    /// The number that ended in another one, reported as a result.
     pub wrong_branch: usize,
-    /// Those of them in which a body is mirrored.
+    /// The number of these in which a body is mirrored.
     pub mirrored: usize,
-    /// In none, and the method said so.
+    /// The number without a root, as the method reports.
     pub no_root: usize,
-    /// The largest residual of what was given out as a result, m.
+    /// The largest residual of a result, m.
     pub residual_m: f64,
     /// The seed of the random numbers.
     pub seed: u64,
@@ -66,17 +66,17 @@ pub struct Row {
 pub struct LongRow {
     /// The method.
     pub method: String,
-    /// How bodies are closed.
+    /// The formulation of bodies.
     pub closure: String,
     /// The number type.
     pub scalar: String,
     /// Steps from the beginning.
     pub steps: u64,
-    /// The largest residual after any step since the row before, m: what lengths are off.
+    /// The largest residual after any step since the row before, m: the error of lengths.
     pub drift_m: f64,
     /// Iterations of a step since the row before; of an integrator none.
     pub iterations_a_step: f64,
-    /// Why the run ended here; empty where it went on or made all its steps.
+    /// The reason for which the run ended here; empty if it continued or made all its steps.
     pub ended: String,
 }
 

@@ -10,14 +10,14 @@ use super::rows::LongRow;
 use super::rows::{Axis, Row};
 use suspension::output::progress::Progress;
 
-/// How much is tried.
+/// The number of trials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Trials behind each point; of whole motions a tenth.
     pub starts: usize,
     /// Steps of the long runs.
     pub long_run: u64,
-    /// Of the random numbers.
+    /// The seed of the random numbers.
     pub seed: u64,
 }
 
@@ -30,42 +30,42 @@ pub struct Counted {
     pub long_runs: Vec<LongRow>,
 }
 
-/// What was found so far.
+/// The results so far.
 pub struct Survey<'a> {
-    /// How much is tried.
+    /// The number of trials.
     pub effort: &'a Effort,
     /// A metre in the unit of the motion.
     pub metre: f64,
-    /// Set where the user wants no more.
+    /// Set if the user interrupts.
     pub interrupted: &'a AtomicBool,
     /// Counts.
     pub counted: Counted,
-    /// How far it is.
+    /// The progress.
     pub progress: Progress,
 }
 
-/// Of a point: whose it is and where it lies.
+/// The labels of a point of the map.
 pub struct Place<'a> {
-    /// How bodies are closed.
+    /// The formulation of bodies.
     pub closure: &'a str,
     /// The number type.
     pub scalar: &'static str,
-    /// What is varied.
+    /// The varied quantity.
     pub axis: Axis,
-    /// Its value.
+    /// The value of the varied quantity.
     pub value: f64,
     /// The unit of the value.
     pub unit: &'static str,
 }
 
 impl Survey<'_> {
-    /// Whether the user wants no more.
+    /// Returns whether the user has interrupted.
     pub fn is_interrupted(&self) -> bool {
         self.interrupted.load(Ordering::Relaxed)
     }
 
-    /// Counts what becomes of the trials, each with the residual of its result, and adds a row. A
-    /// point at which the user interrupts is left out.
+    /// Counts the outcomes of the trials, each with the residual of its result, and adds a row. Omits a point at which the
+    /// user interrupts.
     pub fn count<R>(
         &mut self,
         place: &Place<'_>,
@@ -99,7 +99,7 @@ impl Survey<'_> {
         self.progress.step();
     }
 
-    /// The same numbers for every method, closure and number type.
+    /// Returns the same random numbers for every method, closure and number type.
     pub fn random(&self, axis: Axis, index: usize) -> Pcg64 {
         let stream = ((axis as u64) << 32) | index as u64;
         Pcg64::new(self.effort.seed.into(), stream.into())

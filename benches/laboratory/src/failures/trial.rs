@@ -1,4 +1,4 @@
-//! A trial: a method, from a known configuration towards another one.
+//! A trial: a method that starts at a known configuration and aims at another one.
 
 use nalgebra::SVector;
 use suspension_core::{Build, Inputs, Motion, Real, Still, Values};
@@ -14,20 +14,20 @@ use suspension::mechanism::Suspension;
 
 /// A single step.
 pub struct Trial<'a, const N: usize> {
-    /// What drives it.
+    /// The drives.
     pub drives: &'a DriveLaws,
-    /// From when to when, s.
+    /// Start and end, s.
     pub times: [f64; 2],
-    /// Where it begins.
+    /// The motion at the start.
     pub start: Motion<f64, N>,
-    /// Where it is to end.
+    /// The intended configuration at the end.
     pub meant: SVector<f64, N>,
-    /// How far off a coordinate may be there.
+    /// The largest permitted error of a coordinate there.
     pub tolerance: f64,
 }
 
 impl<const N: usize> Trial<'_, N> {
-    /// What becomes of it, and the residual of the result.
+    /// Returns the outcome and the residual of the result.
     pub fn outcome<T, M, D>(&self, method: Method, model: &M) -> (Outcome, f64)
     where
         T: Number,
@@ -49,17 +49,16 @@ impl<const N: usize> Trial<'_, N> {
 pub struct Run<'a, L, const N: usize> {
     /// The motion.
     pub truth: &'a Truth<'a, L, N>,
-    /// The length of its steps, s; negative backwards.
+    /// The length of the steps, s; negative backwards.
     pub step: f64,
-    /// Where between the first two instants it begins, from 0 to 1.
+    /// The start between the first two instants, from 0 to 1.
     pub phase: f64,
-    /// How far off a coordinate may be anywhere.
+    /// The largest permitted error of a coordinate.
     pub tolerance: f64,
 }
 
 impl<L: Suspension<N>, const N: usize> Run<'_, L, N> {
-    /// What becomes of it, and the largest residual of its results: right only where every step
-    /// is.
+    /// Returns the outcome and the largest residual: right only if every step is.
     pub fn outcome<T, M>(&self, method: Method, model: &M) -> (Outcome, f64)
     where
         T: Number,
@@ -88,7 +87,7 @@ impl<L: Suspension<N>, const N: usize> Run<'_, L, N> {
 
     /// The first instant, and how many steps there are from it.
     fn instants(&self) -> (f64, usize) {
-        /// Of a step: what rounding takes from the last one.
+        /// The part of a step that rounding may take from the last one.
         const SLACK: f64 = 1e-9;
         let (duration, length) = (self.truth.duration(), self.step.abs());
         let later = self.phase * length.min(duration - length);

@@ -15,7 +15,7 @@ const KEPT: usize = 4096;
 pub struct Truth<'a, L, const N: usize> {
     /// The linkage.
     pub model: &'a L,
-    /// What drives it.
+    /// The drives.
     pub drives: &'a DriveLaws,
     /// The first time and the last, the earlier one first, s.
     pub ends: [f64; 2],
@@ -23,11 +23,11 @@ pub struct Truth<'a, L, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
-    /// Follows the motion from the configuration `start` at the first of `ends`, either way.
+    /// Follows the motion from the configuration `start` at the first of `ends`, in either direction.
     ///
     /// # Errors
     ///
-    /// [`Stopped`] where the motion ends before.
+    /// [`Stopped`] if the motion ends before.
     pub fn new(
         model: &'a L,
         drives: &'a DriveLaws,
@@ -54,7 +54,7 @@ impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
         })
     }
 
-    /// How long the motion takes, s.
+    /// Returns the duration of the motion, s.
     pub fn duration(&self) -> f64 {
         self.ends[1] - self.ends[0]
     }
@@ -72,7 +72,7 @@ impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
         let nearest = nearest.min(KEPT);
         let from = self.ends[0] + spacing * nearest as f64;
         let mut motion = self.kept[nearest];
-        // Where the last digits of a time lie beyond an end at a lock, the end itself is at hand.
+        // The last digits of a time may lie beyond an end at a lock; then the configuration of the end serves.
         match follow(self.model, self.drives, [from, t], &mut motion) {
             Ok(_) => motion,
             Err(_) => self.kept[nearest],
@@ -80,8 +80,8 @@ impl<'a, L: Suspension<N>, const N: usize> Truth<'a, L, N> {
     }
 }
 
-/// The largest residual of a configuration, in the unit of length: how far links are off their
-/// lengths, and drives off their values.
+/// Returns the largest residual of a configuration, in the unit of length: the errors of the links' lengths and of the
+/// drives' values.
 pub fn drift<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     linkage: &L,
     inputs: &Inputs<Still, L::Drives>,

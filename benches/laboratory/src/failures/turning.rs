@@ -13,8 +13,7 @@ use suspension::mechanism::{DriveLaws, Polynomial, Suspension, follow};
 pub struct TurningPoint<const N: usize> {
     /// The first drive's value there, in its unit.
     pub value: f64,
-    /// The speed at which the drive is moved there, in its unit per second; negative where it
-    /// falls.
+    /// The speed of the drive there, in its unit per second; negative if it falls.
     pub speed: f64,
     /// All drives' values half-way through the file's motion.
     values: Vec<f64>,
@@ -62,7 +61,7 @@ fn usual_speed<L: Suspension<N>, const N: usize>(truth: &Truth<'_, L, N>) -> f64
 }
 
 impl<const N: usize> TurningPoint<N> {
-    /// The drives that reach the value `end` of the first one at time 0.
+    /// Returns the drives that reach the value `end` of the first one at time 0.
     pub fn drives(&self, end: f64) -> DriveLaws {
         let others = self.values.iter().skip(1);
         let moving = Polynomial::new(vec![end, self.speed]);
@@ -85,8 +84,8 @@ impl<const N: usize> TurningPoint<N> {
         Some(motion)
     }
 
-    /// Whether a residual that counts as a root for numbers `T` leaves the two configurations that
-    /// meet here apart, where the drive is still `distance` away.
+    /// Returns whether a residual that counts as a root for numbers `T` still distinguishes the two configurations that meet
+    /// here, when the drive is still `distance` away.
     pub fn is_apart<T: Real, L: Suspension<N>>(&self, model: &L, distance: f64) -> bool {
         distance > tolerated::<T, L, N>(model, &self.origin)
     }
@@ -100,7 +99,7 @@ pub struct Approach<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Approach<'a, N> {
-    /// At the point's own speed.
+    /// Approaches at the point's own speed.
     pub fn new(point: &'a TurningPoint<N>, distance: f64) -> Self {
         let drives = point.drives(point.before(distance));
         Self {
@@ -110,12 +109,12 @@ impl<'a, const N: usize> Approach<'a, N> {
         }
     }
 
-    /// A step of `step` seconds. Right is what is off by no more than `within`, and lies nearer to
-    /// what is meant than half-way to the configuration that meets it in the turning point.
+    /// A step of `step` seconds. A result is right if its error is at most `within`, and it is nearer to the intended
+    /// configuration than half-way to the configuration that meets it in the turning point.
     ///
-    /// With `x` the distance, both lie `a sqrt(x)` from there up to terms of higher order, so that
-    /// `a sqrt(x) = 2 x |qdot| / speed`. A residual acts as a change of `x`: where one that counts
-    /// as a root for numbers `T` moves a position, it may be off by as much more.
+    /// With `x` the distance, both are `a sqrt(x)` from there up to terms of higher order, so that `a sqrt(x) = 2 x |qdot| /
+    /// speed`. A residual acts as a change of `x`: the permitted error grows by the change of position due to a residual
+    /// that counts as a root for numbers `T`.
     pub fn trial<T: Real, L: Suspension<N>>(
         &self,
         model: &L,
@@ -157,7 +156,7 @@ fn tolerated<T: Real, L: Suspension<N>, const N: usize>(model: &L, motion: &Moti
     }
 }
 
-/// The unit of distances along the first drive, and what it is in the unit of the motion.
+/// Returns the unit of distances along the first drive, and its size in the unit of the motion.
 pub fn unit_of_first_drive(model: &impl Parts, metre: f64) -> (&'static str, f64) {
     match model.drive_kind(0) {
         DriveKind::Angle | DriveKind::Turn => ("rad", 1.0),

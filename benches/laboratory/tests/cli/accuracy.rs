@@ -5,7 +5,7 @@ use suspension_laboratory::chart::rows::Row;
 use super::chart::table;
 use super::program::{example, folder, run};
 
-/// The rows of a quick chart with these arguments, `five_link.toml` beside it.
+/// Returns the rows of a quick chart with these arguments, with `five_link.toml` in the folder.
 fn rows(five_link: &str, arguments: &[&str]) -> Vec<Row> {
     let folder = folder();
     std::fs::write(folder.path().join("five_link.toml"), five_link).expect("written");
@@ -22,7 +22,7 @@ fn rows(five_link: &str, arguments: &[&str]) -> Vec<Row> {
 fn single_precision_is_as_exact_as_the_guarantee_says() {
     let rows = rows(&example("published_five_link.toml"), &["five_link.toml"]);
     for method in ["generated", "bounded_1", "bounded_2", "baked_1e-8"] {
-        // In longer steps bounded ones have errors of their own.
+        // In longer steps bounded steps have larger errors.
         let of_method = rows
             .iter()
             .filter(|row| row.scalar == "f32" && row.method == method && row.step_s < 0.01);

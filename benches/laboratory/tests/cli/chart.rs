@@ -139,7 +139,7 @@ fn an_interrupt_keeps_what_is_measured() {
     use super::program::command;
 
     let endless = ["chart", "--quick", "--rounds", "1000000000"];
-    // How long the first round takes depends on the machine.
+    // The duration of the first round depends on the machine.
     for seconds in [2, 4, 8, 16, 32] {
         let folder = folder();
         let child = command(folder.path())

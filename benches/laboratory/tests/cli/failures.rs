@@ -109,7 +109,7 @@ fn an_interrupt_keeps_what_is_counted() {
 
     use super::program::command;
 
-    // How long the first point takes depends on the machine.
+    // The duration of the first point depends on the machine.
     for seconds in [2, 4, 8, 16, 32] {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");

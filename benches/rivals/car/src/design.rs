@@ -11,7 +11,7 @@ use suspension_car::saloon::{GRAVITY, SALOON};
 use crate::interface::{Corner, Design, POINTS};
 
 impl Design {
-    /// As the car stands at the start of the drive, to be moved in steps `dt`.
+    /// Describes the car at the start of the drive, for steps of `dt`.
     pub fn of(car: &Car, dt: f64, across: f64) -> Result<Self, Box<dyn Error>> {
         let [front, rear] = [front_points()?, rear_points()?];
         let corner = |place: usize| {

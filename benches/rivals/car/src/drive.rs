@@ -16,10 +16,10 @@ use crate::interface::{Engine, State};
 
 const SECONDS: f64 = 10.0;
 const TICKS: usize = 10_000;
-/// By what the step of the reference is shorter than a tick.
+/// The steps of the reference are shorter than a tick by this factor.
 const FINER: usize = 8;
 
-/// A corner at a tick: the drives of its left twin, where the wheel is and how it stands on the chassis, and its load.
+/// A corner at a tick: the drives of its left twin, position and orientation of the wheel on the chassis, and its load.
 #[derive(Clone, Copy)]
 struct Seen {
     drives: Drives,
@@ -77,7 +77,7 @@ fn led(engine: &Engine, steps: usize) -> Result<Driven, Box<dyn Error>> {
     let dt = TICK / steps as f64;
     for step in 0..TICKS * steps {
         let began = Instant::now();
-        // SAFETY: the functions of the engine take what it gave them with itself.
+        // SAFETY: the functions of the engine receive the pointer that it gave with them.
         unsafe { (engine.look)(engine.this, &mut state) };
         led.follow(&state);
         let looked = Instant::now();

@@ -1,4 +1,4 @@
-//! Tyres, road, struts, stops, bars and driver of the example car, on the motion that an engine tells.
+//! Tyres, road, struts, stops, bars and driver of the example car, for the motion that an engine reports.
 
 use std::error::Error;
 
@@ -13,7 +13,7 @@ use suspension_car::strut::Strut;
 
 use crate::interface::{Forces, OnWheel, State, Wheel};
 
-/// A car whose chassis and hubs are where an engine has them: its own equations are not used.
+/// A car whose chassis and hubs follow an engine: its own equations are not used.
 pub struct Led {
     pub car: Car,
     struts: [Strut; 2],
@@ -46,7 +46,7 @@ impl Led {
         })
     }
 
-    /// Goes where the engine is.
+    /// Takes the state of the engine.
     pub fn follow(&mut self, state: &State) {
         let chassis = &mut self.car.chassis;
         let rotation = Matrix3::from(state.rotation);

@@ -5,7 +5,7 @@ use std::ffi::c_void;
 /// Most points of a corner.
 pub const POINTS: usize = 14;
 
-/// The car as it is built, vectors in chassis axes from the chassis' centre of mass.
+/// The car at its design position, vectors in chassis axes from the chassis' centre of mass.
 #[repr(C)]
 pub struct Design {
     pub mass: f64,
@@ -28,12 +28,12 @@ pub struct Corner {
     pub spin: f64,
 }
 
-/// What an engine tells before a step.
+/// The state that an engine reports before a step.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct State {
     pub position: [f64; 3],
-    /// From chassis axes, column by column.
+    /// The rotation from chassis axes, column by column.
     pub rotation: [[f64; 3]; 3],
     pub velocity: [f64; 3],
     pub turning: [f64; 3],
@@ -46,35 +46,35 @@ pub struct State {
 pub struct Wheel {
     pub centre: [f64; 3],
     pub velocity: [f64; 3],
-    /// Of unit length, to the left.
+    /// The unit vector of the spin axis, to the left.
     pub axis: [f64; 3],
-    /// Of the carrier.
+    /// The angular velocity of the carrier.
     pub turning: [f64; 3],
-    /// Of the wheel on its carrier, about the axis.
+    /// The angular velocity of the wheel on its carrier, about the axis.
     pub rolling: f64,
     /// Length and rate.
     pub strut: [f64; 2],
 }
 
-/// What acts in a step.
+/// The forces of a step.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct Forces {
     pub wheels: [OnWheel; 4],
 }
 
-/// What acts at a corner.
+/// The forces at a corner.
 #[repr(C)]
 #[derive(Clone, Copy, Default)]
 pub struct OnWheel {
-    /// Of the road on the wheel, in its centre.
+    /// The force of the road on the wheel, at its centre.
     pub force: [f64; 3],
     pub moment: [f64; 3],
     /// Moment about the axis on the wheel, its opposite on the chassis.
     pub drive: f64,
     /// Force of stop and bar in the wheel centre, upwards in the chassis, its opposite in the same place of the chassis.
     pub travel: f64,
-    /// What pushes the ends of the strut apart.
+    /// The force that pushes the ends of the strut apart.
     pub strut: f64,
 }
 

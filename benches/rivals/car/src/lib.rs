@@ -1,4 +1,4 @@
-//! The drive of the example car with an engine's chassis and suspension in place of ours, and what it is off by.
+//! The drive of the example car with an engine's chassis and suspension in place of ours, and the differences.
 
 mod design;
 mod drive;
@@ -10,12 +10,12 @@ use std::error::Error;
 use interface::{Design, Engine};
 use suspension_car::drive::TICK;
 
-/// Writes the car as it is built, for a number of steps in a tick and an inertia of wheels across their axes; not 0 where it
-/// cannot be.
+/// Writes the design of the car for a number of steps per tick and an inertia of wheels across their axes; returns a value
+/// other than 0 if this fails.
 ///
 /// # Safety
 ///
-/// `design` points to room for one.
+/// `design` points to memory for a design.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn car_design(design: *mut Design, steps: u32, across: f64) -> i32 {
     let made = || Design::of(&forces::Led::new()?.car, TICK / f64::from(steps), across);
@@ -25,11 +25,11 @@ pub unsafe extern "C" fn car_design(design: *mut Design, steps: u32, across: f64
     }))
 }
 
-/// Drives an engine's car and ours, and prints a line of each; not 0 where something fails.
+/// Drives an engine's car and ours, and prints a line for each; returns a value other than 0 if this fails.
 ///
 /// # Safety
 ///
-/// `engine` points to one, whose functions are called with its `this` alone.
+/// `engine` points to an engine, whose functions are called only with its `this`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn car_drive(engine: *const Engine, steps: u32) -> i32 {
     // SAFETY: as above.

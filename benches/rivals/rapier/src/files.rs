@@ -20,7 +20,7 @@ impl Start {
         std::array::from_fn(|point| Vector::from_slice(&self.0[first + 3 * point..]))
     }
 
-    /// From the velocities of three points, rad/s.
+    /// Returns the angular velocity from the velocities of three points, rad/s.
     pub fn spin(&self) -> Vector {
         let (q, v) = (self.points(), self.speeds());
         let (first, second) = (v[1] - v[0], v[2] - v[0]);

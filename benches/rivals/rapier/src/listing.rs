@@ -1,4 +1,4 @@
-//! The published listing: what Rapier's mechanism is built of.
+//! The published listing, from which Rapier's mechanism is built.
 
 use rapier3d_f64::math::Vector;
 
@@ -18,7 +18,7 @@ impl Listing {
         self.chassis[0].z + self.lengths[0] * (c0 + (c1 + c2 * t) * t).cos()
     }
 
-    /// The published one, the printed sign of point 4's x corrected.
+    /// Returns the published listing, with the printed sign of point 4's x corrected.
     pub fn published() -> Self {
         let data: toml::Table = DATA.parse().expect("valid TOML");
         let numbers = |value: &toml::Value| -> Vec<f64> {

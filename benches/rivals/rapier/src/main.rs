@@ -1,6 +1,5 @@
-//! Rapier on the published motion: `rapier-rival STARTS FOLDER ITERATIONS`, with what is asked of an
-//! engine as `../native/engine.h` has it but the forces of the rods: what Rapier tells of a joint are
-//! impulses along rows that it has made orthogonal.
+//! Rapier on the published motion: `rapier-rival STARTS FOLDER ITERATIONS`, with the same tasks as in `../native/engine.h`
+//! except for the forces of the rods: Rapier reports impulses of joints along rows that it has orthogonalised.
 
 mod files;
 mod listing;

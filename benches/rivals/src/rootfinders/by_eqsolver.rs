@@ -2,7 +2,7 @@ use eqsolver::multivariable::MultiVarNewton;
 
 use crate::{Mechanism, Method, STEP, Stopwatch, Vector};
 
-/// Of the step, m: the iteration ends with the step that is smaller.
+/// The iteration ends with a step smaller than this, m.
 const TOLERANCE: f64 = 1e-6;
 
 pub(crate) fn time(mechanism: &Mechanism, watch: &mut impl Stopwatch) {

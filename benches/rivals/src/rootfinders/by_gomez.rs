@@ -4,7 +4,7 @@ use gomez::{Domain, Problem, SolverDriver, System};
 
 use crate::{Inputs, Mechanism, Method, STEP, Stopwatch, Vector};
 
-/// Of the norm of the residual, m; 1e-14 leaves positions off by 1e-13.
+/// The tolerance of the norm of the residual, m; 1e-14 leaves position errors of 1e-13.
 const TOLERANCE: f64 = 5e-16;
 const MOST_ITERATIONS: usize = 50;
 

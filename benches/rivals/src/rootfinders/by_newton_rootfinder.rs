@@ -11,7 +11,7 @@ use suspension_core::nalgebra::Const;
 use crate::mechanism::Matrix;
 use crate::{Inputs, Mechanism, Method, STEP, Stopwatch, Vector};
 
-/// Of the largest residual, m.
+/// The tolerance of the largest residual, m.
 const TOLERANCE: f64 = 1e-13;
 const MOST_ITERATIONS: usize = 50;
 

@@ -18,7 +18,8 @@ impl Corner {
             + 0.5 * self.tyre.stiffness * deflection * deflection
     }
 
-    /// What comes in by the shaft less what brake, damper and tyre take, W. The road is at rest and flat, and so is the rack.
+    /// The power of the shaft minus the power of brake, damper and tyre, W. The road is flat and at rest, and so is the
+    /// rack.
     pub fn power(&self, frame: &Frame, torque: &Torque, dt: f64) -> f64 {
         let Ground { contact, force, .. } = self.ground;
         let tread = self.tread_velocity();

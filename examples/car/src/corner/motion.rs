@@ -20,7 +20,8 @@ pub struct Eliminated {
 }
 
 impl Corner {
-    /// Adds the corner to the chassis' equations, its travel eliminated; `bar` is what the anti-roll bar does to the travel, N.
+    /// Adds the corner to the chassis' equations, its travel eliminated; `bar` is the force of the anti-roll bar on the
+    /// travel, N.
     pub fn add_to(
         &self,
         equations: &mut Equations,

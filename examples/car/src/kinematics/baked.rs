@@ -7,20 +7,20 @@ use suspension_core::model::measure::length;
 
 use super::{Drives, Hub, Kinematics, Refused, Why};
 
-/// The points in a table: wheel centre, one inboard of it on the spin axis, one of the carrier beside that axis, and the lower end of
-/// the strut.
+/// The number of points in a table: wheel centre, a point inboard of it on the spin axis, a point of the carrier off that
+/// axis, and the lower end of the strut.
 const POINTS: usize = 4;
-/// Their coordinates.
+/// The number of their coordinates.
 pub const COORDINATES: usize = 3 * POINTS;
 type Points = [Vector3<f64>; POINTS];
 
 /// A baked motion over bump, or over bump and steer.
 pub trait Table: Send {
-    /// Coordinates with their rates and second rates, where the drives move so, and their rates per bump.
+    /// Returns coordinates with their rates and second rates for a motion of the drives, and their rates per bump.
     ///
     /// # Errors
     ///
-    /// [`Outside`] where the table ends.
+    /// [`Outside`] beyond the table.
     fn motion(&self, drives: &Signal<[f64; 2]>) -> Result<[[f64; COORDINATES]; 4], Outside<f64>>;
 }
 
@@ -47,7 +47,7 @@ impl<const TERMS: usize> Table for Curve<'static, f64, COORDINATES, TERMS> {
 /// A corner that is looked up.
 #[derive(Clone, Copy)]
 pub struct Baked<T> {
-    /// The motion of its points.
+    /// The motion of the points.
     pub table: T,
     /// Bump and steer in the design.
     pub design: [f64; 2],

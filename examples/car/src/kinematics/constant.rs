@@ -13,7 +13,7 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// The rates that other kinematics have in the design.
+    /// Takes the rates of other kinematics at the design position.
     ///
     /// # Errors
     ///

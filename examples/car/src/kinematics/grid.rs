@@ -5,10 +5,10 @@ use suspension_core::baked::Outside;
 
 use super::baked::{COORDINATES, Table};
 
-/// From place to place: bump travel and rack travel, m.
+/// The spacing of the grid in bump travel and rack travel, m.
 const STEPS: [f64; 2] = [0.010, 0.002];
 
-/// How many places there are on either side of the design.
+/// The number of grid points on either side of the design position.
 const AROUND: [usize; 2] = [11, 9];
 
 /// Places along the rack.
@@ -23,11 +23,11 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Places of another table.
+    /// Samples another table.
     ///
     /// # Errors
     ///
-    /// [`Outside`] where the other table ends before.
+    /// [`Outside`] if the other table is smaller.
     pub fn of(other: &impl Table, design: [f64; 2]) -> Result<Self, Outside<f64>> {
         let from = [0, 1].map(|drive| design[drive] - AROUND[drive] as f64 * STEPS[drive]);
         let places =

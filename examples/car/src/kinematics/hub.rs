@@ -18,7 +18,7 @@ pub struct Hub {
     pub per_travel: PerTravel,
 }
 
-/// What one unit of travel changes.
+/// The rates of the hub per unit of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerTravel {
     /// The wheel centre, m/m.
@@ -29,11 +29,12 @@ pub struct PerTravel {
     pub strut: f64,
 }
 
-/// Points of a left wheel carrier: the wheel centre, one inboard of it on the spin axis, one beside that axis; positions, or rates.
+/// Positions or rates of three points of a left wheel carrier: the wheel centre, a point inboard of it on the spin axis, and
+/// a point off that axis.
 pub type Marks = [Vector3<f64>; 3];
 
 impl Hub {
-    /// From the motion of the marks and the strut's length and rate; then from the rates of both per travel.
+    /// Computes the hub from the motion of the marks, the strut's length and rate, and the rates of both per travel.
     pub fn new(
         marks: &Signal<Marks>,
         strut: [f64; 2],
@@ -54,8 +55,8 @@ impl Hub {
         }
     }
 
-    /// From all points of a linkage with their rates, and their derivatives per travel; `None` where the listing has no wheel or
-    /// measures nothing.
+    /// Computes the hub from all points of a linkage with their rates and their derivatives per travel; `None` if the
+    /// listing has no wheel or no measure.
     pub fn of<T, L, const N: usize>(
         model: &L,
         points: &Signal<L::Points>,
@@ -85,10 +86,11 @@ impl Hub {
         ))
     }
 
-    /// The same corner on the right: its image in the plane y = 0. The travel is the left one's, the rack's is the opposite.
+    /// Returns the hub of the right corner: the image in the plane y = 0. The travel is the same, the rack's position is the
+    /// opposite.
     pub fn mirrored(&self) -> Self {
         let polar = |v: &Vector3<f64>| Vector3::new(v.x, -v.y, v.z);
-        // What turns is an axial vector.
+        // Rotation vectors are axial.
         let axial = |v: &Vector3<f64>| Vector3::new(-v.x, v.y, -v.z);
         Self {
             centre: self.centre.map(polar),
@@ -104,7 +106,7 @@ impl Hub {
     }
 }
 
-/// `a x a'` of the axis, and about it what the mark beside it adds.
+/// Computes `a x a'` of the axis, and the rotation about the axis from the mark off it.
 fn angular_velocity(marks: &Marks, rates: &Marks) -> Vector3<f64> {
     let edges = |[centre, inner, beside]: &Marks| [centre - inner, beside - centre];
     let ([along, beside], [along_rate, beside_rate]) = (edges(marks), edges(rates));

@@ -20,11 +20,11 @@ pub struct Solved<S, L: Linkage<N>, const N: usize> {
     motion: Motion<L::Scalar, N>,
 }
 
-/// To rounding, in f64: as exact as the geometry.
+/// Solves to rounding, in f64: as exact as the geometry.
 ///
 /// # Errors
 ///
-/// Where the listing's positions are not those of a linkage.
+/// If the listing's positions do not suit its linkage.
 pub fn exact<L, const N: usize>() -> Result<Solved<Tracker<f64>, L, N>, GeometryError>
 where
     L: Designed<N, Scalar = f64, Listing: Default>,
@@ -36,11 +36,11 @@ where
     Ok(Solved::new(Tracker::default(), model, design, start))
 }
 
-/// At a fixed cost, in f32.
+/// Solves at a fixed cost, in f32.
 ///
 /// # Errors
 ///
-/// As [`exact`].
+/// Those of [`exact`].
 pub fn bounded<G, const N: usize>() -> Result<Solved<Bounded<f32>, G::Model<f32>, N>, GeometryError>
 where
     G: Listing<N> + Default,
@@ -58,7 +58,7 @@ where
     ))
 }
 
-/// Bump and, where there is one, the rack's place in the design.
+/// Returns bump and, if there is one, the rack's position at the design position.
 fn design_of<L: Build<N, Scalar = f64>, const N: usize>(model: &L, points: &L::Points) -> [f64; 2] {
     let mut values = [0.0; 2];
     for (value, drive) in values.iter_mut().zip(model.drives_at(points).values()) {
@@ -97,7 +97,7 @@ where
     }
 }
 
-/// The drives of a listing; one without a rack has no room for the second.
+/// Returns the drives of a listing; without a rack the second value is dropped.
 fn of<T: Real, D: Values<T>>(values: [f64; 2]) -> D {
     D::from_values(values.map(T::constant))
 }

@@ -20,8 +20,8 @@ pub struct FiveLinks<T> {
 }
 
 impl<T: Real> FiveLinks<T> {
-    /// The links of a linkage whose free points have the coordinates `position`; `None` where it
-    /// is no five-link suspension with a driving angle between its first link and the z axis.
+    /// Returns the links of a linkage whose free points have the coordinates `position`; `None` if it is not a five-link
+    /// suspension with a driving angle between its first link and the z axis.
     pub fn of<L: Build<N, Scalar = f64>, const N: usize>(
         model: &L,
         position: &SVector<DoubleDouble, N>,

@@ -7,7 +7,7 @@ use suspension_core::{Inputs, Linkage, Real, Signal, Still, Values};
 use super::{Formulation, State};
 use crate::chart::course::cast_drives;
 
-/// A linkage as it is listed.
+/// A linkage with the equations of its listing.
 #[derive(Clone, Copy, Debug)]
 pub struct Points<R>(pub R);
 
