@@ -107,7 +107,7 @@ impl Knuckle {
         [x, velocity, lu.solve(&right).expect("regular")]
     }
 
-    /// The same of the five points, as unknowns in point coordinates.
+    /// Returns the coordinates of the five points, as unknowns in point coordinates.
     fn points(&self, [x, dx, ddx]: &[State; 3]) -> [SVector<f64, 15>; 3] {
         let gather = |point: &dyn Fn(usize) -> Vector3<f64>| {
             SVector::from_fn(|row, _| point(row / 3)[row % 3])

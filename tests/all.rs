@@ -1,6 +1,6 @@
-//! The tests of the library, as modules of one test program: what they have in common is compiled once, and
-//! they run side by side; allocations are counted by thread. Those of the program stand alone, in `cli`, those
-//! that take long in `long_running`, those of both back ends in `back_ends`.
+//! The tests of the library, as modules of one test program: shared code is compiled once, and tests run in parallel;
+//! allocations are counted per thread. The tests of the program are in `cli`, those that take long in `long_running`, those
+//! of both back ends in `back_ends`.
 
 mod absolute_coordinates;
 mod bounded;

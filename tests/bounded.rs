@@ -1,4 +1,4 @@
-//! Steps of fixed cost against solutions of their own at each instant, and what they refuse.
+//! Steps of fixed cost against independent solutions at each instant, and their refusals.
 
 mod accuracy;
 mod assemblies;

@@ -11,8 +11,7 @@ use suspension_core::{
 
 use crate::support::{self, Reference};
 
-/// The signed volume spanned by points 6, 7, 8 and 9: its sign tells a knuckle from its mirror
-/// image.
+/// Returns the signed volume spanned by points 6, 7, 8 and 9: its sign distinguishes a knuckle from its mirror image.
 fn handedness(q: &SVector<f64, 15>) -> f64 {
     let point = |index: usize| q.fixed_rows::<3>(3 * index).into_owned();
     let [u, v, w] = [1, 2, 3].map(|index| point(index) - point(0));
@@ -184,7 +183,7 @@ fn far_jumps_stay_in_the_assembly() {
     }
 }
 
-/// A start so far away that its rounding is larger than the mechanism proves nothing.
+/// A start so far away that its rounding error is larger than the mechanism proves nothing.
 #[test]
 fn a_start_at_astronomical_distance_is_no_excuse() {
     let model: five_link::Model<f64> = support::five_link_model();
@@ -202,8 +201,8 @@ fn a_start_at_astronomical_distance_is_no_excuse() {
     }
 }
 
-/// Beside a fold the position is known to the square root of rounding only, and no digit of the
-/// velocity: it is refused, not guessed.
+/// Near a fold the position is known only to the square root of rounding, and no digit of the velocity: it is refused, not
+/// guessed.
 #[test]
 fn no_velocity_beside_a_fold() {
     suspension_core::linkage! {

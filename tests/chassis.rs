@@ -54,7 +54,7 @@ fn angle(z: Signal<f64>, length: f64) -> Signal<f64> {
     }
 }
 
-/// Solves in world axes, with moving chassis points and the drive as it appears there.
+/// Solves in world axes, with moving chassis points and the drive transformed to these axes.
 fn in_the_world<L>(
     model: &L,
     chassis: Signal<L::Fixed>,

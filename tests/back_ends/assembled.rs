@@ -7,7 +7,7 @@ use suspension_runtime::{Listing, Room, Size, catalogue};
 
 const UNKNOWNS: usize = 12;
 
-/// The configuration that a guess leads to which is off by some metres.
+/// Returns the configuration for a guess with errors of some metres.
 fn found<L: Build<N, Scalar = f64>, const N: usize>(
     corner: &Corner<L, N>,
     off: &[f64; UNKNOWNS],
@@ -29,7 +29,7 @@ where
     found(&listing.corner::<N>(&design).expect("a corner"), off)
 }
 
-/// Guesses that are so far off that several assemblies are near.
+/// Guesses with errors so large that several assemblies are near.
 #[test]
 fn a_guess_leads_to_the_same_assembly_in_every_room() {
     let text = catalogue::listing("double_wishbone").expect("a layout");

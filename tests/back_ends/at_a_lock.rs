@@ -1,4 +1,4 @@
-//! Steps to where a crank and a rod are in line, to the last digit: no velocity has a value there, and none is given.
+//! Steps to where a crank and a rod are in line, to the last digit: no velocity has a value there, and none is returned.
 
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};

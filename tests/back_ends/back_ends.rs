@@ -56,7 +56,7 @@ pub(crate) fn near<T: Number, P: Values<Vector3<T>>>(
     P::from_values(moved.collect::<Vec<_>>())
 }
 
-/// Where the listing has its points; those that it does not state are at random places.
+/// Returns the points that the listing states, and random ones for the others.
 pub(crate) fn hardpoints(listing: &Listing, random: &mut fastrand::Rng) -> Vec<Vector3<f64>> {
     let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
     let count = kinds.iter().map(|kind| listing.count(*kind)).sum();

@@ -10,7 +10,7 @@ macro_rules! listings {
     ($($name:ident: $seed:literal, $n:literal in $m:literal, $text:literal { $($statements:tt)* })*) => {
         $(suspension_core::linkage! { mod $name { $($statements)* } })*
 
-        /// A function each, so that no stack holds them all.
+        /// One function per listing, so that no stack holds them all.
         mod compare {
             use super::*;
 

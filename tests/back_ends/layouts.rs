@@ -1,5 +1,5 @@
-//! The catalogue's layouts over their travel: links, bodies and slides by plain geometry, and for each layout what
-//! follows from its kind without the solver.
+//! The catalogue's layouts over their travel: links, bodies and slides by plain geometry, and for each layout the
+//! consequences of its kind, without the solver.
 
 mod double_wishbone_coilover;
 mod double_wishbone_rocker;

@@ -14,7 +14,7 @@ static ALLOCATOR: Counting = Counting;
 /// A step, in seconds.
 const STEP: f64 = 1e-3;
 
-/// How fast the first drive moves, per second; of each further one half of that before, the other way.
+/// The speed of the first drive, per second; each further drive has half the speed in the other direction.
 const SPEED: f64 = 0.1;
 
 /// The result of `work`, which must not allocate.

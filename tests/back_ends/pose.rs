@@ -17,14 +17,14 @@ use jet::Vector;
 use mechanism::{Drives, Mechanism};
 use newton::Coordinates;
 
-/// What the two may differ by: m, m/s, m/s^2.
+/// The largest differences: m, m/s, m/s^2.
 const GATES: [f64; 3] = [1e-12, 1e-10, 1e-8];
 
 /// Amplitudes of the wheel's travel and the rack's, m, and their angular frequencies, rad/s.
 const WHEEL: [f64; 2] = [0.08, 6.0];
 const RACK: [f64; 2] = [0.025, 10.0];
 
-/// Time from one instant to the next, s, and how many there are: more than a full swing of either.
+/// The time between instants, s, and their number: more than a full swing of either.
 const STEP: f64 = 5e-3;
 const STEPS: u32 = 250;
 
@@ -81,7 +81,7 @@ impl<'a> Case<'a> {
         }
     }
 
-    /// The same drives in the order of the listing.
+    /// Returns the drives in the order of the listing.
     fn inputs<'m>(&self, drives: &Drives<Signal<f64>>) -> Inputs<Still, Driven<'m>> {
         let [bump, steer] = ["bump", "steer"].map(|name| self.listing.drive(name));
         let ordered = |part: fn(&Signal<f64>) -> f64| {
@@ -154,7 +154,7 @@ fn larger(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|order| a[order].max(b[order]))
 }
 
-/// How far a point, its velocity and its acceleration are from the reference, which is not rounded.
+/// Returns the errors of a point, its velocity and its acceleration from the reference, which is not rounded.
 fn distances(found: &[Vector3<f64>; 3], reference: &Vector) -> [f64; 3] {
     [0, 1, 2].map(|order| {
         let off = Vector3::from_fn(|axis, _| {

@@ -1,4 +1,4 @@
-//! Random listings: groups of points, each a rigid body or a point by itself, held by as many links and drives as it has
+//! Random listings: groups of points, each a rigid body or a single point, held by as many links and drives as it has
 //! degrees of freedom.
 
 use std::collections::BTreeSet;
@@ -10,7 +10,7 @@ use suspension_listing::text;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A listing of about so many free points that can be read; the same for the same seed.
+/// Returns a valid listing of about `free` free points; the same for the same seed.
 pub(crate) fn listing(seed: u64, free: usize) -> String {
     let mut random = Rng::with_seed(seed);
     for _ in 0..1000 {
@@ -26,10 +26,10 @@ pub(crate) fn listing(seed: u64, free: usize) -> String {
     panic!("no listing from seed {seed}")
 }
 
-/// Points that move as one.
+/// Points that move as one body.
 struct Group {
     points: Vec<usize>,
-    /// How many more equations hold it.
+    /// The number of equations that the group still needs.
     open: usize,
 }
 

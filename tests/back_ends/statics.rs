@@ -1,5 +1,5 @@
-//! Forces in every layout of the catalogue, against what does not know multipliers: virtual work, and the equilibrium of
-//! each part as a free body. A statically determinate mechanism has no other solution.
+//! Forces in every layout of the catalogue, against methods without multipliers: virtual work, and the equilibrium of each
+//! part as a free body. A statically determinate mechanism has no other solution.
 
 use fastrand::Rng;
 use nalgebra::{SVector, Vector3};
@@ -118,7 +118,8 @@ where
         points.values().take(count.into_iter().sum()).collect()
     }
 
-    /// What loads do to a drive is the work of the forces where the drive moves, those at chassis points that it moves too.
+    /// The load on a drive is the work of the forces per motion of the drive, those at chassis points that it moves
+    /// included.
     fn virtual_work(&self, forces: &[Vector3<f64>], loads: &Loads<'_, Model<'_, f64, N>, N>) {
         for (drive, found) in loads
             .on_drives()

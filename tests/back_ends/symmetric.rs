@@ -13,7 +13,7 @@ use suspension_runtime::{Listing, Model, ModelError};
 
 type Points = [Vector3<f64>];
 
-/// A listing of the catalogue without what it states of positions, and those.
+/// Returns a listing of the catalogue without its positions, and these.
 fn without_positions(name: &str) -> (Listing, Vec<Vector3<f64>>) {
     let text = LISTINGS.iter().find(|(other, _)| *other == name);
     let text = text.expect("in the catalogue").1;
@@ -36,7 +36,7 @@ fn drawn(listing: &Listing, near: &Points, random: &mut fastrand::Rng) -> Vec<Ve
     for x in points.iter_mut().flat_map(|point| point.iter_mut()) {
         *x = ((*x + by * (2.0 * random.f64() - 1.0)) / grid).round() * grid;
     }
-    // Which point takes which coordinate of which other.
+    // Which point takes which coordinate of which other point.
     let shared = [
         ("lower_rear", 1, "lower_front"),
         ("lower_rear", 2, "lower_front"),
@@ -85,7 +85,7 @@ fn drawn(listing: &Listing, near: &Points, random: &mut fastrand::Rng) -> Vec<Ve
     points
 }
 
-/// Whether partial pivoting finds a design regular, with room to spare.
+/// Returns whether a design is regular by partial pivoting, with a margin.
 fn is_regular(listing: &Listing, points: &Points) -> bool {
     let design = Values::from_values(points.iter().copied());
     let listing = listing.fitted().expect("room");
@@ -119,12 +119,12 @@ fn attempts(model: &Model<'_, f64, 30>, points: &Points) -> usize {
     step - 1
 }
 
-/// What became of many designs.
+/// The results of many designs.
 #[derive(Debug, Default)]
 struct Found {
-    /// Those that are regular.
+    /// The number of regular designs.
     designs: usize,
-    /// Those of them that the order does not suit.
+    /// The number of these that the order does not suit.
     refused: usize,
     /// The steps of the others.
     steps: usize,

@@ -1,4 +1,4 @@
-//! The two back ends side by side: what `linkage!` writes of a listing, and its text walked.
+//! The two back ends side by side: the code that `linkage!` writes for a listing, and the same listing at run time.
 
 use nalgebra::SVector;
 use suspension_core::step::bounded::Outputs;
@@ -10,7 +10,7 @@ mod same;
 pub(crate) use same::{Number, same_parts};
 use same::{as_other, same, same_points, signal_as_other};
 
-/// A model of `N` unknowns that `linkage!` wrote, and one with room for `M` or fewer that walks the text.
+/// A model of `N` unknowns that `linkage!` wrote, and a run-time model with room for `M` or fewer.
 pub(crate) struct Twins<L, R, const N: usize, const M: usize> {
     pub(crate) written: L,
     pub(crate) walked: R,
@@ -22,7 +22,7 @@ where
     L: Build<N, Scalar = T> + Copy,
     R: Build<M, Scalar = T> + Copy,
 {
-    /// The same vector with room to spare.
+    /// Returns the vector padded to the larger size.
     fn wide(&self, q: &SVector<T, N>) -> SVector<T, M> {
         SVector::from_fn(|index, _| q.get(index).copied().unwrap_or_else(T::zero))
     }
@@ -34,7 +34,7 @@ where
         assert!(beyond.into_iter().all(|x| *x == T::zero()), "{what} beyond");
     }
 
-    /// The same with the lengths of other points, where there is such a linkage.
+    /// Returns both models with the lengths of other points, if there is such a linkage.
     pub(crate) fn with_lengths_of(&self, points: &L::Points) -> Option<Self> {
         let lengths = L::of(self.written.listing(), points).map(|model| model.lengths());
         let others = R::of(self.walked.listing(), &as_other(points)).map(|model| model.lengths());

@@ -1,5 +1,5 @@
-//! Random listings walked, against what does not know the walk: differences of the residual, dense elimination, and
-//! complex steps.
+//! Random listings at run time, against independent methods: differences of the residual, dense elimination, and complex
+//! steps.
 
 use nalgebra::{Complex, SVector, Vector3};
 use suspension_core::linkage::Factors;
@@ -14,12 +14,12 @@ use crate::random;
 /// The largest growth of pivots at which solutions are compared.
 const HEALTHY: f64 = 1e3;
 
-/// What became of a listing.
+/// The results for a listing.
 #[derive(Default)]
 struct Found {
-    /// Solutions were compared with dense ones.
+    /// Whether solutions were compared with dense ones.
     solved: bool,
-    /// How many steps of a motion were made.
+    /// The number of steps of a motion.
     steps: usize,
 }
 
@@ -73,7 +73,7 @@ where
     );
 }
 
-/// A model where its points were designed.
+/// A model at its design position.
 struct At<'a, L: Linkage<N>, const N: usize> {
     model: &'a L,
     count: usize,
@@ -202,7 +202,7 @@ impl<'a, L: Build<N, Scalar = f64> + Copy, const N: usize> At<'a, L, N> {
         }
     }
 
-    /// Solutions with the factors are those of dense elimination, where the pivots are healthy.
+    /// Solutions with the factors equal those of dense elimination, if the pivots are healthy.
     fn solutions(&self) -> bool {
         let jacobian = self.model.jacobian(&self.q, &self.fixed);
         let factors = self.model.factor(&self.q, &self.fixed);

@@ -8,7 +8,7 @@ use suspension_core::{Bounded, Linkage};
 use super::case::{Case, assert_within, attia, five_link, instants, widen};
 use crate::support::{INSTANTS, Reference, differences};
 
-/// What is asked of steps of 1 ms: m, m/s, m/s^2.
+/// The largest errors of steps of 1 ms: m, m/s, m/s^2.
 const BOUNDS: [f64; 3] = [1e-14, 1e-11, 1e-8];
 
 fn each_millisecond<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
@@ -49,7 +49,7 @@ fn every_step_stays_in_the_macros_order() {
     assert!(growth.iter().all(|growth| *growth < 100.0));
 }
 
-/// At the instants of Table 2 but the last, all of which are whole milliseconds.
+/// Compares at the instants of Table 2 except the last, which are whole milliseconds.
 fn against_the_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let reference = Reference::load();
     let mut motion = case.start;
@@ -82,7 +82,7 @@ fn one_correction_a_millisecond_agrees_with_40_digits() {
     against_the_reference(&five_link());
 }
 
-/// With a tolerance that lets any residual pass: what a correction leaves, a further one takes off.
+/// With a tolerance that accepts any residual: a further correction reduces the remaining error.
 fn by_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     fn open<const CORRECTIONS: usize>() -> Bounded<f64, CORRECTIONS> {
         let tolerance = 1e12;
@@ -132,7 +132,7 @@ fn by_order<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
             case.worst(&with_acceleration, outputs, &instants),
         ];
         for (order, found) in found.into_iter().enumerate() {
-            // What is not solved for is an estimate, off by a multiple of the step.
+            // A rate that is not solved for is an estimate, with an error proportional to the step.
             let velocity = match (outputs, order) {
                 (Outputs::Position, 2) => 5e-5,
                 (Outputs::Position, _) => 5e-3,
@@ -155,8 +155,8 @@ fn what_is_asked_is_solved_from_every_prediction() {
     by_order(&five_link());
 }
 
-/// Ten thousand steps of 0.2 ms, a second forth and the same second back: positions alone keep
-/// to the motion, and the rates estimated from them do not swing up.
+/// Ten thousand steps of 0.2 ms, a second forth and the same second back: steps for the position only stay on the motion,
+/// and the rates estimated from them do not diverge.
 fn forth_and_back<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants: Vec<f64> = (0..=10_000_u32)
         .map(|step| f64::from(step.min(10_000 - step)) * 2e-4)

@@ -4,7 +4,7 @@ use suspension_core::{Bounded, Motion, Newton, SolveError, Tracker};
 
 use super::case::{attia, five_link};
 
-/// Single steps between any two of forty instants, with all the corrections that one could wish.
+/// Single steps between any two of forty instants, with the largest number of corrections.
 #[test]
 fn far_jumps_arrive_or_are_refused() {
     let case = five_link();
@@ -40,8 +40,8 @@ fn far_jumps_arrive_or_are_refused() {
     assert!(arrived > 100 && refused > 100);
 }
 
-/// Just before the turning point of the drive at 1.97837 s the linkage has two positions for one
-/// angle, one on each side. A prediction that leads to the other side is refused there.
+/// Just before the turning point of the drive at 1.97837 s the linkage has two positions for one angle, one on each side. A
+/// step whose prediction leads to the other side is refused there.
 #[test]
 fn the_turning_point_is_not_jumped() {
     let case = attia();
@@ -76,7 +76,7 @@ fn the_turning_point_is_not_jumped() {
     beyond.expect_err("no configuration beyond the turning point");
 }
 
-/// There is a root where the step was about to go, and it is another one.
+/// Asserts that the step would have reached another root.
 fn assert_other_side(motion: &Motion<f64, 15>, dt: f64) {
     let case = attia();
     let mut q = motion.position + motion.velocity * dt;

@@ -75,7 +75,7 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
         bounded
             .step(&model, &inputs, 0.0, &mut start.clone())
             .expect("a step with partial pivoting");
-        // Beside a pivot of zero other numbers may be none.
+        // Near a pivot of zero other numbers may be NaN.
         match result {
             Err(Refusal::Unhealthy | Refusal::NotFinite) => motion == start,
             _ => false,
@@ -108,8 +108,7 @@ fn without_corrections_what_is_left_out_must_be_rounding() {
     assert_eq!(motion, case.start);
 }
 
-/// Without corrections the residual is below the error, which stands for it: also where the tolerance
-/// allows for one that is no rounding.
+/// Without corrections the residual is below the reported error, even if the tolerance permits errors larger than rounding.
 #[test]
 fn without_corrections_the_residual_is_within_the_tolerance() {
     let (case, exact) = (five_link::<f32>(), five_link::<f64>());
@@ -131,7 +130,7 @@ fn without_corrections_the_residual_is_within_the_tolerance() {
             let residual = exact
                 .model
                 .residual(&position, exact.model.fixed(), &drives);
-            // What rounding of the position leaves is beside what the step leaves.
+            // The effect of rounding of the position adds to the error of the step.
             let rounding = 4.0 * f64::from(f32::EPSILON * motion.position.amax());
             let bound = f64::from(settled.residual()) + rounding;
             assert!(residual.norm() < bound, "at {t} s");

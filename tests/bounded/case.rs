@@ -33,7 +33,7 @@ pub(crate) fn five_link<T: Real>() -> Case<five_link::Model<T>> {
 }
 
 impl<L: Linkage<15, Scalar = f64>> Case<L> {
-    /// The motion at `t` by Newton's method, from a start a little off, and the tangent there.
+    /// Returns the motion at `t` by Newton's method, from a start with a small error, and the tangent there.
     pub(crate) fn solution(&self, t: f64, near_by: &Motion<f64, 15>) -> Motion<f64, 15> {
         let inputs = (self.inputs)(t);
         let mut position = near_by.position.map(|x| x + 1e-5);
@@ -66,7 +66,7 @@ impl<L: Linkage<15, Scalar = f64>> Case<L> {
     }
 }
 
-/// From 0 to 1.9 s, the published motion but for the last way to its turning point.
+/// From 0 to 1.9 s, the published motion without the last part before its turning point.
 pub(crate) fn instants(dt: f64) -> Vec<f64> {
     let last = (1.9 / dt).round() as usize;
     (0..=last).map(|step| step as f64 * dt).collect()

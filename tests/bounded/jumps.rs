@@ -4,7 +4,8 @@ use suspension_core::linkages::double_wishbone::{Corner, Drives, Model, Points};
 use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Real, Signal, Values};
 
-/// The largest velocity and acceleration after a jump of the wheel's height, with rates of zero; `None` where the step is refused.
+/// Returns the largest velocity and acceleration after a jump of the wheel's height, with rates of zero; `None` if the step
+/// is refused.
 fn left<T: Real, const CORRECTIONS: usize>(dt: f64, jump: f64) -> Option<[T; 2]> {
     let corner: Corner<f64> = Corner::design().expect("the design");
     let design = corner.points().value;

@@ -1,4 +1,4 @@
-//! Where the macro's order meets a pivot of zero: partial pivoting, and the same motion.
+//! Pivots of zero in the macro's order: partial pivoting gives the same motion.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Factors as _;
@@ -19,8 +19,7 @@ fn inputs(start: Drives<f64>, t: f64) -> Inputs<Still, Drives<f64>> {
     })
 }
 
-/// Steps through the design, where a pivot is zero, and counts those whose own factors are
-/// unhealthy.
+/// Steps through the design position, where a pivot is zero, and counts the steps whose own factors are unhealthy.
 fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
     let start = model.drives_at(design);
     let mut motion = Motion::at_rest(model.unknowns(design));
@@ -54,8 +53,7 @@ fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
     count
 }
 
-/// With link 6-1 square to an axis its derivative along that axis is zero, and along x or y it is
-/// a pivot.
+/// With link 6-1 perpendicular to an axis its derivative along that axis is zero, and along x or y it is a pivot.
 #[test]
 fn a_zero_pivot_on_the_way() {
     let design = support::attia_rough::<f64>();

@@ -12,14 +12,14 @@ use crate::support::{self, differences};
 
 const STEP: f64 = 1e-3;
 
-/// The bits of all numbers, the sign of the determinant beside them.
+/// Returns the bits of all numbers, and the sign of the determinant.
 fn bits(motion: &Motion<f64, 15>) -> ([SVector<u64, 15>; 3], Option<bool>) {
     let of = |vector: &SVector<f64, 15>| vector.map(f64::to_bits);
     let all = [&motion.position, &motion.velocity, &motion.acceleration];
     (all.map(of), motion.positive_determinant)
 }
 
-/// Why a step is refused.
+/// Returns the reason of a refusal.
 fn refused<L: Linkage<15, Scalar = f64>, const CORRECTIONS: usize>(
     case: &Case<L>,
     bounded: &Bounded<f64, CORRECTIONS>,
@@ -48,7 +48,7 @@ fn too_few_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     };
     assert!(residual > tolerance && tolerance < 1e-14);
     println!("{}: {error}", case.model.name(part));
-    // The equation named is the one that the residual is largest in.
+    // The message names the equation with the largest residual.
     let open = Bounded::<f64> {
         tolerance: Tolerance::Roundings(1e12),
         ..Bounded::new()
@@ -120,7 +120,7 @@ fn numbers_that_are_none() {
     }
 }
 
-/// An attempt does not tell a value from its rates.
+/// The refusal of an attempt does not distinguish a value from its rates.
 #[test]
 fn a_refusal_of_no_number_points_to_values_and_rates() {
     let case = five_link();
@@ -164,7 +164,7 @@ fn motion_at(t: f64) -> Motion<f64, 15> {
     motion
 }
 
-/// A step of no length finds the same motion; steps back end where those forth began.
+/// A step of zero length finds the same motion; steps back end at the start.
 #[test]
 fn time_may_stand_still_or_run_back() {
     let case = attia();

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::program::{CORNER, example, folder, rows, run, text};
 
-/// How far two points are apart.
+/// Returns the distance of two points.
 fn length(row: &BTreeMap<String, f64>, [from, to]: &[String; 2]) -> f64 {
     let along =
         ["x", "y", "z"].map(|axis| row[&format!("{to}_{axis}")] - row[&format!("{from}_{axis}")]);

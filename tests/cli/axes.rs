@@ -11,24 +11,24 @@ use suspension_runtime::Listing;
 
 use super::program::{Rows, folder, rows, run, text};
 
-/// What is multiplied with x, y and z, by the name of the axes.
+/// The factors of x, y and z, by the name of the axes.
 const AXES: [(&str, [f64; 3]); 3] = [
     ("ISO 8855", [1.0, 1.0, 1.0]),
     ("Adams", [-1.0, -1.0, 1.0]),
     ("SAE", [1.0, -1.0, -1.0]),
 ];
 
-/// An angle from the z axis of the file, measured by the listing of one's own.
+/// An angle from the z axis of the file, measured by the user's own listing.
 const LEAN: &str = "lean";
 
-/// Where the hardpoints are stated.
+/// The file that states the hardpoints.
 #[derive(Clone, Copy, Debug)]
 enum Stated {
-    /// In the catalogue alone.
+    /// Only the catalogue.
     Catalogue,
-    /// In the motion file, a marker off another point.
+    /// The motion file, with a marker relative to another point.
     File,
-    /// In a listing of one's own.
+    /// The user's own listing.
     Listing,
 }
 
@@ -150,7 +150,7 @@ fn the_same_corner_is_the_same_in_any_axes() {
     }
 }
 
-/// From the other end of the axis the angle is what it lacks to a straight one.
+/// From the other end of the axis the angle is the supplement.
 #[test]
 fn an_angle_from_an_axis_is_from_that_of_the_file() {
     let lean = |axes| {

@@ -18,7 +18,7 @@ fn baked(folder: &Path, arguments: &[&str]) -> String {
     baked_of("published_five_link.toml", folder, arguments)
 }
 
-/// What is baked of an example, which is `a.toml` in the folder.
+/// Returns the baked file of an example, which is `a.toml` in the folder.
 fn baked_of(name: &str, folder: &Path, arguments: &[&str]) -> String {
     std::fs::write(folder.join("a.toml"), example(name)).expect("written");
     let fixed = ["bake", "a.toml", "--output", "wheel_by_theta"];

@@ -6,7 +6,7 @@ use std::process::Output;
 
 use super::program::{CORNER, edited, folder, run, text};
 
-/// An arm of 0.5 m about a line along x at a height of 0.3 m, led by the height of its tip.
+/// An arm of 0.5 m about a line along x at a height of 0.3 m, driven by the height of its tip.
 fn arm(tip: &str) -> String {
     format!(
         "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.0 }}\nstatements = \"\"\"\n\
@@ -38,7 +38,7 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
         ("freedom", "1 led by drives: bump"),
         ("design", "bump = 0 m"),
         ("rank", "3 of 3: no equation is redundant"),
-        // The tip is where it is, or on the other side.
+        // The tip stays, or is on the other side.
         (
             "assemblies",
             "2 ways to put the same parts together at the design; the search shows no sign of more",
@@ -127,7 +127,7 @@ fn what_does_not_assemble_or_is_wrong_is_said() {
 
 #[test]
 fn the_elimination_is_ordered_for_the_points_of_the_file() {
-    // A rocker whose points lie square to its axis, and a marker that is stated off another point.
+    // A rocker whose points are in a plane perpendicular to its axis, and a marker that is stated relative to another point.
     let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone_rocker");
     let output = check(
         &format!(

@@ -1,4 +1,4 @@
-//! Two suspensions beside each other.
+//! Comparisons of two suspensions.
 
 mod alone;
 mod axles;
@@ -70,7 +70,7 @@ fn a_moved_ball_joint_changes_the_kingpin_as_by_hand() {
         "{a} {b}"
     );
     assert!((difference - (after - before)).abs() < 1e-9);
-    // Bump camber: the wheel's height is led, so that its own derivative is one in both.
+    // Bump camber: the wheel's height is driven, so that its own derivative is one in both.
     let (_, [_, a, b, _]) = row("per travel", "wheel centre z");
     assert!((a - 1.0).abs() < 1e-12 && (b - 1.0).abs() < 1e-12);
     let (_, [at, a, b, difference]) = row("over travel", "camber angle");
@@ -105,7 +105,7 @@ fn millimetres_are_converted_to_the_unit_of_the_first() {
     assert!((a - 0.4).abs() < 1e-12);
 }
 
-/// Masses are turned with the points, and what a spring along a coordinate presses changes its sign with that.
+/// Masses are converted with the points, and the load of a spring along a coordinate changes its sign with the coordinate.
 #[test]
 fn masses_and_springs_are_the_same_in_other_axes() {
     let file = |axes: &str, [x, y, z]: [f64; 3]| {
@@ -183,7 +183,7 @@ fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
     );
 }
 
-/// The springs of both press 200 N apart everywhere, which is said in place of a place; what they press at the wheel varies.
+/// The springs of both have a preload difference of 200 N everywhere, so no place is named; their force at the wheel varies.
 #[test]
 fn a_difference_that_is_the_same_everywhere_has_no_place() {
     let of_load = |load: f64| {

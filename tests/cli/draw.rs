@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::program::{folder, run, text};
 
-/// A swing arm with a damper, led by one of its drives.
+/// A swing arm with a damper, driven by one of its drives.
 fn drawn(drive: &str, at: f64) -> String {
     let folder = folder();
     let file = format!(
@@ -29,7 +29,7 @@ fn a_damper_is_drawn_where_its_length_is_driven_as_where_it_is_measured() {
     assert_eq!(lines(&driven), lines(&measured));
 }
 
-/// What is out of reach is easier to find with a drawing.
+/// A drawing helps to find the cause of a position out of reach.
 #[test]
 fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
     let folder = folder();

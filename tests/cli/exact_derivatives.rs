@@ -5,7 +5,7 @@ use suspension_exact_derivatives::{GATE, Worst, layouts};
 
 use super::program::{folder, run};
 
-/// What the program writes for a motion file.
+/// Returns the output of the program for a motion file.
 fn program(file: &str, arguments: &[&str]) -> Vec<u8> {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -14,7 +14,7 @@ fn program(file: &str, arguments: &[&str]) -> Vec<u8> {
     output.stdout
 }
 
-/// Holds the worst number of a layout, of more than so many, to the gate.
+/// Asserts that the largest error of a layout, of at least `least` numbers, is within the gate.
 fn hold(layout: &str, Worst { off, what, count }: Worst, least: usize) {
     println!("{count} numbers within {off:.1e}, the worst {what}");
     assert!(off <= GATE, "{what}: off by {off:e}");

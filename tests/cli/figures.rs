@@ -97,7 +97,7 @@ fn marks(svg: &str) -> Vec<f64> {
         .collect()
 }
 
-/// Marks lie where `values` have them on an axis that points upwards.
+/// Asserts that marks are at `values` on an axis that points upwards.
 fn assert_drawn(svg: &str, values: &[f64]) {
     let marks = marks(svg);
     assert_eq!(marks.len(), values.len());
@@ -121,7 +121,7 @@ fn the_main_job_draws_the_papers_figures() {
     let printed: Vec<Printed> = (rows.iter())
         .map(|row| Printed::of(row, ["p6", "p8", "p11"]))
         .collect();
-    // At the first instant alone point 8 is below point 6: the branch that continues the others'.
+    // Only at the first instant point 8 is below point 6: the branch continues that of the others.
     let alpha = printed.iter().map(|at| {
         let branch = if at.point_8_is_above_point_6() {
             0.0

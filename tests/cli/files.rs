@@ -82,7 +82,7 @@ fn a_table_and_a_plot_are_two_files() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
-/// The second file would take the place of the first, also where the link leads to what is not there yet.
+/// The second file would replace the first, also if the link leads to a file that does not exist yet.
 #[cfg(unix)]
 #[test]
 fn a_link_to_another_result_is_the_same_place() {
@@ -112,7 +112,7 @@ fn a_link_to_another_result_is_the_same_place() {
     }
 }
 
-/// Limits of the shell are those of its children. A block is 512 or 1,024 bytes.
+/// Limits of the shell apply to its children. A block is 512 or 1,024 bytes.
 #[cfg(unix)]
 #[test]
 fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
@@ -169,7 +169,7 @@ fn an_error_names_the_users_path_only() {
     assert!(!message.contains(".part"), "{message}");
 }
 
-/// A link is followed, also to what is not there yet; one that leads round in a circle is refused.
+/// A link is followed, even to a file that does not exist yet; a cycle of links is refused.
 #[cfg(unix)]
 #[test]
 fn a_link_stays_a_link() {

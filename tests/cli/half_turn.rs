@@ -1,5 +1,5 @@
-//! An angle about an axis that is half a turn at the design position: nothing jumps there. The same angle between lines of
-//! which one is written the other way round is zero there, and gives the same numbers.
+//! An angle about an axis that is half a turn at the design position, without jumps. The same angle with one line reversed
+//! is zero there, and gives the same numbers.
 
 use std::path::Path;
 

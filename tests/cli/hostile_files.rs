@@ -1,4 +1,4 @@
-//! Files that are no motion files: exit code 2 and one sentence.
+//! Files that are not motion files: exit code 2 and one sentence.
 
 use std::path::Path;
 
@@ -133,7 +133,7 @@ fn other_systems_text() {
     assert!(message.starts_with("bad.toml:6:8: "), "{message}");
 }
 
-/// The same mechanism a thousand kilometres away: the same motion, positions moved as far.
+/// The same mechanism a thousand kilometres away: the same motion, with all positions shifted.
 #[test]
 fn far_from_the_origin() {
     const AWAY: [f64; 3] = [1e6, -2e6, 5e5];
@@ -157,7 +157,7 @@ fn far_from_the_origin() {
                 .position(|axis| name_of_coordinate.ends_with(axis));
             let turning = name.starts_with("omega") || name.starts_with("alpha");
             let moved = axis.filter(|_| !turning).map_or(0.0, |axis| AWAY[axis]);
-            // What is left of coordinates of this size, in what is put in and in what comes out.
+            // The rounding errors of coordinates of this size, in input and output.
             let size = if moved == 0.0 { 1e-7 } else { 1e-9 };
             assert!(
                 (away[name] - moved - value).abs() <= size * value.abs().max(1.0),

@@ -16,7 +16,7 @@ use suspension_runtime::Listing;
 
 use super::program::{folder, rows, run, text};
 
-/// The same points as below, with toe, camber and radius, as a file to try.
+/// An example file with the points below, toe, camber and radius.
 const EXAMPLE: &str = include_str!("../../examples/hardpoints.csv");
 
 /// A double wishbone with pushrod and rocker in names of Adams/Car, front left; x rearward, y right, z up, mm.
@@ -38,7 +38,7 @@ const CORNER: [(&str, [f64; 3]); 15] = [
     ("shock_to_chassis", [4.0, -20.0, 530.0]),
 ];
 
-/// The same in the listing's names, x forward, y left, z up.
+/// The points with the listing's names, x forward, y left, z up.
 const IN_OUR_AXES: [(&str, [f64; 3]); 15] = [
     ("lower_front", [140.0, 170.0, 125.0]),
     ("lower_rear", [-150.0, 175.0, 120.0]),
@@ -57,7 +57,7 @@ const IN_OUR_AXES: [(&str, [f64; 3]); 15] = [
     ("damper_inner", [-4.0, 20.0, 530.0]),
 ];
 
-/// What an import says and writes.
+/// The messages and the file of an import.
 struct Imported {
     notes: String,
     motion: toml::Table,
@@ -118,7 +118,7 @@ fn two_commands_lead_from_adams_names_to_the_sheet() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let motion = rows(&output.stdout);
     assert_eq!(motion.len(), 51);
-    // At the design position the wheel stands as the file says, and the kingpin as the ball joints do.
+    // At the design position the wheel has the angles of the file, and the kingpin those of the ball joints.
     let design = &motion[0];
     let close = |name: &str, expected: f64| {
         let off = (design[name] - expected).abs();
@@ -134,7 +134,7 @@ fn two_commands_lead_from_adams_names_to_the_sheet() {
     assert!((design["damper_mm"] - length).abs() < 1e-9);
 }
 
-/// The points of a layout, where its listing has them.
+/// Returns the points of a layout at the positions of its listing.
 fn listed(linkage: &str) -> Vec<(String, [f64; 3])> {
     let (_, listing) = LISTINGS
         .iter()

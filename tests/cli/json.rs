@@ -1,4 +1,4 @@
-//! Rows as JSON, beside those of CSV files.
+//! Rows as JSON, compared with those of CSV files.
 
 use serde_json::Value;
 
@@ -46,7 +46,7 @@ fn json_has_the_rows_of_the_csv_file_under_a_header_with_units_and_axes() {
             let found = found.as_object().expect("an object");
             assert_eq!(found.len(), expected.len());
             for (name, value) in expected {
-                // What is no number is null; this reader of JSON rounds the last digit as it likes.
+                // NaN is null; this JSON reader may round the last digit differently.
                 let same = found[name].as_f64().map_or(value.is_nan(), |other| {
                     (other - value).abs() <= 4e-16 * value.abs()
                 });

@@ -1,4 +1,5 @@
-//! Its damper holds nothing: all else moves as in the layout without one, and its lower end with the lower wishbone.
+//! Its damper holds nothing: all other parts move as in the layout without one, and the damper's lower end with the lower
+//! wishbone.
 
 use super::layout::{CLOSE, Layout, TRAVEL};
 

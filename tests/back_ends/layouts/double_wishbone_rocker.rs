@@ -1,4 +1,4 @@
-//! The bar that it lacks is driven and drives nothing: all else moves as in the layout that has one.
+//! The bar of the other layout is driven and drives nothing: all other parts move as in the layout with a bar.
 
 use super::layout::{CLOSE, Layout, TRAVEL};
 

@@ -9,20 +9,20 @@ use suspension_core::wheel::Wheel;
 use suspension_core::{Signal, Values};
 use suspension_runtime::Listing;
 
-/// How far a point may be from where geometry wants it, m.
+/// The largest error of a point relative to geometry, m.
 pub(crate) const CLOSE: f64 = 1e-12;
 /// Travel of a wheel, m: 60 mm of rebound to 60 mm of bump.
 pub(crate) const TRAVEL: [f64; 9] = [-0.06, -0.045, -0.03, -0.015, 0.0, 0.015, 0.03, 0.045, 0.06];
 
 type Points = HashMap<String, Vector3<f64>>;
 
-/// A layout as it stands in the catalogue.
+/// A layout of the catalogue.
 pub(crate) struct Layout {
     listing: Listing,
     hardpoints: Vec<Vector3<f64>>,
 }
 
-/// Where a layout has got to.
+/// A configuration of a layout.
 pub(crate) struct Pose {
     points: Points,
     rates: HashMap<String, Points>,
@@ -127,7 +127,7 @@ impl Pose {
         self.measures[name]
     }
 
-    /// How far the layout's other half, seen in a mirror, is from this one, by the points that have a twin.
+    /// Returns the largest distance of this half of the layout from the mirror image of the other, for points with a twin.
     pub(crate) fn off_mirrored(&self, other: &Self) -> f64 {
         let off = self.points.iter().filter_map(|(name, at)| {
             let twin = if name.contains("left") {
@@ -142,7 +142,7 @@ impl Pose {
     }
 }
 
-/// The rates where one drive changes at 1.
+/// Returns the rates in which one drive changes at 1.
 fn rate_of_one(drive: usize) -> impl Iterator<Item = f64> {
     (0..=drive).map(move |other| f64::from(u8::from(other == drive)))
 }
@@ -153,8 +153,8 @@ fn volume(points: &[Vector3<f64>], four: &[usize]) -> f64 {
     a.cross(&b).dot(&c)
 }
 
-/// The roll axis of a live axle leads through two points of its plane of symmetry: where the lower links' lines meet,
-/// and one that is held laterally. Axle and wheel turn about it, so that it is the ratio of roll steer.
+/// The roll axis of a live axle passes through two points of its plane of symmetry: where the lower links' lines meet, and a
+/// point that is held laterally. Axle and wheel rotate about it, so it determines the ratio of roll steer.
 pub(crate) fn rolls_about(layout: &Layout, held: Vector3<f64>) {
     let (front, rear) = (layout.at("lower_left_front"), layout.at("lower_left_rear"));
     let met = front + (rear - front) * (front.y / (front.y - rear.y));

@@ -1,4 +1,4 @@
-//! The rod leads the axle on a circle, and the axle rolls about where the rod passes its plane of symmetry.
+//! The rod guides the axle on a circle, and the axle rolls about the point at which the rod passes its plane of symmetry.
 
 use super::layout::{Layout, TRAVEL, rolls_about};
 

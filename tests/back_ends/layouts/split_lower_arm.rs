@@ -37,13 +37,13 @@ fn the_upright_moves_as_it_is_held() {
     }
 }
 
-/// Where the line of a link passes a plane across the vehicle, at x.
+/// Returns the point at which the line of a link passes a transverse plane, at x.
 fn passes(pose: &Pose, [inner, outer]: [&str; 2], x: f64) -> Vector3<f64> {
     let [inner, outer] = [inner, outer].map(|point| pose.at(point));
     inner + (outer - inner) * ((x - inner.x) / (outer.x - inner.x))
 }
 
-/// In plan the lower links' lines meet outboard of both ball joints, which a wishbone has no way to.
+/// In plan view the lower links' lines meet outboard of both ball joints, which is impossible with a wishbone.
 #[test]
 fn the_virtual_joint_is_outboard_of_both_ball_joints() {
     let layout = Layout::of("split_lower_arm");

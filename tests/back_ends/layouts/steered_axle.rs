@@ -1,4 +1,5 @@
-//! Each side is the double wishbone alone, and the other's mirror; the rack slides and does not turn.
+//! Each side moves like the double wishbone alone, and like the mirror image of the other; the rack slides and does not
+//! turn.
 
 use super::layout::{CLOSE, Layout, TRAVEL};
 

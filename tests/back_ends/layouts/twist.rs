@@ -1,4 +1,4 @@
-//! The velocity of a rigid upright, from what holds it: no equation of the solver's.
+//! The velocity of a rigid upright from its constraints: without the solver's equations.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 

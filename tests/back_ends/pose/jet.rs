@@ -11,7 +11,7 @@ use suspension_double_double::DoubleDouble;
 pub(crate) struct Jet(pub(crate) [DoubleDouble; 3]);
 
 impl Jet {
-    /// What does not change.
+    /// Makes a constant.
     pub(crate) fn constant(value: DoubleDouble) -> Self {
         Self([value, 0.0.into(), 0.0.into()])
     }

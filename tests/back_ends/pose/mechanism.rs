@@ -18,14 +18,14 @@ const BAR: usize = 3;
 const POSITION: usize = 4;
 const QUATERNION: usize = 7;
 
-/// What prescribes the motion: the height of the wheel centre, and the lateral position of the rack.
+/// The prescribed quantities: the height of the wheel centre, and the lateral position of the rack.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drives<T> {
     pub(crate) bump: T,
     pub(crate) steer: T,
 }
 
-/// The mechanism where it was designed: its points by name.
+/// The mechanism at its design position: its points by name.
 pub(crate) struct Mechanism(pub(crate) HashMap<String, Vector>);
 
 /// A rotation about a fixed line.
@@ -94,7 +94,7 @@ impl Mechanism {
         Vector([x, steer, z])
     }
 
-    /// By how much the square of a link's length is not that of the design.
+    /// Returns the square of a link's length minus that of the design.
     fn stretch(&self, [from, to]: [&str; 2], now: [Vector; 2]) -> Jet {
         let design = self.design(to) - self.design(from);
         let now = now[1] - now[0];
@@ -105,7 +105,7 @@ impl Mechanism {
         self.stretch(ends, ends.map(|end| self.point(end, x)))
     }
 
-    /// How far a ball joint of the upright is from its wishbone.
+    /// Returns the distance of a ball joint of the upright from its wishbone.
     fn gap(&self, ball: &str, x: &Coordinates) -> [Jet; 3] {
         (self.on_upright(ball, x) - self.point(ball, x)).0
     }

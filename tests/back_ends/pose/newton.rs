@@ -7,7 +7,7 @@ use super::jet::Jet;
 /// The number of coordinates.
 pub(crate) const SIZE: usize = 11;
 
-/// Coordinates, or what the equations leave, over time.
+/// Coordinates or residuals, over time.
 pub(crate) type Coordinates = [Jet; SIZE];
 
 type Column = [DoubleDouble; SIZE];

@@ -37,7 +37,7 @@ where
         assert!(written.linked().eq(walked.linked()));
     }
 
-    /// What the equations are of.
+    /// Compares the statements of the equations.
     fn compare_equations(&self, points: &[L::Points; 3]) {
         let Self { written, walked } = self;
         let ([q, v, w], [q_walked, v_walked, w_walked]) = self.unknowns(points);
@@ -138,7 +138,7 @@ where
         }
     }
 
-    /// Where the unknowns and their rates put all points.
+    /// Compares the points for the unknowns and their rates.
     fn compare_points(&self, points: &[L::Points; 3]) {
         let Self { written, walked } = self;
         let ([q, v, w], [q_walked, v_walked, w_walked]) = self.unknowns(points);
@@ -156,7 +156,7 @@ where
         );
     }
 
-    /// What is read off the points.
+    /// Compares all quantities of the points.
     fn compare_readings(&self, [at, rate, second]: &[L::Points; 3]) {
         let Self { written, walked } = self;
         let signal = Signal {
@@ -192,7 +192,7 @@ where
         (written, walked)
     }
 
-    /// Their chassis points, likewise.
+    /// Returns their chassis points.
     fn chassis(points: &[L::Points; 3]) -> ([L::Fixed; 3], [R::Fixed; 3]) {
         let written = points
             .each_ref()

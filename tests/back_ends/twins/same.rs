@@ -21,7 +21,7 @@ impl Number for f32 {
     }
 }
 
-/// The same numbers, to the bit.
+/// Asserts that the numbers are equal to the bit.
 #[track_caller]
 pub(super) fn same<T: Number>(
     what: &str,
@@ -71,7 +71,7 @@ pub(super) fn same_signal<T: Number, A: Values<T>, B: Values<T>>(
     );
 }
 
-/// The same values in the other's table.
+/// Copies the values to the type of the other.
 pub(super) fn as_other<V: Default, A: Values<V>, B: Values<V>>(values: &A) -> B {
     B::from_values(values.values())
 }

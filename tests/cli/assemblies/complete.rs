@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::length;
 use crate::program::{folder, rows, run, text};
 
-/// Where the curve of the wheel runs off to infinity along planes of the drive's coordinate, a general plane cuts it; and where
-/// roots go to infinity as lengths become the mechanism's, they are told from those that are lost.
+/// Where the curve of the wheel tends to infinity along planes of the drive's coordinate, a general plane intersects it;
+/// where roots tend to infinity as lengths become the mechanism's, they are distinguished from lost ones.
 #[test]
 fn the_list_of_a_layout_is_complete() {
     let folder = folder();
@@ -31,8 +31,8 @@ fn the_list_of_a_layout_is_complete() {
     }
 }
 
-/// One side of an axle after the other, as far as they follow from the rack: 8 assemblies of the left one, which leads the rack,
-/// times 2 places of its other end, times 4 of the right side on average.
+/// One side of an axle after the other, as far as they follow from the rack: 8 assemblies of the left side, which determines
+/// the rack, times 2 positions of its other end, times 4 of the right side on average.
 #[test]
 fn the_list_of_a_steered_axle_is_complete() {
     let folder = folder();
@@ -69,7 +69,7 @@ fn the_list_of_a_steered_axle_is_complete() {
             assert!((length(row, &link) - length(first, &link)).abs() < 1e-12);
         }
     }
-    // Each is another one: by micrometres of all free points.
+    // All assemblies differ, by micrometres of all free points.
     let placed = rows.iter().map(|row| {
         let coordinates = row.iter().filter(|(name, _)| name.contains("_ball_"));
         let rounded = coordinates.map(|(_, x)| (x * 1e6).round() as i64);
@@ -80,7 +80,7 @@ fn the_list_of_a_steered_axle_is_complete() {
     assert_eq!(placed.collect::<BTreeSet<_>>().len(), 64);
 }
 
-/// A double wishbone whose points are all off by up to 40 mm: its wishbones' axes are skew.
+/// A double wishbone with random errors of up to 40 mm in all points: its wishbones' axes are skew.
 fn skew_double_wishbone(seed: u64) -> String {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut points = String::new();
@@ -124,8 +124,9 @@ fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_
     assert!(complete + 1 >= SEEDS, "{complete} of {SEEDS}");
 }
 
-/// The double wishbone of the README's `import`, its axes nearly parallel: of 32 general assemblies eight lie tens of thousands of
-/// times its size away as lengths alone are general. They were found to be 24, 32 or 33, by the last digits of the points.
+/// The double wishbone of the README's `import`, with nearly parallel axes: of 32 general assemblies eight are tens of
+/// thousands of its sizes away, because only lengths are general. Counts of 24, 32 and 33 were found before, depending on
+/// the last digits of the points.
 #[test]
 fn a_count_does_not_depend_on_the_last_digits_of_points() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! Assemblies of mechanisms that are put together part by part: points alone tell them apart.
+//! Assemblies of mechanisms that are combined from parts: they are distinguished by points only.
 
 use crate::program::{Rows, folder, rows, run, text};
 
@@ -19,8 +19,8 @@ fn listed(statements: &str, drives: &str, arguments: &[&str]) -> Rows {
     rows(&output.stdout)
 }
 
-/// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker stands on either side. The equations
-/// have the sine of a quarter of the angle, which the crank at minus the angle has too, and at what it lacks to a straight one.
+/// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker is on either side. The equations
+/// contain the sine of a quarter of the angle, which is the same for minus the angle and for its supplement.
 #[test]
 fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
     let folder = folder();
@@ -48,7 +48,7 @@ fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
     }
 }
 
-/// Of an angle of zero or half a turn the quarter has two values: with both all points stand at the same places.
+/// For an angle of zero or half a turn the quarter has two values: with both, all points coincide.
 #[test]
 fn an_assembly_at_an_angle_of_zero_is_listed_once() {
     let rows = listed(
@@ -79,7 +79,7 @@ fn an_assembly_at_an_angle_of_zero_is_listed_once() {
     );
 }
 
-/// Where on its line a point slides is an unknown too, but no coordinate.
+/// The position of a sliding point along its line is an unknown too, but not a coordinate.
 #[test]
 fn distances_are_those_of_points() {
     let rows = listed(
@@ -111,7 +111,7 @@ fn distances_are_those_of_points() {
     }
 }
 
-/// At the file's own value the plane of a slide is an axis', and a coordinate of its point stands alone.
+/// At the file's own value the plane of a slide is perpendicular to an axis, and a coordinate of its point is independent.
 #[test]
 fn parts_are_those_of_any_value_of_the_drives() {
     let rows = listed(

@@ -1,4 +1,4 @@
-//! The same corner in other axes, beside itself.
+//! Comparisons of a corner with the same corner in other axes.
 
 use std::process::Output;
 
@@ -68,7 +68,7 @@ fn positions_are_in_the_axes_of_the_first() {
     assert_eq!(centre, [[-0.3, -0.3]]);
 }
 
-/// In roll the left wheel rises, in whatever axes, as roll camber and roll steer have it.
+/// In roll the left wheel rises, in any axes, as in the definition of roll camber and roll steer.
 #[test]
 fn the_left_wheel_rises_in_roll() {
     for (axes, [_, across, up]) in AXES {
@@ -85,8 +85,7 @@ fn the_left_wheel_rises_in_roll() {
     }
 }
 
-/// A rack that moves askew, and a pair of coordinates that is coupled askew, are not what they were where only one of
-/// the axes has turned.
+/// A rack that moves obliquely, and an oblique pair of coupled coordinates, would change if only one of the axes turned.
 #[test]
 fn what_other_axes_make_another_mechanism_of_is_refused() {
     let skew = |axes: (&str, [f64; 3])| {

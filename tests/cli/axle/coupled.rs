@@ -1,4 +1,4 @@
-//! Wheels of an axle of which one moves the other, and drives that move both or neither.
+//! Axles whose wheels move each other, and drives that move both wheels or neither.
 
 use super::super::program::{folder, run, text};
 use super::{assert_near, table};
@@ -14,7 +14,8 @@ fn file(statements: &str, vehicle: &str, drives: &str) -> String {
 /// The same, of a car.
 const CAR: &str = "wheelbase = 2.6\ncg_height = 0.5\nbrake_share = 0.6\naxle = \"front\"";
 
-/// Arms that turn about lines across the vehicle: contact points move upright, so that the normals to their velocities are level.
+/// Arms that rotate about transverse lines: contact points move vertically, so that the normals to their velocities are
+/// horizontal.
 fn trailing_arms(drives: &str) -> String {
     let statements = "mirror: left -> right;\nfixed: left_in at [0.5, 0.3, 0.3], left_out at [0.5, 0.6, 0.3];\n\
                       free: left_hub at [0.0, 0.7, 0.3];\nhinge left_arm: left_in, left_out -> left_hub;\n\
@@ -68,11 +69,11 @@ fn a_wheel_that_only_one_other_moves_is_read_in_heave_too() {
         let found = row[&format!("{wheel}_anti_dive_percent")];
         assert_near(found, expected, 1e-9, wheel);
     }
-    // A force on the right wheel is borne by its own links alone, one on the left wheel loads the spring of the right one.
+    // A force on the right wheel is borne only by its own links, one on the left wheel loads the spring of the right one.
     assert!(row.contains_key("right_roll_centre_m") && !row.contains_key("left_roll_centre_m"));
 }
 
-/// A rigid axle, driven by the heights of its wheels or by what its dampers' lengths are there.
+/// A rigid axle, driven by the heights of its wheels or by the lengths of its dampers.
 fn rigid_axle(left: &str) -> String {
     format!(
         "mirror: left -> right;\nfixed: left_front at [0.6, 0.45, 0.25], above at [0.5, 0.05, 0.5], panhard_top at [-0.08, -0.45, 0.33],\n\
@@ -145,7 +146,7 @@ fn usual_drives_that_do_not_move_a_wheel_are_not_its_own() {
     assert!(!has(&file(&in_line, "", drives), "track_m"));
 }
 
-/// Three arms one behind the other: the front and the rear one have quantities of a car, the one between them none.
+/// Three arms one behind the other: the front and the rear arm have quantities of a car, the one between them has none.
 #[test]
 fn a_wheel_between_the_axles_is_on_neither() {
     let arm = |name: &str, x: f64| {

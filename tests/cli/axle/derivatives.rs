@@ -1,4 +1,4 @@
-//! Derivatives of what an axle has against differences.
+//! Derivatives of the quantities of an axle against differences.
 
 use super::{DESIGN, assert_near, steered, table};
 
@@ -44,7 +44,7 @@ fn derivatives_of_what_an_axle_has_are_those_of_differences() {
         "right_roll_steer_rad_rad",
     ];
     check_derivatives(&smooth, 2e-5);
-    // These have poles near by: where the axle is straight ahead, where both normals are parallel.
+    // These have poles nearby: where the axle is straight ahead, where both normals are parallel.
     let bent = [
         "ackermann_percent",
         "turning_radius_m",

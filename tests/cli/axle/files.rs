@@ -1,4 +1,4 @@
-//! What motion files say of wheels, and what sheets and comparisons show of them.
+//! Statements of motion files about wheels, and their display in sheets and comparisons.
 
 use super::super::program::{folder, run, text};
 use super::{DESIGN, assert_near, file, steered, table};
@@ -97,7 +97,7 @@ fn sheets_and_comparisons_have_both_wheels() {
     }
 }
 
-/// In heave both wheels do the same; in roll one does at some travel what the other does at the opposite.
+/// In heave both wheels move equally; in roll one moves at some travel like the other at the opposite travel.
 #[test]
 fn drives_that_are_named_together_move_together() {
     let heave = table(

@@ -3,7 +3,7 @@
 use super::super::program::{folder, run, text};
 use super::{DESIGN, Row, assert_near, file, steered, table};
 
-/// The drives' rates at which the left contact point rises by one and the right one falls by one.
+/// Returns the drives' rates at which the left contact point rises by one and the right one falls by one.
 fn in_roll(row: &Row) -> [f64; 2] {
     let rise = |wheel: &str, drive: &str| row[&format!("{wheel}_contact_z_per_bump_{drive}")];
     let [a, b] = ["left", "right"].map(|drive| rise("left", drive));
@@ -88,8 +88,8 @@ fn a_symmetric_axle_has_the_roll_centre_of_each_wheel() {
     }
 }
 
-/// Wheels of a twist beam move each other: what a lateral force on one of them lifts is no matter of its own arm, and the roll
-/// centre is that of the axle.
+/// Wheels of a twist beam move each other: the lifting effect of a lateral force on one of them does not depend on its own
+/// arm alone, and the roll centre is that of the axle.
 #[test]
 fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
     let names = |linkage: &str, drives: &str| {
@@ -119,7 +119,7 @@ fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
     assert!(beam.contains("axle_roll_centre_z"), "{beam}");
 }
 
-/// As of a motorcycle: no other wheel stands across from it, and nothing is inboard of it.
+/// As on a motorcycle: there is no opposite wheel, and no inboard side.
 #[test]
 fn a_wheel_in_the_middle_of_the_vehicle_has_no_roll_centre() {
     let arm = |y: f64| {

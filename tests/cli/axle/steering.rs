@@ -40,7 +40,7 @@ fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
             1e-12,
             "Ackermann error",
         );
-        // The circle through the outer contact point about where its normal meets the line of the rear axle.
+        // The circle through the outer contact point about the point where its normal meets the line of the rear axle.
         let across = WHEELBASE / outer.tan();
         let radius = across.hypot(WHEELBASE);
         assert_near(row["turning_radius_m"], radius, 1e-10 * radius, "radius");

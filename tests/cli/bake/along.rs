@@ -11,7 +11,7 @@ use super::languages::{bits, exit_of_c, numbers, table};
 
 const DOUBLE_WISHBONE: &str = include_str!("../../../examples/double_wishbone_pushrod.toml");
 
-/// The range, and how fast the damper goes through it in the motion beside.
+/// The range, and the speed of the damper in the motion for comparison.
 const ALONG: [&str; 4] = ["--along", "damper=0.21:0.26", "--drive", "bump"];
 const RATE: f64 = 0.05;
 
@@ -48,8 +48,8 @@ fn led(folder: &Path) -> Rows {
     rows(&output.stdout)
 }
 
-/// Positions within the tolerance of the motion that the damper leads, rates and second rates within what the file
-/// says of derivatives.
+/// Positions agree with the motion that the damper leads within the tolerance, rates and second rates within the errors that
+/// the file states.
 #[test]
 fn the_wheel_by_the_damper_is_that_of_the_motion_that_the_damper_leads() {
     let folder = written();
@@ -86,7 +86,7 @@ fn the_wheel_by_the_damper_is_that_of_the_motion_that_the_damper_leads() {
         first <= reached("first") && second <= reached("second"),
         "{worst:?}"
     );
-    // The bounds are of what is there.
+    // The bounds are not zero.
     assert!(position > 1e-9 && first > 1e-7, "{worst:?}");
 }
 

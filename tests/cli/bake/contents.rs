@@ -1,4 +1,4 @@
-//! What baked files say of themselves, and the one that the firmware has.
+//! Descriptions in baked files, and the baked file of the firmware.
 
 use std::path::Path;
 
@@ -63,7 +63,7 @@ fn the_header_says_what_was_baked() {
     )));
 }
 
-/// A spin axis is baked with the wheel alone.
+/// Only the wheel has a spin axis.
 #[test]
 fn the_header_of_points_says_nothing_of_a_spin_axis() {
     let folder = folder();
@@ -83,7 +83,7 @@ fn the_header_says_which_of_several_wheels_was_baked() {
     assert!(file.contains(expected), "{}", &file[..400]);
 }
 
-/// What the firmware looks up is written by the program, not by hand.
+/// The baked file of the firmware is written by the program, not by hand.
 #[test]
 fn the_firmwares_wheel_is_as_baked_today() {
     let folder = folder();
@@ -101,7 +101,7 @@ fn the_firmwares_wheel_is_as_baked_today() {
             .join("tests/firmware/controller/src/wheel_by_theta.rs"),
     ]
     .map(|path| std::fs::read_to_string(path).expect("a source file"));
-    // They differ in the path of the motion file alone.
+    // They differ only in the path of the motion file.
     assert_eq!(
         baked,
         kept.replace("examples/attia2003.toml", "attia2003.toml")

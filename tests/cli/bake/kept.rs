@@ -11,7 +11,7 @@ pub(super) mod wheel_by_damper;
 #[path = "../../firmware/controller/src/wheel_by_theta.rs"]
 pub(super) mod wheel_by_theta;
 
-/// Compares what is baked as Rust with the file that is a module here.
+/// Compares a baked Rust file with the file that is a module here.
 pub(super) fn is_as_kept(baked: &str, name: &str) {
     let kept = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("tests/cli/bake/kept")

@@ -1,4 +1,4 @@
-//! That a baked Rust file and baked C headers compile and give the digits of the library, and that two headers are two tables.
+//! Baked Rust files and C headers compile and give the digits of the library, and two headers are two tables.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -52,7 +52,7 @@ fn expected<T: Split>(text: &str) -> Vec<(T, [[T; 6]; 3])> {
         .collect()
 }
 
-/// Of the bits of a number, as a hexadecimal literal.
+/// Returns the bits of a number as a hexadecimal literal.
 pub(super) fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
     let each = numbers.as_flattened().iter();
     each.map(|x| format!("{:#x}, ", bits(x))).collect()
@@ -117,7 +117,7 @@ int main(void)
     assert_converts(folder.path(), "WHEEL_BY_THETA", number);
 }
 
-/// The header alone compiles without a warning of numbers that are rounded, as the rules of controllers may ask for.
+/// The header compiles without warnings about rounded numbers, which rules for controllers may demand.
 pub(super) fn assert_converts(folder: &Path, name: &str, number: &str) {
     let unit = format!("#define {name}_NUMBER {number}\n#include \"wheel.h\"\nint none;\n");
     std::fs::write(folder.join("unit.c"), unit).expect("written");
@@ -161,7 +161,7 @@ pub(super) fn exit_of_c(folder: &Path, program: &str) -> Option<i32> {
     ran.expect("a program").code()
 }
 
-/// The lines of the page about controllers, beside the angles that the program has there.
+/// Compiles the lines of the page about controllers, and compares with the angles of the program.
 #[test]
 fn camber_and_toe_are_read_off_the_spin_axis_as_the_page_says() {
     let page = include_str!("../../../suspension-core/docs/controller.md");
@@ -196,8 +196,8 @@ int main(void)
     assert_eq!(exit_of_c(folder.path(), &program), Some(0));
 }
 
-/// Bakes the wheel of two suspensions to C, whose motion files are of these names, and compiles a
-/// program with both headers that gives 0 where they differ.
+/// Bakes the wheel of two suspensions with motion files of these names to C, and compiles a program with both headers that
+/// returns 0 if they differ.
 fn two_in_one_program(names: [&str; 2]) -> Output {
     let folder = folder();
     let mut program = String::new();

@@ -16,7 +16,7 @@ use super::languages::{assert_converts, exit_of_c, numbers};
 /// A double wishbone of two drives, with the hardpoints of its listing.
 const FILE: &str = "linkage = \"double_wishbone\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump = 0.3\nsteer = 0.34\n";
 
-/// How far the wheel centre may be off, m.
+/// The largest error of the wheel centre, m.
 const TOLERANCE: f64 = 1e-5;
 
 /// The drives' ranges: height of the wheel centre and lateral position of the rack, m.
@@ -55,7 +55,7 @@ fn places() -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The places with what the core reads of the numbers in TOML there.
+/// Returns places with the core's results from the numbers in TOML.
 fn expected(folder: &Path) -> Vec<([f64; 2], [[f64; 6]; 3])> {
     let table: toml::Table = baked(folder, &["--as", "toml"]).parse().expect("TOML");
     let pair = |value: &toml::Value| -> [f64; 2] { numbers(value).try_into().expect("two") };

@@ -3,7 +3,8 @@
 use super::super::program::{CORNER, folder, run, text};
 use super::{arm, check, line};
 
-/// Where the motion locks between two instants, the message names the later one, as that of `motion` does; what each drive reaches is known
+/// If the motion locks between two instants, the message names the later one, like that of `motion`; the reach of each drive
+/// is known nevertheless.
 /// all the same.
 #[test]
 fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
@@ -25,7 +26,7 @@ fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
     assert_eq!(range.status.code(), Some(0), "{range:?}");
 }
 
-/// A file whose own motion locks has a healthy design: check and sheet say both.
+/// A file whose own motion locks may have a healthy design position: check and sheet say both.
 #[test]
 fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
     let moved = "start = 0.0\nstop = 1.0\nstep = 0.5";
@@ -84,7 +85,7 @@ fn what_is_out_of_reach_is_told_once() {
     assert_eq!(error, expected);
 }
 
-/// No link is too long or too short: the arm that the drive lifts stands across the axis of its hinge.
+/// No link is too long or too short: the arm that the drive lifts is perpendicular to the axis of its hinge.
 #[test]
 fn a_hinge_that_locks_is_named_with_its_axis() {
     let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");

@@ -1,4 +1,4 @@
-//! What only one of two files has, and what is the same of both.
+//! Quantities that only one of two files has, and quantities that are equal.
 
 use super::super::program::{CORNER, text};
 use super::axles::axles;
@@ -27,7 +27,7 @@ fn quantities_that_only_one_side_has_are_named_once() {
     assert!(!of_axle.contains("camber angle"), "{of_axle}");
 }
 
-/// Of four wheels beside two, a line that names each quantity would be longer than the comparison.
+/// For four wheels against two, a line that names each quantity would be longer than the comparison.
 #[test]
 fn wheels_that_only_one_side_has_are_named_as_a_whole() {
     let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
@@ -40,7 +40,7 @@ fn wheels_that_only_one_side_has_are_named_as_a_whole() {
     assert!(!report.contains("only B has"), "{report}");
 }
 
-/// Where nothing differs, no place is where the curves differ most: it is so everywhere.
+/// If nothing differs, no place of the largest difference is named.
 #[test]
 fn no_place_is_told_where_a_difference_is_rounding() {
     let (_folder, output) = compare(CORNER, CORNER, &[]);

@@ -1,4 +1,4 @@
-//! `suspension compare` of axles: which wheel stands beside which.
+//! `suspension compare` of axles: which wheel is compared with which.
 
 use super::super::program::{CORNER, text};
 use super::{compare, rows};
@@ -54,7 +54,7 @@ pub(super) fn axles(wheels: &[(&str, f64, f64)]) -> String {
     )
 }
 
-/// What is compared of two files, without places and differences.
+/// Asserts the compared quantities of two files, without places and differences.
 fn assert_same(a: &str, b: &str, wanted: &str) {
     let (_folder, output) = compare(a, b, &["--csv", "-"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -74,7 +74,7 @@ fn assert_same(a: &str, b: &str, wanted: &str) {
 #[test]
 fn wheels_of_one_name_are_compared_along_their_own_drives() {
     let (left, right) = (("left", 0.0, 1.0), ("right", 0.0, -1.0));
-    // In roll the left wheel rises, whichever is stated first.
+    // In roll the left wheel rises, in any order of the statements.
     assert_same(&axles(&[left, right]), &axles(&[right, left]), "left");
     let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
     let rear = [("rear_left", -2.6, 1.0), ("rear_right", -2.6, -1.0)];
@@ -91,7 +91,7 @@ fn wheels_of_one_name_are_compared_along_their_own_drives() {
     for (names, [_, a, b, difference]) in rows.iter().filter(over) {
         assert!(difference.abs() < 1e-9, "{names:?}: {a} {b}");
     }
-    // An axle without a name beside one of several.
+    // An axle without a name is compared with one of several.
     let alone = axles(&[left, right]);
     assert_same(&both, &alone, "rear roll centre");
     assert_same(&alone, &both, "rear roll centre");

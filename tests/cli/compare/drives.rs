@@ -4,7 +4,7 @@ use super::super::program::{CORNER, text};
 use super::axles::axles;
 use super::{arm, compare, rows};
 
-/// Without a wheel nothing tells how a length and an angle move it alike.
+/// Without a wheel, a length and an angle as drives cannot be compared.
 #[test]
 fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
     let angle = arm("m", 1.0, 0.4)
@@ -91,7 +91,7 @@ fn travel_goes_upwards_whatever_the_drive_counts() {
     assert!(count > 10, "{count}");
 }
 
-/// One suspension, led by the height of its wheel and by its damper: over the travel of the wheel there is no difference.
+/// One suspension, driven by the height of its wheel and by its damper: over the travel of the wheel there is no difference.
 #[test]
 fn travel_by_a_damper_is_compared_over_that_of_the_wheel() {
     let up = led_by("wheel_centre.z", 301.0);
@@ -148,7 +148,7 @@ fn travel_by_an_angle_is_compared_over_that_of_the_wheel() {
     assert!(page.contains("Over wheel travel") && page.contains("wheel travel (mm)"));
 }
 
-/// The headings of derivatives, each with what moves.
+/// The headings of derivatives, each with the moved wheels.
 #[test]
 fn what_moves_is_named_above_derivatives() {
     let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
@@ -176,7 +176,7 @@ fn what_moves_is_named_above_derivatives() {
     }
 }
 
-/// The rack of one is counted to the left, that of the other to the right.
+/// The rack of one is positive to the left, that of the other to the right.
 #[test]
 fn racks_that_are_counted_opposite_ways_are_told() {
     let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");

@@ -55,7 +55,7 @@ fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
         text(&output.stderr).contains("wrote front.toml\nwrote front_corner.linkage\n"),
         "{output:?}"
     );
-    // What the file has not, and the motion file has a place for.
+    // Data that the file lacks and the motion file has a place for.
     let motion = std::fs::read_to_string(path.join("front.toml")).expect("a motion file");
     let motion = motion.replace("# wheelbase = ", "wheelbase = 1550.0 ");
     std::fs::write(path.join("front.toml"), motion).expect("written");
@@ -65,14 +65,14 @@ fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
     for quantity in ["track", "total toe", "Ackermann", "roll steer"] {
         assert!(page.contains(quantity), "{quantity}");
     }
-    // At the design position, by hand: the contact points stand below the wheel's lean.
+    // At the design position, computed by hand: the contact points are below the lean of the wheel.
     let design = &swept(path, "front.toml", &["steer=0"])[0];
     assert_near(design["total_toe_deg"], 0.6, "total toe");
     let lean = (-1.2_f64).to_radians().sin() * 0.3_f64.to_radians().cos();
     assert_near(design["track_mm"], 2.0 * (610.0 - 229.0 * lean), "track");
 }
 
-/// The axle's corners on the rack that both share are the corner of the same file, on a rack of its own.
+/// The axle's corners on the shared rack equal the corner of the same file with its own rack.
 #[test]
 fn each_side_is_the_corner_alone_and_the_rack_is_one() {
     let folder = folder();
@@ -96,7 +96,7 @@ fn each_side_is_the_corner_alone_and_the_rack_is_one() {
     ];
     let mut compared = 0;
     for (place, row) in both.iter().enumerate() {
-        // The rack goes to the left of one wheel, and away from the other.
+        // The rack moves towards one wheel and away from the other.
         let mirrored = place / 3 * 3 + (2 - place % 3);
         for quantity in quantities {
             let left = format!("left_{quantity}").replace("per_bump", "per_left_bump");
@@ -161,8 +161,8 @@ fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
     assert!(made >= 10, "{made}");
 }
 
-/// Angles and radii that a table states of each side, in a file whose points are mirror images.
-/// The middle of an anti-roll bar is one point in the file, of no side.
+/// Angles and radii that a table states for each side, in a file whose points are mirror images. The middle of an anti-roll
+/// bar is one point in the file, without a side.
 #[test]
 fn a_bar_of_both_sides_is_halved() {
     let folder = folder();
@@ -182,7 +182,7 @@ fn a_bar_of_both_sides_is_halved() {
     assert_eq!(points["right_bar_inner"], [-120.0, -100.0, 130.0]);
     let output = run(folder.path(), &["sheet", "motion.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    // A spring on the twist is a bar: none of its load in heave, of its rate all in roll.
+    // A spring on the twist is a bar: it adds no load in heave, and its whole rate in roll.
     let path = folder.path().join("motion.toml");
     let sprung = std::fs::read_to_string(&path).expect("a file")
         + "[springs.bar]\nalong = \"bar_twist\"\nrate = 400.0\n";
@@ -243,7 +243,7 @@ fn what_is_no_corner_is_no_axle() {
     assert!(!path.join("a.toml").exists());
 }
 
-/// A listing that was written for an axle which then cannot be built does not stay behind, and one that was there does.
+/// A listing written for an axle that then cannot be built is removed, and one that existed before is kept.
 #[test]
 fn what_cannot_be_built_leaves_all_as_it_was() {
     let folder = folder();
@@ -304,7 +304,7 @@ fn statements_in_a_motion_file_are_called_as_the_file() {
     );
 }
 
-/// The option replaces what is there: the motion file, and the listing that it came with.
+/// The option replaces existing files: the motion file, and its listing.
 #[test]
 fn an_axle_is_imported_again_in_another_layout() {
     let folder = folder();

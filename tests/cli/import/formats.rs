@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::super::program::folder;
 use super::{CORNER, IN_OUR_AXES, import, table};
 
-/// A subsystem file of Adams/Car; lengths in a unit of which a millimetre has so many.
+/// Returns a subsystem file of Adams/Car in a unit of which `millimetre` is one millimetre.
 fn subsystem(unit: &str, millimetre: f64) -> String {
     let mut file =
         "$---MDI_HEADER\n[MDI_HEADER]\n FILE_TYPE = 'sub'\n FILE_VERSION = 4.0\n".to_owned();
@@ -86,7 +86,7 @@ fn all_formats_have_the_same_points() {
     }
 }
 
-/// The axle point is marked off the wheel centre, along the spin axis; without toe and camber along y.
+/// The axle point is marked relative to the wheel centre, along the spin axis; without toe and camber along y.
 #[test]
 fn angles_and_the_radius_are_read_where_a_format_has_them() {
     let folder = folder();

@@ -151,7 +151,7 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
     }
 }
 
-/// The tangents of toe and camber by which an axle point is marked off its wheel centre.
+/// Returns the tangents of toe and camber from the offset of an axle point from its wheel centre.
 fn angles(imported: &Imported, axle: &str) -> [f64; 2] {
     let offset = imported.motion["points"][axle]["offset"].as_array();
     let offset = offset.expect("three").iter();
@@ -213,7 +213,7 @@ fn each_side_has_the_angles_under_its_names() {
     assert_angles(&imported, "right_axle", [0.1, -1.3]);
 }
 
-/// In the names' axes the corner is on the left; in those that are stated on the right.
+/// In the axes of the names the corner is on the left; in the stated axes on the right.
 #[test]
 fn a_side_that_names_and_axes_do_not_share_is_settled_by_the_user() {
     let folder = folder();

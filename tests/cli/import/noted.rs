@@ -1,4 +1,4 @@
-//! What is remarked on hardpoints that may not be as they were meant.
+//! Remarks on hardpoints that may be mistakes.
 
 use super::super::program::folder;
 use super::{CORNER, import, table};
@@ -40,7 +40,7 @@ fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
     }
 }
 
-/// Corners of the catalogue are left ones; this one may be either.
+/// Corners of the catalogue are left ones; the imported one may be either.
 #[test]
 fn the_layout_is_described_without_a_side() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! Files that are refused, and what is remarked on those that are not.
+//! Files that are refused, and remarks on accepted ones.
 
 use super::super::program::{folder, run, text};
 use super::{CORNER, import, table};
@@ -10,7 +10,7 @@ fn without(names: &[&str]) -> String {
     table(&points)
 }
 
-/// What is said of a file that is refused.
+/// Returns the message for a file that is refused.
 pub(super) fn refusal(name: &str, content: &str, options: &[&str]) -> String {
     let folder = folder();
     std::fs::write(folder.path().join(name), content).expect("written");
@@ -99,7 +99,7 @@ fn what_is_not_used_and_what_is_not_there_is_noted() {
     );
 }
 
-/// File, its content, options, and how the last line of the message begins or what it has.
+/// File, its content, options, and the beginning or a part of the last line of the message.
 #[test]
 fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
     let corner = table(&CORNER);

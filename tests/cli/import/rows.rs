@@ -1,10 +1,10 @@
-//! Rows and columns of a table that are refused, and what is remarked on mistyped names.
+//! Rows and columns of a table that are refused, and remarks on mistyped names.
 
 use super::super::program::folder;
 use super::refused::refusal;
 use super::{CORNER, import, table};
 
-/// Part of a row, and what stands in its place.
+/// Part of a row, and its replacement.
 #[test]
 fn a_point_needs_three_numbers() {
     for [row, other] in [
