@@ -185,7 +185,8 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
 /// The error that nothing keeps the distance between two points, although it must stay the same.
 pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
     let message = format!(
-        "nothing keeps `{from}` and `{to}` apart {as_what}; list both in one body, join them by a link, or put both on the chassis"
+        "the distance of `{from}` and `{to}` is not constant, {as_what} requires; list both in one body, \
+         join them by a link, or put both on the chassis"
     );
     at(from, message)
 }

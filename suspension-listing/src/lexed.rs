@@ -52,7 +52,7 @@ fn lone_carriage_return(text: &str) -> Option<Mistake> {
         let line = line.strip_suffix('\r').unwrap_or(line);
         let (before, _) = line.split_once('\r')?;
         Some(Mistake {
-            message: "a line ends by a carriage return alone; end each by a line feed, with or without a carriage return before it"
+            message: "a line ends with a carriage return alone; end each line with a line feed, with or without a carriage return before it"
                 .to_owned(),
             line: number + 1,
             column: before.chars().count() + 1,
@@ -96,11 +96,11 @@ fn exceeded(tokens: &TokenStream) -> Option<Error> {
                 open.push((group.stream().into_iter(), depth + 1));
             }
             Some(TokenTree::Group(group)) => {
-                let message = format!("more than {DEEPEST} brackets within each other");
+                let message = format!("brackets are nested more than {DEEPEST} deep");
                 return Some(Error::new(group.span_open(), message));
             }
             Some(TokenTree::Literal(literal)) if is_long_number(&literal) => {
-                let message = format!("a number of more than {LONGEST_NUMBER} characters");
+                let message = format!("a number has more than {LONGEST_NUMBER} characters");
                 return Some(Error::new(literal.span(), message));
             }
             Some(_) => {}
@@ -122,14 +122,16 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
         start.map_or("", |(byte, _)| &line[byte..])
     });
     let message = match rest.chars().next() {
-        Some('/') if rest.starts_with("/*") => "`/*` is not closed; close it by `*/`".to_owned(),
+        Some('/') if rest.starts_with("/*") => "`/*` is not closed; close it with `*/`".to_owned(),
         Some('"') => "`\"` is not closed; close it".to_owned(),
         Some(bracket @ ('(' | '[' | '{')) => format!("`{bracket}` is not closed; close it"),
-        Some(bracket @ (')' | ']' | '}')) => format!("`{bracket}` closes nothing; remove it"),
-        Some(control) if control.is_control() => {
-            format!("the character {control:?} cannot be read; remove it")
+        Some(bracket @ (')' | ']' | '}')) => {
+            format!("`{bracket}` has no opening bracket; remove it")
         }
-        Some(other) => format!("what begins with `{other}` cannot be read; remove it"),
+        Some(control) if control.is_control() => {
+            format!("the character {control:?} is not allowed; remove it")
+        }
+        Some(other) => format!("unexpected `{other}`; remove it"),
         None => "the text ends too early".to_owned(),
     };
     Mistake {

@@ -148,8 +148,8 @@ impl Reading<'_> {
         let name = include.source.name();
         if self.depth == DEEPEST_INCLUDED || self.included.get() == MOST_INCLUDED {
             return Err(refuse(format!(
-                "to include `{name}` goes too far: listings are included {DEEPEST_INCLUDED} deep and {MOST_INCLUDED} times in all \
-                 at most; look for one that includes itself"
+                "`{name}` is one include too many: includes may be nested {DEEPEST_INCLUDED} deep, with {MOST_INCLUDED} in all; \
+                 check whether a listing includes itself"
             )));
         }
         self.included.set(self.included.get() + 1);

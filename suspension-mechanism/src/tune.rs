@@ -73,7 +73,7 @@ pub fn tune(
     let Fit { at, is_cut } = fit(&boxes, residuals, interrupted, on_step);
     let unmoved = || {
         Failure::Solver(format!(
-            "{source}: the moves have no place in their boxes at which the mechanism gets to all places of the targets; widen \
+            "{source}: no combination of moves within their boxes lets the mechanism reach all places of the targets; widen \
              the boxes"
         ))
     };

@@ -113,7 +113,7 @@ pub fn known_names<V>(
     };
     let name = key.get_ref();
     let hint = match place_of_key(name) {
-        Some(place) => format!("; {name} stands {place}"),
+        Some(place) => format!("; {name} belongs {place}"),
         None => did_you_mean(name, known.iter().map(Borrow::borrow)),
     };
     let message = format!("unknown {kind} `{name}`; {has}{hint}");
@@ -190,7 +190,7 @@ pub fn points(
             Position::Off(off) => {
                 if !is_marker(name) {
                     return refuse(format!(
-                        "point `{name}` is no marker and needs coordinates [x, y, z]"
+                        "point `{name}` is not a marker and needs coordinates [x, y, z]"
                     ));
                 }
                 base_of_marker(source, file, &off.from)?;

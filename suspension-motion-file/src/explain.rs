@@ -8,7 +8,8 @@ use crate::source::Source;
 /// Returns the message for a mistake that begins at `start`.
 pub(super) fn explained(message: &str, source: &Source, start: usize) -> String {
     if source.text().trim().is_empty() {
-        return "the file is empty; suspension motion --help shows what stands in one".to_owned();
+        return "the file is empty; suspension motion --help shows what a motion file contains"
+            .to_owned();
     }
     if let Some(other) = other_kind(source) {
         return other;
@@ -21,7 +22,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     let name = quoted.next().unwrap_or_default();
     let hint = if message.starts_with("unknown field") {
         let hint = match place_among_keys(name) {
-            Some(place) => format!("; {name} stands {place}"),
+            Some(place) => format!("; {name} belongs {place}"),
             None => did_you_mean(name, quoted),
         };
         // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
@@ -37,7 +38,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         to_write(name).to_owned() + &also_missing(name, source.text())
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
     {
-        "; unit, angle and axes stand above the first table".to_owned()
+        "; unit, angle and axes belong above the first table".to_owned()
     } else {
         String::new()
     };
@@ -68,14 +69,14 @@ fn also_missing(first: &str, text: &str) -> String {
 /// Returns an example of a missing key.
 fn to_write(key: &str) -> &'static str {
     match key {
-        "unit" => "; write unit = \"m\", \"mm\" or \"in\", that of all lengths in the file",
+        "unit" => "; write unit = \"m\", \"mm\" or \"in\", the unit of all lengths in the file",
         "time" => "; write [time] with start, stop and step, or with instants, in seconds",
         "targets" => "; write [tune.targets.NAME], see suspension tune --help",
         "moves" => "; write [tune.moves.NAME], see suspension tune --help",
         "by" => "; write the box, from the least to the greatest, as by = [-0.010, 0.010]",
         "of" => "; write the name of a quantity, as of = \"toe\"",
         "within" => "; write how far the target may be off, as within = 0.001",
-        "rate" => "; write it in N per unit of length, of an angle in N m per unit of angle",
+        "rate" => "; write it in N per unit of length, or for an angle in N m per unit of angle",
         "drives" => "; write [drives] with a line for each drive, as bump = [0.30, 0.05]",
         _ => "",
     }
@@ -92,8 +93,9 @@ fn other_kind(source: &Source) -> Option<String> {
     if is_listing {
         Some("this is a listing; a motion file names it: listing = \"FILE\", with unit, [time] and [drives]".to_owned())
     } else {
-        has_hardpoints
-            .then(|| "this is no motion file; suspension import makes one of hardpoints".to_owned())
+        has_hardpoints.then(|| {
+            "this is not a motion file; suspension import makes one from hardpoints".to_owned()
+        })
     }
 }
 

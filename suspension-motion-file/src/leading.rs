@@ -32,7 +32,10 @@ pub fn stand_in<V>(
 ) -> Result<Option<StandIn>, Failure> {
     let mut has = format!("the drives are {}", drives.join(", "));
     if !measures.is_empty() {
-        has += &format!(", and in place of one may lead {}", measures.join(", "));
+        has += &format!(
+            ", and one of them may be replaced by {}",
+            measures.join(", ")
+        );
     }
     check::known_names(source, table, "drive", &[drives, measures].concat(), &has)?;
     let missing = (0..drives.len()).filter(|index| !table.get_ref().contains_key(drives[*index]));
@@ -58,22 +61,20 @@ pub fn stand_in<V>(
         }
         ([(key, _)], []) => {
             let (name, drives) = (key.get_ref(), drives.join(", "));
-            let message = format!(
-                "measure `{name}` can lead only in place of a drive; leave out one of {drives}"
-            );
+            let message =
+                format!("measure `{name}` can only replace a drive; leave out one of {drives}");
             (key.span(), message)
         }
         ([(key, _)], [_, drive, ..]) => {
             let (name, drive) = (key.get_ref(), drives[*drive]);
-            let message = format!(
-                "drive `{drive}` is missing; measure `{name}` stands in for one drive only"
-            );
+            let message =
+                format!("drive `{drive}` is missing; measure `{name}` replaces only one drive");
             (table.span(), message)
         }
         ([(first, _), (second, _), ..], _) => {
             let [first, name] = [first, second].map(|key| key.get_ref());
             let message = format!(
-                "measure `{name}` cannot lead beside measure `{first}`: one may stand in for a drive"
+                "measures `{first}` and `{name}` cannot both replace a drive; leave out one of them"
             );
             (second.span(), message)
         }
@@ -110,11 +111,11 @@ mod tests {
             ("steer = 1", "a.toml:1:1: drive `bump` is missing"),
             (
                 "steer = 1\ncamber = 2",
-                "a.toml:2:1: unknown drive `camber`; the drives are bump, steer, and in place of one may lead height, spring",
+                "a.toml:2:1: unknown drive `camber`; the drives are bump, steer, and one of them may be replaced by height, spring",
             ),
             (
                 "height = 1",
-                "a.toml:1:1: drive `steer` is missing; measure `height` stands in",
+                "a.toml:1:1: drive `steer` is missing; measure `height` replaces only one drive",
             ),
             (
                 "bump = 1\nsteer = 1\nspring = 1",

@@ -115,9 +115,9 @@ impl Angle {
         };
         kind.end_exceeded(value).map(|_| match kind {
             DriveKind::Turn => {
-                "an angle about an axis is driven less than a whole turn to either side".to_owned()
+                "an angle about an axis must be less than a whole turn to either side".to_owned()
             }
-            _ => format!("the angle of a link from an axis lies between 0 and {half_turn}"),
+            _ => format!("the angle of a link from an axis must lie between 0 and {half_turn}"),
         })
     }
 }

@@ -35,7 +35,7 @@ fn both(in_radians: &[&str], with_degrees: &[&str]) -> [Rows; 2] {
     })
 }
 
-/// The same numbers, those in degrees under their own names.
+/// Asserts that the numbers are equal, those in degrees in their own columns.
 fn are_the_same([radians, degrees]: &[Rows; 2]) {
     assert_eq!(radians.len(), degrees.len());
     let mut angles = 0;
@@ -106,7 +106,7 @@ fn loads_are_the_same_in_degrees() {
     );
 }
 
-/// What is baked is for programs, which have angles in radians.
+/// Baked files are for programs, so their angles are in radians.
 #[test]
 fn a_baked_file_is_the_same() {
     let [from, to] = [0.9, 1.5].map(degrees);
@@ -180,7 +180,7 @@ fn messages_are_in_degrees() {
     let beyond = run(folder.path(), &["assemblies", "a.toml", "--at", "200"]);
     assert!(
         text(&beyond.stderr)
-            .contains("--at 200: the angle of a link from an axis lies between 0 and 180 deg"),
+            .contains("--at 200: the angle of a link from an axis must lie between 0 and 180 deg"),
         "{beyond:?}"
     );
     std::fs::write(&path, in_degrees().replace("\"deg\"", "\"grad\"")).expect("written");
@@ -231,7 +231,7 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
             "{start}: {output:?}"
         );
         let said = text(&output.stderr).contains(
-            "the angle `turn` ends at 6.28319 rad, beyond it the same positions come again",
+            "the angle `turn` ends at 6.28319 rad, and beyond it the same positions repeat",
         );
         assert_eq!(said, passes, "{start}: {output:?}");
     }
@@ -242,7 +242,7 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
 }
 
-/// Of the angle between a link and an axis the cosine enters, which does not change where the link lies along the axis.
+/// The equation of an angle between a link and an axis contains its cosine, which does not change near the axis.
 #[test]
 fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
     let at_end = |arm: &str, turn: &str| {
@@ -266,8 +266,8 @@ fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
                      hinge second: b, beside -> s;\ndrive lift: s.z;\n";
         file.replacen("fixed:", &format!("{other}fixed:"), 1) + "lift = 0.5\n"
     };
-    let said = "the angle `turn` ends at 0 rad, beyond it the same positions come again; to drive it there and past it, write it in the \
-                listing as one about a line: `angle(p -> q, r -> s about t -> u)`";
+    let said = "the angle `turn` ends at 0 rad, and beyond it the same positions repeat; to drive it beyond, write it in the listing as \
+                an angle about a line: `angle(p -> q, r -> s about t -> u)`";
     let stands = || at_end("[0.0, 0.0, 0.5]", "0.0");
     for (file, command, code) in [
         (at_end("[0.0, 0.0, 0.5]", "[0.0, 0.5]"), "motion", 3),
@@ -313,7 +313,7 @@ drive bar: angle(af -> mark, af -> lb about ar -> af);
         std::fs::write(folder.path().join("a.toml"), file(bar)).expect("written");
         let output = run(folder.path(), &["check", "a.toml"]);
         assert_eq!(output.status.code(), Some(code), "{bar}: {output:?}");
-        let told = "the points have `bar` at -41.4182 deg: state it less than half a turn from there in [design]";
+        let told = "`bar` is -41.4182 deg at the points, and [design] must state a value less than half a turn from it";
         assert_eq!(text(&output.stderr).contains(told), code == 3, "{output:?}");
     }
 }

@@ -2,8 +2,7 @@
 
 use super::program::{CORNER, edited, example, folder, run, text};
 
-/// How a line of the published motion begins, what takes its place, where the message must point
-/// and a part of it.
+/// The beginning of a line of the published motion, its replacement, the place of the message and a part of the message.
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
@@ -20,7 +19,7 @@ const BAD: [Case; 65] = [
     ("p2", "p2 = [0.1, 0.1]", ":13:6", "3 numbers are wanted here, [x, y, z], not 2\n"),
     ("p2", "p2 = [0,1, 0,2, 0,3]", ":13:6", "3 numbers are wanted here, [x, y, z], not 6; a decimal separator is a point, as in 0.5\n"),
     ("p2", "p2 = [-1.396, -0.025, -0.082]", ":13:6", "same place as point `p1`"),
-    ("p2", "p2 = { from = \"p1\", offset = [0, 0, 1] }", ":13:6", "`p2` is no marker"),
+    ("p2", "p2 = { from = \"p1\", offset = [0, 0, 1] }", ":13:6", "`p2` is not a marker"),
     ("p11", "p11 = { from = \"p99\", offset = [0, 0.1, 0] }", ":26:16", "no point `p99`"),
     ("p11", "p11 = { from = \"p11\", offset = [0, 0.1, 0] }", ":26:16", "relative"),
     ("p11", "p11 = { from = \"p8\", ofset = [0, 0.1, 0] }", ":26:", "ofset"),
@@ -38,8 +37,8 @@ const BAD: [Case; 65] = [
     ("instants", "start = 0\nstop = inf\nstep = 1", ":52:8", "finite"),
     ("instants", "start = 0\nstop = 1", ":49:", "[time] needs"),
     ("instants", "instants = []", ":51:12", "empty"),
-    ("instants", "instants = [0.0, 0.5, 0.25]", ":51:23", "one way"),
-    ("instants", "instants = [0.0, 0.0]", ":51:18", "one way"),
+    ("instants", "instants = [0.0, 0.5, 0.25]", ":51:23", "increase or decrease throughout"),
+    ("instants", "instants = [0.0, 0.0]", ":51:18", "increase or decrease throughout"),
     ("instants", "instants = [nan]", ":51:13", "finite"),
     ("theta = [", "", ":53:", "`theta` is missing; write theta = its value, or [value, rate, ...], under [drives]\n"),
     ("theta = [", "theta = 0,7", ":55:10", "; a decimal separator is a point, as in 0.5\n"),
@@ -65,11 +64,11 @@ const BAD: [Case; 65] = [
     ("d7_2", "d7_2 = 1\n[lengths]", ":32:2", "duplicate key"),
     ("p2", "\"\\u001b[31m\\n\" = [0, 0, 1]", ":13:", "\\u{1b}[31m\\n"),
     ("instants", "start = 0\nstop = 1.95\nstep = 1.95e-7", ":53:8", "10000001 instants; at most 10000000 are"),
-    ("instants", "start = 0\nstop = 1e12\nstep = 1", ":53:8", "makes 1e12 instants"),
+    ("instants", "start = 0\nstop = 1e12\nstep = 1", ":53:8", "gives 1e12 instants"),
     ("instants", "start = -1e308\nstop = 1e308\nstep = 1", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = 5e-324", ":53:8", "at most"),
     ("instants", "start = 0\nstop = 1\nstep = nan", ":53:8", "finite"),
-    ("instants", "start = 1e17\nstop = 1.0000000000000002e17\nstep = 1", ":53:8", "the time step 1 s is lost in rounding beside a time of 1e17 s"),
+    ("instants", "start = 1e17\nstop = 1.0000000000000002e17\nstep = 1", ":53:8", "the time step 1 s is too small to change a time of 1e17 s"),
     ("instants", "instants = [0.0, -inf]", ":51:18", "finite"),
     ("theta = [", "theta = [1e308, 1e308]", ":55:9", "between 0 and pi"),
     ("theta = [", "theta = [0.7, inf]", ":55:9", "finite"),

@@ -165,7 +165,7 @@ fn a_marker_on_points_that_are_not_rigid_is_noted() {
     let loose = rigid.replace("link aft: rear -> tip;", "drive side: tip.x - rear.x;");
     let output = check(&loose.replace("bump = 0.0", "bump = 0.0, side = 0.2"), &[]);
     let note = line(&output, "note");
-    let said = "nothing keeps `rear` and `tip` apart, which carry `seat`";
+    let said = "the distance of `rear` and `tip`, which carry `seat`, is not constant";
     assert!(note.contains(said), "{note}");
 }
 
@@ -182,5 +182,8 @@ fn a_marker_on_points_that_links_make_rigid_is_not_noted() {
     let links = links.replace("q, front, post", "q, post, tip");
     let output = check(&file.replace("drive bump", &links), &[]);
     let note = line(&output, "note");
-    assert!(note.contains("nothing keeps `q` and `tip` apart"), "{note}");
+    assert!(
+        note.contains("the distance of `q` and `tip`, which carry `mk`, is not constant"),
+        "{note}"
+    );
 }

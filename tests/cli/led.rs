@@ -88,8 +88,7 @@ fn a_led_motion_is_the_driven_one_at_another_pace() {
     );
 }
 
-/// The example goes through the turning point of theta, and is there and beyond where the curve
-/// of `suspension range` is.
+/// The example passes the turning point of theta, and at and beyond it agrees with the curve of `suspension range`.
 #[test]
 fn height_leads_through_the_turning_point_of_theta() {
     let folder = folder();
@@ -106,7 +105,7 @@ fn height_leads_through_the_turning_point_of_theta() {
     let turning = (0..curve.len())
         .find(|index| curve[*index]["turns"] == 1.0 && curve[*index]["theta_rad"] < 0.7)
         .expect("a turning point");
-    // Along the curve the height falls one way from there and rises the other.
+    // Along the curve the height falls in one direction from there and rises in the other.
     let falls_onwards = height(turning + 1) < height(turning);
     let along = |steps: usize| {
         if falls_onwards {
@@ -150,7 +149,7 @@ fn where_the_measure_turns_the_motion_ends() {
     for expected in [
         "no configuration at t = 9.2 s with height = -102 mm",
         "goes no further than height = -100.14 mm",
-        "measure `height` turns at -100.14 mm",
+        "measure `height` has an extreme value of -100.14 mm",
         "184 rows were kept",
     ] {
         assert!(
@@ -173,7 +172,7 @@ fn a_first_height_beyond_the_turn_is_out_of_reach() {
     assert_eq!(message.lines().count(), 1);
     for expected in [
         "t = 0 s with height = 360 mm",
-        "measure `height` turns at 358.9",
+        "measure `height` has an extreme value of 358.9",
     ] {
         assert!(
             message.contains(expected),
@@ -228,11 +227,11 @@ fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
     let cases = [
         (
             "theta = [0.7]\nheight = [50.0]",
-            ":52:1: measure `height` can lead only in place",
+            ":52:1: measure `height` can only replace a drive",
         ),
         (
             "bump = [50.0]",
-            ":51:1: unknown drive `bump`; the drives are theta, and in place of one may lead height",
+            ":51:1: unknown drive `bump`; the drives are theta, and one of them may be replaced by height",
         ),
         (
             "height = []",
@@ -277,7 +276,8 @@ fn bake_needs_drives_to_lead() {
     );
     let output = run(folder.path(), &["bake", "a.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let expected = "a.toml:51:1: `height` is a measure; suspension bake needs";
+    let expected =
+        "a.toml:51:1: `height` is a measure that prescribes the motion; suspension bake needs";
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
     let files = std::fs::read_dir(folder.path()).expect("a folder").count();
     assert_eq!(files, 1);

@@ -147,7 +147,7 @@ fn what_is_missing_or_wrong_is_said() {
         ),
         (
             vec!["sheet", "a.toml", "--travel", "1:0"],
-            "FROM is less than TO, as in -0.06:0.06",
+            "FROM must be less than TO, as in -0.06:0.06",
         ),
         (
             vec!["sheet", "a.toml", "--out", "a.toml"],
@@ -230,8 +230,8 @@ fn a_mechanism_that_steers_alone_is_told_what_has_its_tables() {
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(folder.path(), &["sheet", "a.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let expected = "a.toml: no drive moves the wheel up and down but in steering, and curves are over travel; state one in the listing, as \
-                    `drive bump: wheel_centre.z;` where the wheel can rise; `suspension sweep` has tables over any drive\n";
+    let expected = "a.toml: the curves need a drive that moves the wheel up and down, and only steering does; if the wheel can rise, add \
+                    one to the listing, for example `drive bump: wheel_centre.z;`; `suspension sweep` makes tables over any drive\n";
     assert_eq!(text(&output.stderr), expected);
 }
 

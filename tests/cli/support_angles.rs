@@ -89,7 +89,7 @@ fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f
 fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
     let (design, notes) = of_axle("twist_beam", "wheel_radius = 0.29");
     assert!(
-        notes.contains("the chassis is taken to bear the torque of the drive, through shafts"),
+        notes.contains("the chassis is assumed to bear the torque of the drive, through shafts"),
         "{notes}"
     );
     // A bush is 0.46 m ahead of the contact point and 0.30 m above it.
@@ -140,7 +140,7 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
         ("axle = \"middle\"\n", "unknown word `middle`"),
         (
             "brake_share = 60\n",
-            "brake_share is the axle's share of the force, from 0 to 1",
+            "brake_share must be the axle's share of the force, from 0 to 1",
         ),
         ("brake_torque = \"hub\"\n", "\"carrier\" or \"chassis\""),
     ] {

@@ -132,7 +132,7 @@ fn the_text_tells_both_and_wrong_tolerances_are_refused() {
         ("axel = 0.001", "unknown point or link `axel`; known are "),
         (
             "axle = -0.001",
-            "a tolerance is a standard deviation in the unit of lengths: zero or a positive number",
+            "a tolerance must be zero or a positive number: the standard deviation in the unit of lengths",
         ),
     ] {
         let file = format!("{CORNER}[tolerances]\n{stated}\n");

@@ -235,7 +235,7 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
         (Some(2), 1),
         "{said}"
     );
-    let message = "drive `turn` begins at 6.5 rad; an angle about an axis is driven less than a whole turn to either side";
+    let message = "drive `turn` begins at 6.5 rad; an angle about an axis must be less than a whole turn to either side";
     assert!(said.contains(message), "{said}");
 }
 

@@ -100,7 +100,7 @@ fn of_one_side(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.how_named();
     format!(
-        "; `mirror` makes an image of all that is named `{stated}`: {named}, such as a Panhard rod"
+        "; `mirror` makes an image of every part with `{stated}` in its name: {named}, such as a Panhard rod"
     )
 }
 

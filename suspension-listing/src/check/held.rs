@@ -31,7 +31,8 @@ fn in_line(system: &System, body: &Body) -> Option<String> {
     let [a, b, c] = &body.frame.each_ref().map(|site| &site.name);
     are_in_line(&places?).then(|| {
         format!(
-            "; the points of body `{}` lie in line, about which it spins: in its place write `link NAME: {a} -> {b};`, unless \
+            "; the points of body `{}` lie on one line, about which the body can rotate: in place of the body write \
+             `link NAME: {a} -> {b};`, unless \
              another body keeps these, and for each other point `slide NAME: {c} on {a} -> {b};` and `link NAME: {a} -> {c};`",
             body.name
         )
@@ -54,8 +55,8 @@ fn on_one_slide(system: &System, body: &Body) -> Option<String> {
     let is_on_chassis = body.points().any(|point| !point.is_free());
     (only.origin.kind == Kind::SLIDE && !is_on_chassis).then(|| {
         format!(
-            "; slide `{}` alone holds body `{}`, which is free to rotate about the point that slides: with a second `slide` on the same \
-             line it rotates about the line alone, and a `plane` for a third point stops that too",
+            "; slide `{}` alone holds body `{}`, which can still rotate about the sliding point: a second `slide` on the same line \
+             leaves only the rotation about the line, and a `plane` for a third point prevents that too",
             only.origin.statement, body.name
         )
     })
@@ -79,7 +80,7 @@ fn on_two(system: &System, body: &Body) -> Option<String> {
         return None;
     }
     Some(format!(
-        "; body `{}` is held at `{}` and `{}` alone and spins about the line through them: an `angle` or a third attachment stops it",
+        "; body `{}` is held only at `{}` and `{}` and can rotate about the line through them: an `angle` or a third attachment prevents that",
         body.name, first.name, second.name
     ))
 }

@@ -33,7 +33,7 @@ fn drive_moves_nothing(point: &Ident) -> Error {
     errors::at(
         point,
         format!(
-            "the drive moves chassis point `{point}`, and nothing with it; join `{point}` by a link \
+            "the drive moves chassis point `{point}`, to which nothing is attached; join `{point}` by a link \
              or a body, or remove the drive"
         ),
     )

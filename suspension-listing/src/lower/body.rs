@@ -96,8 +96,8 @@ fn closed_twice(body: &Ident, a: &Name, b: &Name) -> Error {
     errors::at(
         body,
         format!(
-            "another body keeps the distance of `{a}` and `{b}` already, and `{body}` can share \
-             one such pair only; join `{b}` to `{body}` by links instead"
+            "another body keeps the distance of `{a}` and `{b}` already, and `{body}` can share only \
+             one such pair; join `{b}` to `{body}` by links instead"
         ),
     )
 }

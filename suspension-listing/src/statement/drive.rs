@@ -191,8 +191,8 @@ fn moved_twice(name: &Ident, point: &Ident, other: &Ident) -> Error {
     errors::at(
         name,
         format!(
-            "drive `{other}` moves `{point}` already, and a point driven along a direction takes one \
-             drive alone; remove one of them, or write both as coordinates"
+            "drive `{other}` moves `{point}` already, and a point driven along a direction can have \
+             only one drive; remove one of them, or write both as coordinates"
         ),
     )
 }
@@ -201,7 +201,7 @@ fn moved_beside_image(name: &Ident, point: &Ident, image: &Ident) -> Error {
     errors::at(
         name,
         format!(
-            "`mirror` makes drive `{image}`, which moves `{point}` too, and a point driven along a direction takes one drive alone; \
+            "`mirror` makes drive `{image}`, which moves `{point}` too, and a point driven along a direction can have only one drive; \
              remove `{name}`, or write both as coordinates"
         ),
     )

@@ -47,7 +47,7 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<Source> {
     let path: LitStr = input.parse()?;
     if path.value().is_empty() {
         let message = format!(
-            "`{name}` includes no file; write the path of one of statements, as `include {name}: \"corner.linkage\";`"
+            "`{name}` names no file; write the path of a file of statements, for example `include {name}: \"corner.linkage\";`"
         );
         return Err(Error::new(path.span(), message));
     }
@@ -149,7 +149,7 @@ impl Include {
         errors::at(
             &self.name,
             format!(
-                "`{}` names something `{word}`, a word of statements; give it another name to include it",
+                "`{}` uses `{word}`, a word of statements, as a name; choose another name in that file to include it",
                 self.source.name()
             ),
         )

@@ -29,7 +29,7 @@ pub(crate) fn in_brackets<T>(
 pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
     if input.peek(Token![#]) && !input.peek2(token::Bracket) {
         return Err(input.error(if input.peek2(Token![!]) {
-            "`//!` may stand above the first statement alone; begin the line with `//`"
+            "`//!` is allowed only above the first statement; begin the line with `//`"
         } else {
             "a comment begins with `//`"
         }));

@@ -132,7 +132,7 @@ fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
     Error::new(
         place,
         format!(
-            "a number has no unit; write `{digits}` in place of `{digits}{unit}`: all lengths of a listing are in one unit"
+            "a number may not have a unit; write `{digits}` in place of `{digits}{unit}`: all lengths of a listing are in one unit"
         ),
     )
 }
@@ -140,6 +140,6 @@ fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
 fn not_a_number(place: Span) -> Error {
     Error::new(
         place,
-        "a coordinate or a factor is a finite number, for example `-1.25`",
+        "a coordinate or a factor must be a finite number, for example `-1.25`",
     )
 }

@@ -46,7 +46,7 @@ fn term(sign: f64, input: ParseStream<'_>) -> syn::Result<Term> {
     let factor = if input.peek(Lit) {
         let (span, factor) = (input.span(), number(input)?);
         if factor == 0.0 {
-            return Err(Error::new(span, "a factor is not zero; remove the term"));
+            return Err(Error::new(span, "the factor is zero; remove the term"));
         }
         input.parse::<Option<Token![*]>>()?;
         factor

@@ -128,9 +128,8 @@ fn a_body_on_one_slide_is_said_to_turn_where_equations_are_missing() {
         )
     };
     let said = only_message(&with("measure far: length(hub -> side);"));
-    let expected = "3 more needed: add a link, a drive, or list a point in its body; slide `guide` alone holds body `carriage`, which is \
-                    free to rotate about the point that slides: with a second `slide` on the same line it rotates about the line alone, and a \
-                    `plane` for a third point stops that too";
+    let expected = "3 more needed: add a link, a drive, or list a point in its body; slide `guide` alone holds body `carriage`, which can still \
+                    rotate about the sliding point: a second `slide` on the same line leaves only the rotation about the line, and a `plane` for a third point prevents that too";
     assert!(said.ends_with(expected), "{said}");
     let second = "slide upper: b on low -> high;\n";
     let said = only_message(&with(&format!("{second}measure far: length(hub -> side);")));

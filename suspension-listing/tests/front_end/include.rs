@@ -135,7 +135,7 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
         ),
         (
             "include left: \"circle\";",
-            "look for one that includes itself",
+            "check whether a listing includes itself",
         ),
         (
             "include front: \"mirrored\";",
@@ -144,11 +144,11 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
         ),
         (
             "include left: \"words\";",
-            "vehicle:1:9: `words` names something `on`, a word of statements; give it another name to include it",
+            "vehicle:1:9: `words` uses `on`, a word of statements, as a name; choose another name in that file to include it",
         ),
         (
             "include left: \"about\";",
-            "`about` names something `about`, a word of statements",
+            "`about` uses `about`, a word of statements",
         ),
         (
             "include left \"words\";",

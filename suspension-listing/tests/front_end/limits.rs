@@ -11,7 +11,7 @@ fn what_is_too_large_is_refused() {
     let deep = "[".repeat(9) + &"]".repeat(9);
     assert_eq!(
         only_message(&format!("fixed: a at {deep};")),
-        "more than 8 brackets within each other"
+        "brackets are nested more than 8 deep"
     );
     let points = |count: usize| {
         let names = (0..count)
@@ -68,7 +68,7 @@ fn a_number_that_would_take_long_is_refused() {
         let told = all.iter().map(|mistake| mistake.message.as_str());
         assert_eq!(
             told.collect::<Vec<_>>(),
-            ["a number of more than 100 characters"]
+            ["a number has more than 100 characters"]
         );
         assert_eq!((all[0].column, all[0].length), (19, digits));
     }

@@ -53,7 +53,7 @@ fn an_angle_of_an_axis_about_a_line_is_told_how_it_is_written() {
                 measure turn: angle(a -> p, z about a -> b);";
     let message = only_message(text);
     assert!(
-        message.starts_with("an angle about a line is one between two lines; "),
+        message.starts_with("an angle about a line must be between two lines; "),
         "{message}"
     );
 }
@@ -103,7 +103,7 @@ fn a_body_in_line_is_said_to_spin_where_an_equation_is_missing() {
         )
     };
     let said = only_message(&rod("[0, 0.5, 1]"));
-    let expected = "; the points of body `rod` lie in line, about which it spins: in its place write `link NAME: p -> q;`, unless another \
+    let expected = "; the points of body `rod` lie on one line, about which the body can rotate: in place of the body write `link NAME: p -> q;`, unless another \
                     body keeps these, and for each other point `slide NAME: r on p -> q;` and `link NAME: p -> r;`";
     assert!(said.ends_with(expected), "{said}");
 }
@@ -117,8 +117,8 @@ fn a_body_on_two_ball_joints_is_said_to_spin_where_an_equation_is_missing() {
         )
     };
     let said = only_message(&with("measure far: length(seat -> c);"));
-    let expected = "1 more needed: add a link, a drive, or list a point in its body; body `rod` is held at `a` and `p` alone and spins \
-                    about the line through them: an `angle` or a third attachment stops it";
+    let expected = "1 more needed: add a link, a drive, or list a point in its body; body `rod` is held only at `a` and `p` and can \
+                    rotate about the line through them: an `angle` or a third attachment prevents that";
     assert!(said.ends_with(expected), "{said}");
     for stops in ["angle still: a -> seat, b -> c;", "link third: c -> seat;"] {
         let read = text::parse(&with(stops), "corner.linkage", &NoIncludes);

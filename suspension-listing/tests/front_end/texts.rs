@@ -117,7 +117,7 @@ fn a_number_with_its_unit_is_refused() {
     ] {
         let told = mistakes(text);
         let expected = format!(
-            "a number has no unit; write `{number}` in place of `{number}{unit}`: all lengths of a listing are in one unit"
+            "a number may not have a unit; write `{number}` in place of `{number}{unit}`: all lengths of a listing are in one unit"
         );
         let found = told.iter().find(|mistake| mistake.message == expected);
         let found = found.unwrap_or_else(|| panic!("{text}: {told:?}"));
@@ -129,29 +129,26 @@ fn a_number_with_its_unit_is_refused() {
 fn what_is_no_token_is_told() {
     for (text, message) in [
         ("fixed: a at [0, 1, 2;", "`[` is not closed; close it"),
-        ("fixed: a];", "`]` closes nothing; remove it"),
-        (
-            "fixed: a; \u{a7}",
-            "what begins with `\u{a7}` cannot be read; remove it",
-        ),
-        ("/* fixed: a;", "`/*` is not closed; close it by `*/`"),
+        ("fixed: a];", "`]` has no opening bracket; remove it"),
+        ("fixed: a; \u{a7}", "unexpected `\u{a7}`; remove it"),
+        ("/* fixed: a;", "`/*` is not closed; close it with `*/`"),
         ("include b: \"b.linkage;", "`\"` is not closed; close it"),
         (
             "fixed: \0a;",
-            "the character '\\0' cannot be read; remove it",
+            "the character '\\0' is not allowed; remove it",
         ),
         ("fixed: a;\n# a rack", "a comment begins with `//`"),
         (
             "fixed: a;\n//! a rack",
-            "`//!` may stand above the first statement alone; begin the line with `//`",
+            "`//!` is allowed only above the first statement; begin the line with `//`",
         ),
         (
             "include b: \"\";",
-            "`b` includes no file; write the path of one of statements, as `include b: \"corner.linkage\";`",
+            "`b` names no file; write the path of a file of statements, for example `include b: \"corner.linkage\";`",
         ),
         (
             "// the rack\rfixed: a;\r\nfree: p;",
-            "a line ends by a carriage return alone; end each by a line feed, with or without a carriage return before it",
+            "a line ends with a carriage return alone; end each line with a line feed, with or without a carriage return before it",
         ),
     ] {
         assert_eq!(only_message(text), message);

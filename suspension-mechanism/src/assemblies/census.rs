@@ -124,7 +124,7 @@ impl Tally {
         };
         let unconfirmed = (self.unconfirmed > 0).then(|| {
             let count = self.unconfirmed;
-            format!("{count} that were put together are not confirmed as a whole")
+            format!("{count} that were combined from the parts are not confirmed for the whole mechanism")
         });
         let cut = self
             .is_cut

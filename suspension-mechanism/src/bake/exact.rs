@@ -22,7 +22,7 @@ pub struct OutOfReach {
 impl fmt::Display for OutOfReach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [from, to] = self.reached.map(number);
-        write!(f, "the mechanism takes the drive from {from} to {to} only")?;
+        write!(f, "the drive moves the mechanism only from {from} to {to}")?;
         self.cause.map_or(Ok(()), |cause| write!(f, ": {cause}"))
     }
 }

@@ -92,8 +92,8 @@ fn no_travel(names: &Names) -> String {
             let [_, centre] = wheel.points.axis;
             let centre = &names.points[centre];
             format!(
-                "no drive moves the wheel up and down but in steering, and curves are over travel; state one in the listing, as \
-                 `drive bump: {centre}.z;` where the wheel can rise; `suspension sweep` has tables over any drive"
+                "the curves need a drive that moves the wheel up and down, and only steering does; if the wheel can rise, add \
+                 one to the listing, for example `drive bump: {centre}.z;`; `suspension sweep` makes tables over any drive"
             )
         }
         _ => {
@@ -109,7 +109,7 @@ fn no_travel(names: &Names) -> String {
 /// The failure that an option moves a drive that steers although no drive does.
 pub fn no_steering(file: &str) -> Failure {
     Failure::Input(format!(
-        "{file}: no drive steers, so that there is nothing for --steer; where one does, write [vehicle] with steer = \"NAME\""
+        "{file}: no drive steers, so --steer has no effect; if one does, write [vehicle] with steer = \"NAME\""
     ))
 }
 

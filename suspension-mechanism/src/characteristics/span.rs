@@ -15,7 +15,7 @@ impl FromStr for Span {
         let ends = ends.and_then(|(from, to)| Some([number(from)?, number(to)?]));
         match ends {
             Some([from, to]) if from < to => Ok(Self([from, to])),
-            Some(_) => Err("FROM is less than TO, as in -0.06:0.06".to_owned()),
+            Some(_) => Err("FROM must be less than TO, as in -0.06:0.06".to_owned()),
             None => Err("write FROM:TO, as -0.06:0.06".to_owned()),
         }
     }
@@ -32,8 +32,8 @@ mod tests {
             ("0.03", "write FROM:TO, as -0.06:0.06"),
             ("a:1", "write FROM:TO, as -0.06:0.06"),
             ("0:inf", "write FROM:TO, as -0.06:0.06"),
-            ("0.03:-0.03", "FROM is less than TO, as in -0.06:0.06"),
-            ("0:0", "FROM is less than TO, as in -0.06:0.06"),
+            ("0.03:-0.03", "FROM must be less than TO, as in -0.06:0.06"),
+            ("0:0", "FROM must be less than TO, as in -0.06:0.06"),
         ] {
             assert_eq!(text.parse::<Span>(), Err(expected.to_owned()));
         }

@@ -22,7 +22,7 @@ pub(super) fn check(source: &Source, names: &Names, unit: Unit) -> Result<(), Fa
             (&column, first)
         };
         return Err(Failure::Input(format!(
-            "{}: `{}` of the listing would be the column `{name}` of tables, as {} is: give it another name",
+            "{}: `{}` of the listing would have the column name `{name}` of {} in tables: give it another name",
             source.name(),
             of_listing.name,
             other.quantity.title

@@ -172,7 +172,7 @@ fn on_another_turn(task: &Task<'_>, stated: impl Iterator<Item = (f64, f64)>) ->
     let (name, unit) = (&drive.name, file.angle.symbol());
     let at = rounded(at * file.angle.radian(), 6);
     Some(format!(
-        "the points have `{name}` at {at} {unit}: state it less than half a turn from there in [design]"
+        "`{name}` is {at} {unit} at the points, and [design] must state a value less than half a turn from it"
     ))
 }
 

@@ -48,8 +48,8 @@ fn in_words(body: &FlatBody<'_>, is_of_catalogue: bool) -> String {
     };
     if *is_hinge {
         format!(
-            "point `{third}` of hinge `{name}` lies on the axis `{first}`, `{second}`, and the first point behind the arrow carries \
-             the others together with the axis; {remedy}move it off the axis"
+            "point `{third}` of hinge `{name}` lies on the axis `{first}`, `{second}`, and the first point after the arrow must be \
+             off the axis, because the axis and this point carry the other points; {remedy}move it off the axis"
         )
     } else {
         format!(

@@ -66,11 +66,11 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     let name = task.source.name();
     let inputs = way.inputs::<L::Drives>(0.0);
     let curve = Curve::new(&design.model, &inputs, drive)
-        .ok_or_else(|| Failure::Solver(format!("{name}: there is no such drive")))?;
+        .ok_or_else(|| Failure::Solver(format!("{name}: no such drive")))?;
     Led::at_rest(&curve, &design.q).map_err(|error| {
         let cause = task.names.cause(&error);
         Failure::Solver(format!(
-            "{name}: no measure leads from the design position: {cause}"
+            "{name}: a measure cannot replace a drive at the design position: {cause}"
         ))
     })
 }

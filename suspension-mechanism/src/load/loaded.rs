@@ -233,8 +233,9 @@ impl Loaded<'_> {
         let measure = &mechanism.names.measures[measure].name;
         let stated = table.get_ref().get_key_value(measure.as_str());
         let place = stated.map_or_else(|| table.span(), |(key, _)| key.span());
-        let message =
-            format!("`{measure}` is a measure; {command} needs a motion that drives lead");
+        let message = format!(
+            "`{measure}` is a measure that prescribes the motion; {command} needs a motion that is prescribed by drives alone"
+        );
         Err(self.source.refuse(&place, message))
     }
 

@@ -121,7 +121,7 @@ impl Reader<'_> {
                 let mut points = self.task.names.points.iter().zip(self.design).enumerate();
                 let found = points.find(|(_, (name, _))| *name == point);
                 let (number, (_, at)) = found.ok_or_else(|| {
-                    let message = format!("`{point}` is no point of the listing");
+                    let message = format!("`{point}` is not a point of the listing");
                     self.task.source.refuse(&stated.centre.span(), message)
                 })?;
                 (*at, Some(number))
@@ -139,8 +139,8 @@ impl Reader<'_> {
         }
         let inertia = inertia.filter(is_inertia).ok_or_else(|| {
             let message = format!(
-                "the inertia of `{name}` is [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] in kg m^2, no principal one negative or larger \
-                 than the other two together"
+                "the inertia of `{name}` must be [xx, yy, zz] or [xx, yy, zz, xy, yz, zx] in kg m^2, and no principal moment of inertia \
+                 may be negative or larger than the sum of the other two"
             );
             self.task.source.refuse(&stated.centre.span(), message)
         })?;

@@ -94,8 +94,8 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     let name = task.source.name();
     let notes = markers.iter().map(|[marker, from, to]| {
         format!(
-            "{name}: nothing keeps `{from}` and `{to}` apart, which carry `{marker}`: its distances from them change as they move; \
-             let a body carry it, or three points of one"
+            "{name}: the distance of `{from}` and `{to}`, which carry `{marker}`, is not constant, so that its distances from them \
+             change too; let a body carry it, or three points of one"
         )
     });
     notes.collect()
@@ -143,7 +143,7 @@ fn moved<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, placed: &P) -> Opt
     task.file.lengths.as_ref()?;
     let (point, off) = furthest(task, [given, placed], ROUGH)?;
     Some(format!(
-        "with [lengths] free points are but a guess: the lengths put `{point}` {off} from where the file has it; \
+        "with [lengths] the free points are only a guess: the lengths put `{point}` {off} from where the file has it; \
          to move it, change the lengths or leave [lengths] out"
     ))
 }

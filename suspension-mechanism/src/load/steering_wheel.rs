@@ -96,7 +96,7 @@ impl Gear<'_> {
         let stated = Some((*self.stated.get_ref(), self.stated.span()));
         let ratio = checked(task, stated, is_positive, || {
             format!(
-                "{BOX} is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0"
+                "{BOX} is not a positive finite number; write the steering wheel's angle per angle of the pitman arm, for example 16.0"
             )
         })?;
         Ok(ratio.map(|ratio| TAU / ratio))
@@ -130,13 +130,13 @@ impl Gear<'_> {
     fn of_another_kind(&self, drive: &str) -> String {
         if self.is_of_angle {
             format!(
-                "{BOX} is of a drive that is an angle, and the drive that steers, {drive}, is none; leave {BOX} out and write {RACK}, how far \
-                 it moves in a turn of the steering wheel"
+                "{BOX} is for a drive that is an angle, but the drive that steers, {drive}, is not; leave {BOX} out and write {RACK}, the \
+                 drive's travel per turn of the steering wheel"
             )
         } else {
             format!(
-                "{RACK} is the travel of a rack, and the drive that steers, {drive}, is an angle; leave {RACK} out and write {BOX}, how far the \
-                 steering wheel turns for that angle, as 16.0"
+                "{RACK} is the travel of a rack, but the drive that steers, {drive}, is an angle; leave {RACK} out and write {BOX}, the \
+                 steering wheel's angle per angle of the drive, for example 16.0"
             )
         }
     }

@@ -39,7 +39,7 @@ pub(super) fn tolerances(
         })?;
         let value = *deviation.get_ref();
         if !(value.is_finite() && value >= 0.0) {
-            let message = "a tolerance is a standard deviation in the unit of lengths: zero or a positive number";
+            let message = "a tolerance must be zero or a positive number: the standard deviation in the unit of lengths";
             return Err(source.refuse(&deviation.span(), message));
         }
         found.extend(changes.into_iter().map(|change| Tolerance {

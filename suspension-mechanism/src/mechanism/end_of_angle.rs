@@ -52,12 +52,12 @@ impl EndOfAngle {
         let (name, symbol) = (&drive.name, dimension.symbol(unit));
         let remedy = match drive.kind {
             DriveKind::Angle => {
-                "; to drive it there and past it, write it in the listing as one about a line: `angle(p -> q, r -> s about t -> u)`"
+                "; to drive it beyond, write it in the listing as an angle about a line: `angle(p -> q, r -> s about t -> u)`"
             }
             _ => "",
         };
         format!(
-            "the angle `{name}` ends at {end} {symbol}, beyond it the same positions come again{remedy}"
+            "the angle `{name}` ends at {end} {symbol}, and beyond it the same positions repeat{remedy}"
         )
     }
 }

@@ -108,7 +108,7 @@ impl<const N: usize> Lead<N> {
     pub fn cause(&self, names: &Names, error: &SolveError<f64>, unit: Unit) -> String {
         match error {
             SolveError::TurningPoint { extreme, .. } => format!(
-                "measure `{}` turns at {}, there is none beyond on this branch",
+                "measure `{}` has an extreme value of {} and no values beyond it on this branch",
                 names.measures[self.measure].name,
                 self.value_in_words(names, *extreme, unit)
             ),

@@ -73,7 +73,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             Moving::Led(lead, _) => {
                 let in_words = |t: f64| lead.in_words(names, &at(t), t, unit);
                 let cause = stopped.refused.map_or_else(
-                    || "the time is too far away".to_owned(),
+                    || "the time is too large".to_owned(),
                     |(_, error)| lead.cause(names, &error, unit),
                 );
                 let reached = in_words(stopped.reached);

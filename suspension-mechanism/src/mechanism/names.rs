@@ -223,7 +223,7 @@ impl Names {
             (Some(wanted), _) => {
                 let found = names.iter().position(|name| *name == wanted);
                 found.ok_or_else(|| match self.of_measures().contains(&wanted) {
-                    true => format!("`{wanted}` is a measure, no drive; the drives are {all}"),
+                    true => format!("`{wanted}` is a measure, not a drive; the drives are {all}"),
                     false => unknown("drive", wanted, &names),
                 })
             }

@@ -104,7 +104,7 @@ fn run<L: Suspension<N>, const N: usize>(
     let [first, _] = mechanism.instants.ends();
     let inputs = mechanism.drives.inputs(first);
     let curve = Curve::new(&mechanism.model, &inputs, index)
-        .ok_or_else(|| Failure::Solver("there is no such drive".to_owned()))?;
+        .ok_or_else(|| Failure::Solver("no such drive".to_owned()))?;
     let lost = |error| mechanism.names.cause(&error);
     let mut path = settings
         .path(curve, &mechanism.start.position, increasing)

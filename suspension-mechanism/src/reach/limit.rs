@@ -43,7 +43,7 @@ impl Limit {
                 format!("{lock}{}", fault.unwrap_or_default())
             }
             Self::EndOfAngle => {
-                "the end of the angle, beyond it the same positions come again".to_owned()
+                "the end of the angle, and beyond it the same positions repeat".to_owned()
             }
             Self::ZeroLength(fault) => fault.clone(),
             Self::Bifurcation(accuracy) => format!(

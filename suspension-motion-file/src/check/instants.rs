@@ -56,7 +56,7 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     let count = Instants::count_stepped(first, stop, step);
     if count.is_nan() || count > MOST_INSTANTS {
         return refuse(format!(
-            "the time step {} s makes {} instants; at most {MOST_INSTANTS} are allowed",
+            "the time step {} s gives {} instants; at most {MOST_INSTANTS} are allowed",
             exact(step),
             rounded(count, 12)
         ));
@@ -64,7 +64,7 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     let farthest = first.abs().max(stop.abs());
     if count >= 2.0 && step.abs() < farthest * f64::EPSILON {
         return refuse(format!(
-            "the time step {} s is lost in rounding beside a time of {} s",
+            "the time step {} s is too small to change a time of {} s",
             exact(step),
             rounded(farthest, 12)
         ));
@@ -98,7 +98,7 @@ fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants
         };
         if !onwards {
             let message = format!(
-                "the instants must run one way, but {} s follows {} s",
+                "the instants must increase or decrease throughout, but {} s follows {} s",
                 exact(pair[1]),
                 exact(pair[0])
             );

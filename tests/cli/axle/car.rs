@@ -1,4 +1,4 @@
-//! A front and a rear axle in one listing: each is what it is alone.
+//! A front and a rear axle in one listing: each moves like the axle alone.
 
 use super::*;
 
@@ -14,14 +14,14 @@ fn vehicle(radius: &str, brake_share: &str) -> String {
     )
 }
 
-/// A file of a linkage, off its design in heave, roll and steering.
+/// Returns the file of a linkage away from its design position in heave, roll and steering.
 fn moved(linkage: &str, vehicle: &str, drives: &str) -> String {
     format!(
         "linkage = \"{linkage}\"\nunit = \"m\"\n[vehicle]\n{vehicle}[time]\ninstants = [0.0]\n[drives]\n{drives}\n"
     )
 }
 
-/// The first rows of a sweep over one value, by name.
+/// Returns the first rows of a sweep over one value, by name.
 fn swept(file: &str, drive: &str) -> Row {
     table(
         file,
@@ -38,7 +38,7 @@ fn swept(file: &str, drive: &str) -> Row {
     .expect("a row")
 }
 
-/// Holds what the car has of an axle against the axle alone.
+/// Compares the columns of an axle of the car with the axle alone.
 fn check(car: &Row, alone: &Row, axle: &str, back: f64) {
     let mut compared = 0;
     let quantities = alone
@@ -87,7 +87,7 @@ fn each_axle_of_a_car_is_what_it_is_alone() {
     assert!(of_rear.contains_key("right_anti_lift_percent"));
 }
 
-/// What moves one axle moves no wheel of the other.
+/// The drives of one axle move no wheel of the other.
 #[test]
 fn an_axle_does_not_feel_the_other() {
     let car = moved("front_and_rear_axle", &vehicle("0.3", "0.5"), AT_DESIGN);
@@ -122,7 +122,7 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
         ),
         (
             "brake_share = { front = 1.5 }\nwheelbase = 2.6\ncg_height = 0.5\n",
-            "brake_share is the axle's share of the force, from 0 to 1",
+            "brake_share must be the axle's share of the force, from 0 to 1",
         ),
         (
             "brake_share = 0.6\nwheelbase = 2.6\ncg_height = 0.5\n",
@@ -151,7 +151,7 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
     }
 }
 
-/// A corner in a file in millimetres, twice by `mirror`, beside its motion file.
+/// A corner in a file in millimetres, twice by `mirror`, with the motion file in the same folder.
 #[test]
 fn a_corner_in_a_file_makes_an_axle() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! A steering box: the angle of its arm steers.
+//! A steering box: the angle of its pitman arm steers.
 
 use super::steering_wheel::{check, check_refused};
 use super::{assert_near, folder, run, table, text};
@@ -23,7 +23,8 @@ fn on_a_steering_box(vehicle: &str) -> String {
     )
 }
 
-/// The same with the angle about the arm's axis that the page has for it, zero at the design, where its end is in the place of `straight`.
+/// The same with the angle about the arm's axis that the documentation shows, zero at the design position, where the end of
+/// the arm is at `straight`.
 fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
     let page = include_str!("../../../docs/layouts.md");
     let angle = page
@@ -144,7 +145,7 @@ fn degrees_of_a_drive_are_in_tables_as_they_are_stated() {
 #[test]
 fn a_ratio_of_a_steering_box_that_makes_no_sense_is_refused() {
     let of_a_rack =
-        "rack_per_turn is the travel of a rack, and the drive that steers, `steer`, is an angle";
+        "rack_per_turn is the travel of a rack, but the drive that steers, `steer`, is an angle";
     for (vehicle, expected) in [
         (
             "steering_box_ratio = 16.0\nrack_per_turn = 0.052",
@@ -153,7 +154,7 @@ fn a_ratio_of_a_steering_box_that_makes_no_sense_is_refused() {
         ("rack_per_turn = 0.0", of_a_rack),
         (
             "steering_box_ratio = 0.0",
-            "steering_box_ratio is not a positive finite number; write how far the steering wheel turns for the angle of its arm, as 16.0",
+            "steering_box_ratio is not a positive finite number; write the steering wheel's angle per angle of the pitman arm, for example 16.0",
         ),
     ] {
         check_refused(on_a_steering_box(vehicle), expected);

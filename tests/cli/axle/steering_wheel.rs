@@ -8,7 +8,7 @@ use super::{DESIGN, Row, assert_near, file, folder, run, table, text};
 /// C-factor, m.
 const PER_TURN: f64 = 0.052;
 
-/// A step of the rack at which differences tell the ratio, m.
+/// A step of the rack for which differences show the ratio, m.
 const STEP: f64 = 1e-4;
 
 /// A corner with its points in other axes and another unit.
@@ -78,7 +78,7 @@ fn the_steering_ratio_is_that_of_differences_over_the_rack() {
     }
 }
 
-/// On a rack that is behind the axle, or is counted the other way, a turn to the left is one to the left all the same.
+/// With a rack behind the axle, or with the opposite sign, a turn to the left is still one to the left.
 #[test]
 fn the_wheel_is_turned_to_the_left_where_the_road_wheels_are() {
     let left = Corner {
@@ -211,18 +211,18 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
         ),
         (
             turned_about_an_axis,
-            "rack_per_turn is the travel of a rack, and the drive that steers, `theta`, is an angle; leave rack_per_turn out and write steering_box_ratio, \
-             how far the steering wheel turns for that angle, as 16.0",
+            "rack_per_turn is the travel of a rack, but the drive that steers, `theta`, is an angle; leave rack_per_turn out and write steering_box_ratio, \
+             the steering wheel's angle per angle of the drive, for example 16.0",
         ),
         (
             steered("steering_box_ratio = 16.0"),
-            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; leave steering_box_ratio out and write rack_per_turn, \
-             how far it moves in a turn of the steering wheel",
+            "steering_box_ratio is for a drive that is an angle, but the drive that steers, `steer`, is not; leave steering_box_ratio out and write rack_per_turn, \
+             the drive's travel per turn of the steering wheel",
         ),
         (
             steered("steering_box_ratio = 0.0"),
-            "steering_box_ratio is of a drive that is an angle, and the drive that steers, `steer`, is none; leave steering_box_ratio out and write rack_per_turn, \
-             how far it moves in a turn of the steering wheel",
+            "steering_box_ratio is for a drive that is an angle, but the drive that steers, `steer`, is not; leave steering_box_ratio out and write rack_per_turn, \
+             the drive's travel per turn of the steering wheel",
         ),
         (
             steered("steer = { left = \"steer\", right = \"bump_right\" }\nrack_per_turn = 0.052"),
@@ -233,11 +233,11 @@ fn a_travel_per_turn_that_makes_no_sense_is_refused() {
                 "[vehicle]",
                 "[vehicle]\n[design]\nrack_per_turn = 0.052\n[tolerances]",
             ),
-            "rack_per_turn stands under [vehicle]",
+            "rack_per_turn belongs under [vehicle]",
         ),
         (
             format!("steering_box_ratio = 16.0\n{}", steered("")),
-            "steering_box_ratio stands under [vehicle]",
+            "steering_box_ratio belongs under [vehicle]",
         ),
     ] {
         check_refused(motion, expected);
@@ -254,8 +254,8 @@ pub(super) fn check_refused(motion: String, expected: &str) {
     assert!(said.contains(expected), "{said}");
 }
 
-/// The tie rod stands across the path of its ball, which no rack moves at first. The message says that the design is singular; it does
-/// not ask for another drive of steering.
+/// The tie rod is perpendicular to the path of its ball, so that the rack does not move it at first. The message says that
+/// the design is singular; it does not ask for another drive of steering.
 #[test]
 fn a_design_in_which_the_tie_rod_locks_is_singular() {
     let folder = folder();

@@ -220,7 +220,7 @@ fn what_makes_no_sense_is_refused() {
         ),
         (
             &["--along", "damper=0.26:0.21", "--drive", "bump"],
-            "error: invalid value 'damper=0.26:0.21' for '--along <MEASURE=FROM:TO>': FROM is less than TO",
+            "error: invalid value 'damper=0.26:0.21' for '--along <MEASURE=FROM:TO>': FROM must be less than TO",
         ),
         (
             &[

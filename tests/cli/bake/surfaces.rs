@@ -215,7 +215,11 @@ fn what_no_surface_can_be_made_of_is_refused_in_one_sentence() {
             3,
             "bump = 0.24 to 0.36 m, steer = 0.1 to 0.36 m cannot be baked: the mechanism does not reach",
         ),
-        (&["--drive", "bump=0.36:0.24"], 2, "FROM is less than TO"),
+        (
+            &["--drive", "bump=0.36:0.24"],
+            2,
+            "FROM must be less than TO",
+        ),
     ] {
         let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());
         let message = text(&output.stderr);

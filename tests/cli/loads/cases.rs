@@ -70,7 +70,7 @@ fn what_is_no_load_is_refused_with_its_place() {
         ),
         (
             "[loads.a]\nbump = \"damper\"\nsteer = \"damper\"\n",
-            "a.toml:10:9: `damper` is to bear the loads of both `bump` and `steer`, and one spring bears that of one drive; name \
+            "a.toml:10:9: `damper` is to bear the loads of both `bump` and `steer`, but a spring can bear the load of only one drive; name \
              another spring or measure for `steer`",
         ),
         (
@@ -96,7 +96,7 @@ fn what_is_no_load_is_refused_with_its_place() {
         ),
         (
             "[loads.a]\nbum = \"damper\"\n",
-            "`bum` is no drive; the drives are bump, steer",
+            "`bum` is not a drive; the drives are bump, steer",
         ),
         (
             "[loads.a]\nlower_ball = { moment = [1.0, 0.0, 0.0] }\n",

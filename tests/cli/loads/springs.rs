@@ -95,11 +95,11 @@ fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
     for (line, expected) in [
         (
             "spring = \"damper\"",
-            "`spring` is no drive; the drives are bump, steer; first comes the drive whose load `damper` bears: write bump = \"damper\"",
+            "`spring` is not a drive; the drives are bump, steer; first comes the drive whose load `damper` bears: write bump = \"damper\"",
         ),
         (
             "damper = \"coil\"",
-            "`damper` is no drive; the drives are bump, steer; first comes the drive whose load `coil` bears: write bump = \"coil\"",
+            "`damper` is not a drive; the drives are bump, steer; first comes the drive whose load `coil` bears: write bump = \"coil\"",
         ),
         (
             "coil = \"bump\"",

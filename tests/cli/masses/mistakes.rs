@@ -30,12 +30,12 @@ fn what_is_no_mass_is_refused_with_its_place() {
         (
             "upright = { mass = 1.0, centre = \"hub\" }",
             "",
-            "`hub` is no point of the listing",
+            "`hub` is not a point of the listing",
         ),
         (
             "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = [1.0, 1.0, 3.0] }",
             "",
-            "no principal one negative or larger",
+            "no principal moment of inertia may be negative or larger",
         ),
         (
             "upright = { mass = 1.0, centre = \"wheel_centre\", inertia = { xx = 1.0 } }",

@@ -52,8 +52,8 @@ fn the_hinge_is_named_with_an_order_that_works() {
     );
     assert_eq!(
         said,
-        "a.toml:5:7: point `pin` of hinge `arm` lies on the axis `front`, `rear`, and the first point behind the arrow carries \
-         the others together with the axis; list `ball` before `pin`, or move it off the axis"
+        "a.toml:5:7: point `pin` of hinge `arm` lies on the axis `front`, `rear`, and the first point after the arrow must be \
+         off the axis, because the axis and this point carry the other points; list `ball` before `pin`, or move it off the axis"
     );
     works(&with_hinge("ball, pin", "[0, 0.5, 0.3]"));
 }

@@ -29,11 +29,11 @@ fn a_file_in_place_of_a_command_is_told_the_command() {
 #[test]
 fn a_key_in_the_wrong_table_is_told_where_it_stands() {
     for (line, place) in [
-        ("wheel_radius = 0.3", "wheel_radius stands under [vehicle]"),
-        ("axes = 3", "axes stands above the first table"),
+        ("wheel_radius = 0.3", "wheel_radius belongs under [vehicle]"),
+        ("axes = 3", "axes belongs above the first table"),
         (
             "axes = \"SAE\"",
-            "unit, angle and axes stand above the first table",
+            "unit, angle and axes belong above the first table",
         ),
     ] {
         let file = CORNER.replace("steer =", &format!("{line}\nsteer ="));
@@ -64,7 +64,7 @@ fn an_unknown_field_that_stands_elsewhere_is_told_where() {
     ] {
         let file = format!("{head}{lines}");
         let said = refusal("motion", &[("a.toml", &file)], &[]);
-        let expected = format!("unknown field `{key}`; {key} stands {place}");
+        let expected = format!("unknown field `{key}`; {key} belongs {place}");
         assert!(said.ends_with(&expected), "{said}");
     }
 }
@@ -180,12 +180,12 @@ fn a_file_of_another_kind_is_named_as_what_it_is() {
         (
             "a.csv",
             "lca_front, 1, 2, 3\n",
-            "this is no motion file; suspension import makes one of hardpoints",
+            "this is not a motion file; suspension import makes one from hardpoints",
         ),
         (
             "a.toml",
             "\n",
-            "the file is empty; suspension motion --help shows what stands in one",
+            "the file is empty; suspension motion --help shows what a motion file contains",
         ),
     ] {
         let said = refusal("sheet", &[(name, content)], &[]);
@@ -212,7 +212,7 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
         (
             "lower_rear  at [-0.20,",
             "lower_rear  at [rear,",
-            "a.linkage:8:24: a coordinate or a factor is a finite number, for example `-1.25`",
+            "a.linkage:8:24: a coordinate or a factor must be a finite number, for example `-1.25`",
         ),
     ] {
         let listing = listing.replace(from, to);

@@ -67,14 +67,14 @@ fn a_measure_is_not_listed_among_the_drives() {
     let said = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
     assert_eq!(
         said,
-        "`damper` is a measure, no drive; the drives are bump, steer"
+        "`damper` is a measure, not a drive; the drives are bump, steer"
     );
     let said = refusal(
         "motion",
         &[("a.toml", &CORNER.replace("steer =", "heave ="))],
         &[],
     );
-    let expected = "unknown drive `heave`; the drives are bump, steer, and in place of one may lead damper, bar_arm";
+    let expected = "unknown drive `heave`; the drives are bump, steer, and one of them may be replaced by damper, bar_arm";
     assert!(said.contains(expected), "{said}");
 }
 
@@ -127,11 +127,11 @@ fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
     for (statement, said_of) in [
         (
             "measure toe: angle(lower_ball -> upper_ball, z);",
-            "`toe` of the listing would be the column `toe_rad` of tables, as toe angle is",
+            "`toe` of the listing would have the column name `toe_rad` of toe angle in tables",
         ),
         (
             "point contact: upright at [0.0, 0.7, 0.1];",
-            "`contact` of the listing would be the column `contact_x` of tables, as contact point is",
+            "`contact` of the listing would have the column name `contact_x` of contact point in tables",
         ),
     ] {
         let listing = format!("{listing}\n{statement}\n");

@@ -148,7 +148,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         (
             &FLAT.replace("[0, 0, 2]", "[0, 0, 0]"),
             2,
-            "a direction is finite and not zero",
+            "a direction must be finite and not zero",
         ),
         (
             &FLAT.replacen("[-0.03, 0.03]", "[0.03, -0.03]", 1),
@@ -163,7 +163,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
         (
             &FLAT.replace("within = 0.02", "within = 0.0"),
             2,
-            "`within` is how far",
+            "`within` must be a positive number",
         ),
         (
             &FLAT.replace("[-0.06, 0.06]", "[-0.06, 0.6]"),

@@ -218,7 +218,7 @@ pub(super) fn check(
 pub(super) fn about_no_axis(drive: &Ident) -> Error {
     errors::at(
         drive,
-        "an angle between two lines is driven about an axis, towards one side or the other; name the line that it \
-         turns about: `angle(p -> q, r -> s about t -> u)`",
+        "a driven angle between two lines needs the line about which it turns; \
+         write `angle(p -> q, r -> s about t -> u)`",
     )
 }

@@ -67,7 +67,7 @@ fn along(input: ParseStream<'_>) -> syn::Result<Quantity> {
     if largest == 0.0 {
         return Err(Error::new(
             span,
-            "`[0, 0, 0]` is no direction; write where it points",
+            "`[0, 0, 0]` is not a direction; write a vector other than zero",
         ));
     }
     let scaled = stated.map(|x| x / largest);
@@ -126,7 +126,7 @@ fn not_about(word: &Ident) -> Error {
 fn axis_about(word: &Ident) -> Error {
     errors::at(
         word,
-        "an angle about a line is one between two lines; in place of the axis write a line, of two chassis points say: \
+        "an angle about a line must be between two lines; in place of the axis write a line, for example through two chassis points: \
          `angle(p -> q, r -> s about t -> u)`",
     )
 }

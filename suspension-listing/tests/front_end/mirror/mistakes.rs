@@ -193,7 +193,7 @@ fn a_statement_that_does_what_an_image_does_is_told_to_go() {
         ),
         (
             "drive other_bump: right along [0.0, 0.6, 0.8];",
-            "`mirror` makes drive `right_bump`, which moves `right` too, and a point driven along a direction takes one drive alone; remove \
+            "`mirror` makes drive `right_bump`, which moves `right` too, and a point driven along a direction can have only one drive; remove \
              `other_bump`, or write both as coordinates",
         ),
         (
@@ -235,7 +235,7 @@ fn a_second_drive_along_a_direction_gets_one_message() {
 fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
     let text = HALF.replace("link stay: middle", "link left_stay: left_front");
     let mistake = only_mistake(&text);
-    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of all that is named `left`: write `left` in the \
+    let expected = "1 too many: remove a link or a drive; `mirror` makes an image of every part with `left` in its name: write `left` in the \
                     names of parts that both sides have, and neither `left` nor `right` in those of parts that only one side has, such as a \
                     Panhard rod";
     assert!(mistake.message.contains(expected), "{}", mistake.message);

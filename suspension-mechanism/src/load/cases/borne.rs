@@ -29,7 +29,7 @@ impl Reader<'_> {
         if let Some((other, _)) = stated.find(|(_, own)| *own == measure) {
             let other = &self.mechanism.names.drives[*other].name;
             return Err(format!(
-                "`{by}` is to bear the loads of both `{other}` and `{name}`, and one spring bears that of one drive; name another \
+                "`{by}` is to bear the loads of both `{other}` and `{name}`, but a spring can bear the load of only one drive; name another \
                  spring or measure for `{name}`"
             ));
         }
@@ -92,7 +92,7 @@ impl Reader<'_> {
             );
         }
         let drives = known.join(", ");
-        let message = format!("`{name}` is no drive; the drives are {drives}");
+        let message = format!("`{name}` is not a drive; the drives are {drives}");
         let travel = names.vehicle.travel.first().copied().unwrap_or_default();
         match (self.measure(by), known.get(travel)) {
             (Some(_), Some(drive)) => format!(

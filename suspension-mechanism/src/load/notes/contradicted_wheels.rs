@@ -156,11 +156,11 @@ fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
         (wheel.drive_share.is_some() && (is_on_one || coupling.is_coupled())).then_some(is_on_one)
     };
     let note = if wheels.filter_map(driven).next()? {
-        "one body carries both driven wheels and is taken to have the differential in it and bear the torque of the drive; if that is \
-         so state drive_torque = \"carrier\" under [vehicle], of a de Dion axle \"chassis\""
+        "one body carries both driven wheels, so it is assumed to contain the differential and to bear the torque of the drive; to \
+         confirm this write drive_torque = \"carrier\" under [vehicle]; for a de Dion axle write \"chassis\""
     } else {
-        "the driven wheels move each other, and the chassis is taken to bear the torque of the drive, through shafts; if that is so state \
-         drive_torque = \"chassis\" under [vehicle], of a live axle with wheels on knuckles \"carrier\""
+        "the driven wheels move each other, and the chassis is assumed to bear the torque of the drive, through shafts; to confirm this \
+         write drive_torque = \"chassis\" under [vehicle]; for a live axle with wheels on knuckles write \"carrier\""
     };
     Some(note.to_owned())
 }

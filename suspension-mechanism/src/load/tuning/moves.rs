@@ -140,7 +140,7 @@ impl Moves<'_> {
         let unit = vector.try_normalize(f64::MIN_POSITIVE);
         let unit = unit.filter(|unit| unit.iter().all(|part| part.is_finite()));
         unit.ok_or_else(|| {
-            let message = "a direction is finite and not zero";
+            let message = "a direction must be finite and not zero";
             self.naming.source.refuse(&stated.span(), message)
         })
     }

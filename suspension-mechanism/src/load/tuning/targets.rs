@@ -39,7 +39,7 @@ impl Targets<'_> {
         let scale = reading.in_file(self.0.mechanism);
         let within = *table.within.get_ref() / scale;
         if !(within.is_finite() && within > 0.0) {
-            let message = "`within` is how far the target may be off: a positive number";
+            let message = "`within` must be a positive number, the largest permitted deviation from the target";
             return Err(self.0.source.refuse(&table.within.span(), message));
         }
         let (over, wanted) = self.wanted(name, table, scale)?;
@@ -117,12 +117,12 @@ impl Targets<'_> {
             Wanted::Each(each) if drives.len() == 1 && each.len() > 1 => (each.len(), each.clone()),
             Wanted::Each(_) => {
                 return refuse(
-                    "a number for each place needs one drive under `over`, and two places",
+                    "a list of numbers needs exactly one drive under `over`, and at least two numbers",
                 );
             }
         };
         if !wanted.iter().all(|wanted| wanted.is_finite()) {
-            let message = "what is wanted is not finite";
+            let message = "the target is not finite";
             return Err(self.0.source.refuse(&stated.span(), message));
         }
         let axes = drives.into_iter().map(|along| self.axis(along, places));

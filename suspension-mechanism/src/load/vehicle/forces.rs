@@ -112,7 +112,7 @@ fn check_sum(
     };
     let message = format!(
         "{name} is {} in front and {} at the rear, more than 1 in all; state how the axles share the force, \
-         {{ front = 0.6, rear = 0.4 }} for one",
+         for example {{ front = 0.6, rear = 0.4 }}",
         number(front),
         number(rear)
     );
@@ -132,6 +132,6 @@ fn share(task: &Task<'_>, name: &str, stated: Stated<f64>) -> Result<Option<f64>
         task,
         stated,
         |share| (0.0..=1.0).contains(&share),
-        || format!("{name} is the axle's share of the force, from 0 to 1"),
+        || format!("{name} must be the axle's share of the force, from 0 to 1"),
     )
 }
