@@ -1,4 +1,4 @@
-//! The front door: a suspension that moves, in one value.
+//! `Corner`: a suspension with its motion, drives and time in one value.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Designed;
@@ -157,7 +157,7 @@ fn a_step_of_no_length_finds_drives_near_by_and_their_rates() {
         },
         second_rate: Drives::default(),
     };
-    // A pause, one with other rates, a drive that has changed meanwhile.
+    // A pause, one with other rates, and a drive that has changed meanwhile.
     for (to, dt) in [
         (drives(0.0, 0.3), 0.0),
         (drives(0.0, -0.1), -0.0),
@@ -311,7 +311,8 @@ linkage! {
     }
 }
 
-/// The equations have a sine of a quarter of the one angle and a cosine of the other, which go back beyond.
+/// The equations contain the sine of a quarter of one angle and the cosine of the other, which are not monotonic beyond the
+/// range.
 #[test]
 fn an_angle_is_followed_through_its_range_and_refused_beyond() {
     let mut corner = cranks::Corner::<f64>::design().expect("a regular design");

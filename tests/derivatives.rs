@@ -1,7 +1,6 @@
 //! Every entry of every Jacobian and curvature against central differences.
 //!
-//! The equations are at most quadratic, so a central difference is exact but for rounding and the
-//! step may be large.
+//! The equations are at most quadratic, so a central difference is exact up to rounding and the step may be large.
 
 use std::iter::repeat_with;
 

@@ -1,5 +1,4 @@
-//! The fixed order of elimination against LU with partial pivoting, and the way out where its
-//! pivots are unhealthy.
+//! The fixed order of elimination against LU with partial pivoting, and the alternative if its pivots are unhealthy.
 
 mod carried;
 
@@ -12,9 +11,9 @@ use suspension_core::{Build, Linkage, Motion, Newton, Real, Values};
 
 use crate::support;
 
-/// Solves with both factorisations near a design, where its equations need not hold, and compares.
-/// Rounding costs the fixed order the growth of its pivots to the power of `chain` at most: where one small
-/// pivot stands in the rows of another, both multiply.
+/// Solves with both factorisations near a design position, where its equations need not hold, and compares. Rounding errors
+/// of the fixed order grow at most by the pivot growth to the power of `chain`: if a small pivot is in the rows of another,
+/// the factors multiply.
 fn agree<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
     rough: &L::Points,
     by: &[f64],
@@ -70,7 +69,7 @@ where
     Ok(())
 }
 
-/// The right-hand side of a velocity: in the rows of the drives alone.
+/// Returns the right-hand side of a velocity, which is zero except in the rows of the drives.
 fn drive_terms<T: Real, L: Build<N, Scalar = T, Listing: Default>, const N: usize>(
     model: &L,
     q: &SVector<T, N>,
@@ -129,8 +128,8 @@ fn carried_points_are_eliminated_with_healthy_pivots() {
     assert!(growths.iter().all(|growth| *growth < 1e3), "{growths:?}");
 }
 
-/// With link 6-1 square to an axis its derivative along that axis is zero, and along x or y it is
-/// the pivot that the design chose.
+/// With link 6-1 perpendicular to an axis its derivative along that axis is zero, and along x or y it is the pivot that the
+/// design chose.
 #[test]
 fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
     use suspension_core::linkages::attia2003::{Listing, Model, Points};
@@ -147,14 +146,14 @@ fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
         assert!((factored.factors().solve(&(jacobian * x)) - x).amax() < 1e-11);
         let with_pivoting = matches!(factored, Factored::WithPivoting(_));
         let growth_squared = model.factor(&q, model.fixed()).growth_squared();
-        // What follows a pivot of zero is infinite, or not a number.
+        // Numbers computed from a pivot of zero are infinite or NaN.
         assert_eq!(with_pivoting, !growth_squared.is_finite());
         with_pivoting
     });
     assert!(pivoted.contains(&true), "link 6-1 has a pivot along x or y");
 }
 
-/// Newton's method through the fixed order ends where it ends through partial pivoting.
+/// Newton's method with the fixed order converges to the same result as with partial pivoting.
 #[test]
 fn newton_does_not_notice() {
     let motions = support::motions(

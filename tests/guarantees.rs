@@ -40,7 +40,7 @@ fn guarantees() -> Guarantees {
     toml::from_str(&read("docs/guarantees.toml")).expect("guarantees")
 }
 
-/// Whether a source file has a test of that name.
+/// Returns whether a source file has a test of that name.
 fn has_test(text: &str, name: &str) -> bool {
     let mut marked = false;
     text.lines().map(str::trim).any(|line| {

@@ -1,5 +1,5 @@
-//! No files import each other in a circle, in no crate. What a module re-exports is imported from where it is declared. A
-//! file may read what the file above it declares, of which it is a part.
+//! No files of a crate import each other in a cycle. A re-exported item is imported from the module that declares it. A file
+//! may use the declarations of its parent module, of which it is a part.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -23,7 +23,7 @@ const CRATES: [&str; 13] = [
 /// The names of a module from the root of its crate.
 type Module = Vec<String>;
 
-/// What a file says of others.
+/// The declarations and imports of a file.
 #[derive(Default)]
 struct File {
     /// The paths that are imported, and those that are imported and exported.
@@ -98,7 +98,7 @@ impl Crate {
         Self(files)
     }
 
-    /// The module to which a path leads from another, with the name that is left of it; `None` where it leads to another crate.
+    /// Returns the module to which a path leads from another, with the remaining name; `None` if it leads to another crate.
     fn led(&self, from: &Module, path: &str) -> Option<(Module, Option<String>)> {
         let mut names = path.split("::").peekable();
         let mut at = match *names.peek()? {
@@ -125,12 +125,12 @@ impl Crate {
         Some((at, names.next().map(str::to_owned)))
     }
 
-    /// The module that declares what a path names; of a path to a module itself none.
+    /// Returns the module that declares the item of a path; `None` for a path to a module itself.
     fn declares(&self, from: &Module, path: &str) -> Option<Module> {
         let (mut at, Some(name)) = self.led(from, path)? else {
             return None;
         };
-        // Through what modules export of others.
+        // Through re-exports of other modules.
         for _ in 0..4 {
             let exported = self.0.get(&at)?.exported.iter();
             let mut led = exported.filter_map(|path| self.led(&at, path));
@@ -142,7 +142,7 @@ impl Crate {
         Some(at)
     }
 
-    /// The modules of which a module imports something, but for those that it is in.
+    /// Returns the modules from which a module imports, without its parents.
     fn imports(&self, module: &Module) -> BTreeSet<Module> {
         let file = &self.0[module];
         // Imported modules are the beginnings of other paths.

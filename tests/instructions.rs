@@ -1,7 +1,6 @@
 //! The instructions that a step of fixed cost executes: one number, whatever the data.
 //!
-//! Counted by valgrind in the release build, as it is shipped: only there the compiler has made
-//! of the code what will run.
+//! Counted by valgrind in the release build, the code that users run.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -10,7 +9,8 @@ use std::process::Command;
 
 const STEPS: usize = 1000;
 const EXAMPLE: &str = "steps_of_fixed_cost";
-/// What the example steps. `avx2` is one lane of `Lanes`; on a processor without these instructions as `five_link/f64`.
+/// The steps of the example. `avx2` is one lane of `Lanes`; on a processor without these instructions it runs as
+/// `five_link/f64`.
 const STEPPED: [&str; 5] = [
     "attia2003/f64",
     "attia2003/f32",
@@ -18,8 +18,8 @@ const STEPPED: [&str; 5] = [
     "five_link/f32",
     "five_link/f64/avx2",
 ];
-/// What is counted, and after what the count is written. Valgrind keeps one option a pattern, so
-/// that these must differ.
+/// The counted function, and the one after which the count is written. Valgrind accepts one option per pattern, so these
+/// must differ.
 const COUNTED: &str = "*steps_of_fixed_cost*counted_step*";
 const WRITTEN_AFTER: &str = "*counted_step*";
 
@@ -39,7 +39,7 @@ fn one_number_for_a_thousand_different_steps() {
     }
 }
 
-/// Whether the test can be made. Where it must be, in CI, it is an error that it cannot.
+/// Returns whether valgrind is there. In CI, where it must be, its absence is an error.
 fn has_valgrind() -> bool {
     if Command::new("valgrind").arg("--version").output().is_ok() {
         return true;

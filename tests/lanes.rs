@@ -1,4 +1,4 @@
-//! Lanes against the same steps made alone, and lanes that fail among others that do not.
+//! Lanes against the same steps made alone, and lanes that fail among others that succeed.
 
 mod agreement;
 mod failures;

@@ -8,7 +8,7 @@ use suspension_runtime::Listing;
 
 use super::program::{folder, rows, run, text};
 
-/// The folder of the package, where the examples are.
+/// Returns the folder of the package, which contains the examples.
 fn package() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }

@@ -58,8 +58,8 @@ const GRID: [&str; 4] = [
     "steer=-0.02:0.02:3",
 ];
 
-/// What two bushes bear along their line is not determined: each has half, in whatever order the points are stated. An arm with
-/// its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
+/// The shares of two bushes in the force along their line are not determined: each bears half, in any order of the points.
+/// An arm with its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
 #[test]
 fn bushes_of_a_hinge_share_the_force_along_it() {
     for order in ["tip, hub", "hub, tip"] {
@@ -83,7 +83,7 @@ fn bushes_of_a_hinge_share_the_force_along_it() {
     }
 }
 
-/// The upright as a free body: what it exerts at its joints is what acts at the contact point, and it does not turn.
+/// The upright as a free body: the forces at its joints equal the load at the contact point, and their moments cancel.
 #[test]
 fn a_body_passes_on_what_acts_at_its_contact_point() {
     let file = loaded(&format!("{BRAKING}bump = \"damper\"\n"));
@@ -112,7 +112,7 @@ fn a_body_passes_on_what_acts_at_its_contact_point() {
     }
 }
 
-/// Virtual work: the spring's force times its motion ratio is what the drive would bear without it.
+/// Virtual work: the spring's force times its motion ratio is the force that the drive would bear without it.
 #[test]
 fn a_spring_bears_the_load_of_the_wheel_over_its_motion_ratio() {
     let without = table(&loaded(BRAKING), &GRID);

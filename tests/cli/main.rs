@@ -1,5 +1,5 @@
-//! The program, run as a user runs it. It is a test program of its own, because it is built in a
-//! fraction of the time that the others take.
+//! The program, run like a user runs it. This is a separate test program because it is built in a fraction of the time that
+//! the others take.
 
 mod angles;
 mod assemblies;

@@ -15,7 +15,7 @@ fn corner(masses: &str, case: &str) -> String {
     )
 }
 
-/// Particles at points of the upright, and what they are together.
+/// Particles at points of the upright, and the equivalent body.
 const PARTICLES: [(&str, f64); 4] = [
     ("lower_ball", 6.0),
     ("upper_ball", 4.0),
@@ -28,7 +28,7 @@ fn particles() -> String {
     each.join("\n")
 }
 
-/// The same as one body; points are those of the design.
+/// Returns the equivalent body; points are those of the design.
 fn as_body(design: impl Fn(&str) -> Vector3<f64>) -> String {
     let mass: f64 = PARTICLES.iter().map(|(_, mass)| mass).sum();
     let moments = PARTICLES.iter().map(|(point, mass)| design(point) * *mass);
@@ -71,7 +71,7 @@ fn drives_supply_the_kinetic_energy() {
         let expected: f64 = rates.iter().sum();
         let t = state["t_s"];
         assert_eq!(load["t_s"], t);
-        // The drives bear what the masses do; they supply the opposite.
+        // The drives bear the forces of the masses, so they supply the opposite.
         let power = -load["a_bump_N"] * (0.9 + 5.0 * t) - load["a_steer_N"] * 0.4;
         assert!(
             (power - expected).abs() < 1e-9 * expected.abs(),
@@ -100,7 +100,7 @@ fn a_body_is_its_particles() {
     }
 }
 
-/// What the wheel's weight does: by virtual work, and the upright passes it on.
+/// The effect of the wheel's weight, by virtual work; the upright passes it on.
 #[test]
 fn weight_acts_without_being_asked_for() {
     let file = corner(
@@ -133,8 +133,8 @@ fn weight_acts_without_being_asked_for() {
     );
 }
 
-/// A rack that is a chassis point, of 4 kg, along the way of its drive: the drive bears its inertia, and nothing else does; no weight,
-/// which the housing bears, and no part of what travel moves.
+/// A rack that is a chassis point, of 4 kg, in the direction of its drive: the drive bears its inertia, and no other part
+/// does; its weight is borne by the housing, and travel does not move it.
 #[test]
 fn a_driven_chassis_point_has_a_mass() {
     let file = |masses: &str| {
@@ -185,7 +185,7 @@ fn millimetres_do_not_matter() {
     }
 }
 
-/// A centre of mass that is stated by a point moves with it: what is tuned is what the file that is written has.
+/// A centre of mass that is stated by a point moves with it: tuning uses the same centre as the written file.
 #[test]
 fn a_centre_moves_with_the_point_that_it_is_stated_by() {
     let file = "linkage = \"double_wishbone\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
@@ -202,7 +202,7 @@ fn a_centre_moves_with_the_point_that_it_is_stated_by() {
     assert!((mass - 19.25).abs() < 1e-3, "{mass}");
 }
 
-/// A picture of each case: the numbers of the table along the links, and an arrow for what acts.
+/// A drawing of each case: the numbers of the table along the links, and an arrow for each load.
 #[test]
 fn a_picture_shows_what_links_bear() {
     let cases = "contact = [-3000.0, 0.0, 4000.0]\n[loads.b]\ncontact = [0.0, 3000.0, 4000.0]\nbump = \"damper\"";
@@ -229,7 +229,7 @@ fn a_picture_shows_what_links_bear() {
     }
 }
 
-/// The kinetic energy of particles, of the same as one body, and of a rod, at the height of the wheel centre.
+/// The kinetic energy of particles, of the equivalent body, and of a rod, at the height of the wheel centre.
 #[test]
 fn effective_mass_has_the_kinetic_energy() {
     let around = ["--drive", "bump=-0.03:0.03:3", "--drive", "steer=0.01"];
@@ -243,7 +243,7 @@ fn effective_mass_has_the_kinetic_energy() {
         let rise = along("wheel_centre").z;
         let energies = PARTICLES.map(|(point, mass)| mass * along(point).norm_squared());
         let expected = energies.iter().sum::<f64>() / (rise * rise);
-        // The rack stands.
+        // The rack is at rest.
         let of_rod = 1.7 / 3.0 * along("tie_ball").norm_squared() / (rise * rise);
         let found =
             [&of_particles, &of_body, &with_rod].map(|rows| rows[place]["effective_mass_kg"]);

@@ -1,4 +1,4 @@
-//! Mistakes of a first motion file, each told with what to write instead.
+//! Mistakes of a first motion file: each message says what to write instead.
 
 mod in_line;
 mod missing;
@@ -8,7 +8,7 @@ mod units;
 
 use super::program::{folder, run, text};
 
-/// What is said of files that a command is given, the first of them.
+/// Returns the message for files that a command is given, the first of which it reads.
 fn refusal(command: &str, files: &[(&str, &str)], options: &[&str]) -> String {
     let folder = folder();
     for (name, content) in files {

@@ -203,7 +203,7 @@ fn a_marker_with_coordinates_goes_where_lengths_put_its_body() {
     }
 }
 
-/// A seat on a link of each side, off the link by the same.
+/// A seat on a link of each side, at the same distance from the link.
 const SEATS: &str = "unit = \"mm\"
 statements = '''
 mirror: left -> right;

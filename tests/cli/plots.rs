@@ -2,7 +2,7 @@
 
 use super::program::{edited, example, folder, run};
 
-/// A text of a plot: where it is anchored, how, and what it says.
+/// A text of a plot: its anchor, its alignment, and its content.
 struct Label {
     x: f64,
     y: f64,
@@ -12,7 +12,7 @@ struct Label {
 }
 
 impl Label {
-    /// From left to right, letters taken to be 0.6 as wide as high.
+    /// Returns the range from left to right, with letters 0.6 as wide as high.
     fn span(&self) -> [f64; 2] {
         let width = 0.6 * self.size * self.text.chars().count() as f64;
         match self.anchor.as_str() {
@@ -122,7 +122,7 @@ fn a_wheel_centre_of_that_name_is_named_once() {
     }
 }
 
-/// Kingpin and camber angles of two axles: each curve has a colour of its own, and the names of wheels stand once.
+/// Kingpin and camber angles of two axles: each curve has its own colour, and names of wheels are not repeated.
 #[test]
 fn the_curves_of_a_whole_car_are_told_apart() {
     let folder = folder();
@@ -141,7 +141,7 @@ fn the_curves_of_a_whole_car_are_told_apart() {
     assert!(names.any(|name| name == "front_left wheel centre"));
 }
 
-/// That of curves over roll names two drives; letters taken to be half as wide as high.
+/// The name of an axis for roll contains two drives; letters are assumed half as wide as high.
 #[test]
 fn the_name_of_the_horizontal_axis_stays_on_its_chart() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! A program and its input, for the tests. The module above this one names the program.
+//! The program and its input for tests. The parent module names the program.
 #![allow(dead_code)]
 
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 
 use super::program::{CORNER, edited, example, folder, rows, run, text};
 
-/// Where the published drive turns, from a 40-digit solution, rad.
+/// The turning points of the published drive, from a 40-digit solution, rad.
 const ENDS: [f64; 2] = [0.662_460_552_146_186_5, 2.178_426_263_359_593];
 
 /// When the published drive is at the upper end, s.
@@ -39,7 +39,7 @@ fn both_ends_and_when_the_motion_locks() {
     }
 }
 
-/// A motion that steers too may lock where the range with the steering held does not end.
+/// A motion that also steers may lock within the range for a fixed steering.
 #[test]
 fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
     let folder = folder();
@@ -53,7 +53,7 @@ fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
     assert!(!said.contains("neither end"), "{said}");
 }
 
-/// Both say from where they measure: the one from the first instant, the other from the design position.
+/// Both name their origin: one counts from the first instant, the other from the design position.
 #[test]
 fn a_range_says_from_where_it_is() {
     let folder = folder();
@@ -250,7 +250,7 @@ fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
     assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
 }
 
-/// Of several wheels the plot has the one that the drive moves up and down, else the first.
+/// With several wheels the plot shows the one that the drive moves up and down, or else the first.
 #[test]
 fn a_plot_says_which_wheel_it_is_of() {
     let folder = folder();
@@ -266,7 +266,7 @@ fn a_plot_says_which_wheel_it_is_of() {
     }
 }
 
-/// A wheel's height over the drive that is this height, or that turns the wheel at its height, is a straight line.
+/// A wheel's height is a straight line over the drive that is this height, and over one that steers at constant height.
 #[test]
 fn a_plot_has_the_toe_angle_where_the_height_says_nothing() {
     let folder = folder();
@@ -291,7 +291,7 @@ fn a_plot_has_the_toe_angle_where_the_height_says_nothing() {
     }
 }
 
-/// Of a drive that is named the report, the table and the plot are those that it has among all.
+/// The report, the table and the plot of a named drive are those that it has among all.
 #[test]
 fn one_drive_of_several_is_looked_at_alone() {
     let folder = folder();

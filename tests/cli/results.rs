@@ -3,7 +3,7 @@
 use super::program::{Rows, edited, example, folder, rows, run, text};
 use crate::support::{self, Reference};
 
-/// What a column of the reference may differ by.
+/// Returns the largest difference in a column of the reference.
 fn tolerance(column: &str) -> f64 {
     match column.rsplit_once('_') {
         Some(("omega", _)) => 1e-11,
@@ -155,7 +155,7 @@ fn without_options_a_summary_is_printed() {
     assert_eq!(files, 1);
 }
 
-/// Whoever copies the example moves a point by a centimetre, and it runs.
+/// A user who copies the example moves a point by a centimetre, and it runs.
 #[test]
 fn every_hardpoint_of_the_example_can_be_moved() {
     let folder = folder();

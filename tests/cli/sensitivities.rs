@@ -8,7 +8,7 @@ use suspension_core::linkages::LISTINGS;
 
 use super::program::{CORNER, folder, run, text};
 
-/// The rows of the table, by what is changed.
+/// Returns the rows of the table, by the changed coordinate or length.
 fn table(file: &str) -> BTreeMap<String, BTreeMap<String, f64>> {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -63,7 +63,7 @@ fn all_points_moved_together_along_x_change_nothing() {
     assert!(checked > 30, "{checked}");
 }
 
-/// Formulas of geometry: camber by the spin axis' height, and what does not touch it.
+/// Formulas of geometry: camber from the heights of the spin axis, and changes that do not affect it.
 #[test]
 fn camber_follows_the_ends_of_the_spin_axis() {
     let table = table(&corner(0.36));
@@ -113,7 +113,7 @@ fn a_moved_hardpoint_changes_the_sheets_numbers_so() {
     }
 }
 
-/// It is of no use above camber.
+/// The sentence is useless above camber.
 #[test]
 fn why_an_end_of_a_tie_rod_does_not_change_toe_is_said_above_toe_alone() {
     let folder = folder();
@@ -211,7 +211,8 @@ fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
     );
 }
 
-/// No hardpoint changes what counts from the design position; what it does change is named, of the wheel that was meant.
+/// No hardpoint changes a quantity that counts from the design position; the message names quantities that hardpoints
+/// change, for the intended wheel.
 #[test]
 fn what_is_zero_at_the_design_names_what_hardpoints_change() {
     let folder = folder();

@@ -59,7 +59,7 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
     }
 }
 
-/// What is zero at the design position has curves and no row of numbers; it is defined all the same.
+/// A quantity that is zero at the design position has curves and no row of numbers, but a definition.
 #[test]
 fn what_curves_alone_show_is_defined() {
     let folder = folder();

@@ -77,7 +77,7 @@ fn a_reader_that_goes_costs_no_file() {
     }
 }
 
-/// Where notes and errors cannot be written they are lost, and nothing else.
+/// If notes and errors cannot be written, only these are lost.
 #[cfg(unix)]
 #[test]
 fn a_full_standard_error_costs_no_result() {
@@ -114,14 +114,14 @@ fn help_that_cannot_be_written_is_a_failure() {
     assert!(text(&output.stderr).starts_with(message), "{output:?}");
 }
 
-/// As of results.
+/// The same applies to results.
 #[test]
 fn help_to_a_reader_that_has_gone_is_no_failure() {
     // The text may have been written before the reader went.
     is_no_failure_without_a_reader(Path::new("."), &["motion", "--help"]);
 }
 
-/// A motion that takes seconds, ended by a signal after a part of one.
+/// Runs a motion that takes seconds and ends it with a signal after a fraction of one.
 #[cfg(unix)]
 fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
     let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
@@ -135,7 +135,8 @@ fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
     ended(started(folder, arguments), &[signal])
 }
 
-/// Interrupts the program half a second after it has printed a line that starts so: what it printed after that line, and its end.
+/// Interrupts the program half a second after it has printed a line that starts with this text; returns the output after
+/// that line, and the exit status.
 #[cfg(unix)]
 fn interrupted_after<A: AsRef<OsStr>>(
     line: &str,
@@ -224,7 +225,7 @@ fn a_hang_up_ends_it_unless_it_is_ignored() {
     }
 }
 
-/// A surface whose tolerance none of its layouts meets is tried for minutes.
+/// Baking a surface whose tolerance no layout of patches meets takes minutes.
 #[cfg(unix)]
 #[test]
 fn a_surface_that_is_being_baked_is_given_up() {
@@ -251,7 +252,7 @@ fn without_a_table_no_rows_are_said_to_be_kept() {
     assert!(!message.contains("kept"), "{message}");
 }
 
-/// Whether it is the input or the table that waits for another program, which does not come.
+/// The input or the table may be a FIFO that no other program opens.
 #[cfg(unix)]
 #[test]
 fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
@@ -291,7 +292,7 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
     }
 }
 
-/// A live axle on a Watt linkage is one part, whose search takes seconds.
+/// A live axle with a Watt linkage is one part, whose search takes seconds.
 #[cfg(unix)]
 fn watt_linkage() -> tempfile::TempDir {
     let folder = folder();
@@ -318,7 +319,7 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
     assert!(said.ends_with(expected), "{said}");
 }
 
-/// The second interrupt comes while what is found is followed to the file's lengths.
+/// The second interrupt comes while the found assemblies are followed to the file's lengths.
 #[cfg(unix)]
 #[test]
 fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {

@@ -124,8 +124,8 @@ fn roll_rate_is_the_second_derivative_of_the_energy() {
     assert!(expected > 10_000.0, "{expected}");
 }
 
-/// A swing axle with its masses and springs, led in three ways: by the height of each wheel, by heave and roll, and by an angle of each
-/// wheel, of which the right one's goes the other way.
+/// A swing axle with its masses and springs, driven in three ways: by the height of each wheel, by heave and roll, and by an
+/// angle of each wheel, with the opposite sign on the right.
 #[test]
 fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
     let axle = |drives: &str, values: &str, travel: &str| {
@@ -181,7 +181,7 @@ fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
     assert!((by_height["heave_rate_N_m"] - by_height["left_wheel_rate_N_m"]).abs() < 1e-6);
 }
 
-/// A wheel rises with the other one at its height, also where drives move both.
+/// A wheel rises with the other one held at its height, even if drives move both.
 #[test]
 fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
     let [heights, dampers, heave_and_roll] =

@@ -158,13 +158,13 @@ fn the_rod_that_cannot_reach_is_named(rate: f64) {
         };
         corner.step(1.0, Signal::still(drives)).is_ok()
     };
-    // The rack pushes the ball joint as far as it goes: a shorter rod is needed.
+    // The rack pushes the ball joint to its limit: a shorter rod is needed.
     assert!(!reaches(length), "{has}");
     assert!(!reaches(needs + 1e-6) && reaches(needs - 1e-6), "{needs}");
 }
 
-/// A longer link at a driven angle would have another height at that angle: the other link is named, with the distance from its
-/// end to the circle on which the first one ends.
+/// A longer link at a driven angle would have another height at that angle: the message names the other link, with the
+/// distance from its end to the circle of the first link's end.
 #[test]
 fn a_link_whose_angle_is_driven_is_not_said_to_be_in_the_way() {
     let folder = folder();
@@ -194,8 +194,8 @@ turn = [0.949505195260471, -0.0516]
     assert!(said.contains(&expected), "{expected}: {said}");
 }
 
-/// No link is too long or too short: the arm that the drive lifts stands across the axis of its hinge. As `range` does, a motion and a
-/// sweep name the hinge.
+/// No link is too long or too short: the arm that the drive lifts is perpendicular to the axis of its hinge. Like `range`,
+/// motions and sweeps name the hinge.
 #[test]
 fn a_hinge_that_ends_a_motion_is_named() {
     let folder = folder();

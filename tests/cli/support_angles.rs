@@ -1,4 +1,4 @@
-//! How much of a car's load transfer in braking and driving the links bear.
+//! The part of a car's load transfer in braking and driving that the links bear.
 
 use super::program::{folder, rows, run, text};
 
@@ -61,7 +61,7 @@ fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
     assert!((per_bump / slope - 1.0).abs() < 1e-4, "{per_bump} {slope}");
 }
 
-/// At the design position of an axle whose wheels move each other.
+/// Returns the values at the design position of an axle whose wheels move each other.
 fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f64>, String) {
     let folder = folder();
     let path = folder.path().join("rear.toml");
@@ -154,7 +154,7 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
     }
 }
 
-/// The change of wheelbase needs no more, and a steered rear axle no turning circle.
+/// The change of wheelbase needs only the name of the axle.
 #[test]
 fn an_axle_alone_tells_which_way_is_away_from_the_other() {
     let slope = |axle: &str| {
@@ -172,7 +172,8 @@ fn an_axle_alone_tells_which_way_is_away_from_the_other() {
     assert!(front == -rear && front != 0.0, "{front} {rear}");
 }
 
-/// Dual wheels on an oblique arm, both left: each is what it is alone on the arm, no live axle, whose body would bear the drive's torque.
+/// Dual wheels on an oblique arm, both left: each has the values of a single wheel on the arm, and they are not a live axle,
+/// whose body would bear the drive's torque.
 #[test]
 fn dual_wheels_are_no_axle() {
     let listing = |wheels: &str| {

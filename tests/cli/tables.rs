@@ -1,4 +1,4 @@
-//! Tables for vehicle models, against what a sweep says of the same file.
+//! Tables for vehicle models, against a sweep of the same file.
 
 use std::collections::BTreeMap;
 
@@ -65,7 +65,7 @@ fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
         ("TOE_TABLE", "toe_rad", 1_f64.to_degrees()),
         ("SUSP_X_TABLE", "wheel_centre_x", 1e3),
         ("SUSP_LAT_TABLE", "wheel_centre_y", -1e3),
-        // Here the kingpin is of the carrier, so that its caster loses what the carrier leans forward.
+        // Here the kingpin belongs to the carrier, so its caster decreases by the forward rotation of the carrier.
         ("SUSP_DIVE_TABLE", "caster_rad", -1_f64.to_degrees()),
     ] {
         let table = carsim_table(&text, keyword);
@@ -93,7 +93,7 @@ fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
 fn a_linear_suspension_has_the_derivatives_of_differences() {
     const STEP: f64 = 1e-4;
     let upright = "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.3\nbump_right = 0.3\nsteer = 0.34\n";
-    // With camber and toe at the design position rotations are no angles.
+    // With camber and toe at the design position rotations are not angles.
     let leaning = format!(
         "{upright}[points]\nleft_axle = [0.002, 0.65, 0.293]\nright_axle = [0.002, -0.65, 0.293]\n"
     );
@@ -249,7 +249,7 @@ drives = {{ bump_left = {:?}, bump_right = {:?} }}
 pub(crate) const HEAVE_AND_ROLL: [(&str, f64); 2] =
     [("0.5 wl.z + 0.5 wr.z", 0.31), ("wl.z - wr.z", 0.0)];
 
-/// Lengths of the dampers where both wheels are at 0.31 m.
+/// The lengths of the dampers with both wheels at 0.31 m.
 pub(crate) const BY_DAMPERS: [(&str, f64); 2] = [
     ("length(dl -> tl)", 0.461_735_855_224_607_9),
     ("length(dr -> tr)", 0.430_116_263_352_131_4),
@@ -305,7 +305,7 @@ fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
     );
     assert!(text.contains(".L.lDamp = "), "{text}");
     assert!(!text.contains("lSpring"), "{text}");
-    // A spring beside the damper, whatever the measure is called.
+    // A spring with the damper as its measure, whatever the measure is called.
     let sprung = format!("{file}\n[springs.coil]\nalong = \"damper\"\nrate = 30000.0\n");
     assert!(tables(&sprung, &["carmaker"]).contains(".L.lSpring = "));
     let bar = sprung.replace("springs.coil", "springs.anti_roll_bar");

@@ -1,10 +1,10 @@
-//! How quantities scatter where hardpoints and lengths do, and what named moves do.
+//! The scatter of quantities due to hardpoints and lengths, and the effect of named moves.
 
 use std::collections::BTreeMap;
 
 use super::program::{CORNER, folder, run, text};
 
-/// The rows of the table, by what is changed.
+/// Returns the rows of the table, by the changed coordinate or length.
 fn table(file: &str, more: &[&str]) -> BTreeMap<String, BTreeMap<String, f64>> {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -28,7 +28,7 @@ fn table(file: &str, more: &[&str]) -> BTreeMap<String, BTreeMap<String, f64>> {
 const TOLERANCES: &str =
     "[tolerances]\naxle = 0.0005\nwheel_centre = 0.0005\nlower_ball = 0.001\ntie_rod = 0.0002\n";
 
-/// Camber is the slope of a line 0.1 m long, each of its ends half a millimetre up or down.
+/// Camber is the slope of a line 0.1 m long, each end of which varies by half a millimetre vertically.
 #[test]
 fn camber_scatters_as_the_ends_of_the_spin_axis() {
     let points = TOLERANCES.replace("tie_rod = 0.0002\n", "");
@@ -91,7 +91,7 @@ fn independent_parts_add_by_their_squares() {
     );
 }
 
-/// A move of several points does what its parts do together.
+/// A move of several points has the sum of its parts' effects.
 #[test]
 fn a_named_move_is_the_sum_of_its_parts() {
     let moves = "[tune.moves.rack_height]\npoints = [\"rack\", \"tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
@@ -146,7 +146,7 @@ fn the_text_tells_both_and_wrong_tolerances_are_refused() {
     }
 }
 
-/// In a file in metres a tolerance in millimetres is remarked; one of zero, a point that does not scatter, is not.
+/// In a file in metres a tolerance in millimetres is noted; a zero tolerance, for a point that does not scatter, is not.
 #[test]
 fn a_tolerance_in_another_unit_is_remarked() {
     for (stated, expected) in [

@@ -10,7 +10,7 @@ use std::process::Output;
 
 use super::program::{Rows, folder, rows, run, text};
 
-/// A motion file of a layout of the catalogue, with what it says of tuning.
+/// Returns a motion file of a layout of the catalogue, with its lines on tuning.
 fn file(layout: &str, drives: &str, tune: &str) -> String {
     let head = format!("linkage = \"{layout}\" # as drawn\nunit = \"m\"\nangle = \"deg\"\n");
     let rest = format!(
@@ -38,12 +38,12 @@ within = 0.02
 
 fn tuned(folder: &Path, file: &str) -> Output {
     std::fs::write(folder.join("a.toml"), file).expect("written");
-    // Of the design that a test has read before.
+    // The file of an earlier design.
     let _ = std::fs::remove_file(folder.join("a_tuned.toml"));
     run(folder, &["tune", "a.toml"])
 }
 
-/// The same where all targets must be met.
+/// Runs a tuning in which all targets must be met.
 fn met(folder: &Path, file: &str) -> Output {
     let output = tuned(folder, file);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -58,7 +58,7 @@ fn target(of: &str, value: f64, within: f64) -> String {
 /// The drives of corners of the catalogue at their design positions.
 const DRIVES: &str = "bump = 0.3\nsteer = 0.34";
 
-/// What the program reads of the file that it wrote, over bump.
+/// Returns the program's results for the file that it wrote, over bump.
 fn swept(folder: &Path) -> Rows {
     let sweep = [
         "sweep",
@@ -153,7 +153,7 @@ fn a_target_that_no_move_changes_is_named() {
     assert!(text(&output.stderr).ends_with(told), "{output:?}");
 }
 
-/// Together the two moves, next to the design, change nothing; each alone does.
+/// Together the two moves change nothing near the design position; each alone does.
 #[test]
 fn moves_that_cancel_each_other_change_a_target() {
     let folder = folder();
@@ -170,7 +170,7 @@ fn moves_that_cancel_each_other_change_a_target() {
     assert!(text(&output.stderr).ends_with(told), "{output:?}");
 }
 
-/// Two values are wanted of one quantity.
+/// Two targets contradict each other.
 #[test]
 fn targets_that_contradict_each_other_may_be_the_reason() {
     let folder = folder();
@@ -283,7 +283,7 @@ fn a_point_that_its_slide_holds_is_told() {
     assert!(!text(&output.stderr).contains("did not go"), "{output:?}");
 }
 
-/// A point in two moves, and one that stays, are where they were put.
+/// A point in two moves, and one that stays, are at their intended positions.
 #[test]
 fn a_point_of_several_moves_is_not_held() {
     let each = |name: &str, along: &str| {
@@ -299,7 +299,7 @@ fn a_point_of_several_moves_is_not_held() {
     }
 }
 
-/// As a sweep is given a count of places, or one number.
+/// The user gave a number of places, or a single number, as for a sweep.
 #[test]
 fn a_range_has_two_numbers() {
     let folder = folder();

@@ -56,7 +56,7 @@ fn table(folder: &Path, arguments: &[&str]) -> Rows {
     rows(&output.stdout)
 }
 
-/// Where the design has the angle, to the last digit.
+/// Returns the angle of the design position, to the last digit.
 fn start(folder: &Path) -> f64 {
     table(
         folder,
@@ -116,7 +116,7 @@ fn derivatives_by_an_angle_are_those_of_the_chain_rule() {
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// What the wheel's height bears is the moment about the axis by virtual work.
+/// The force on the wheel's height is the moment about the axis by virtual work.
 #[test]
 fn an_angle_bears_a_moment() {
     let folder = written("bump = 0.3\nsteer = 0.34");
@@ -239,7 +239,8 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
     assert!(said.contains(message), "{said}");
 }
 
-/// The point from which an angle counts, where its zero is the design; a point that holds something is in nobody's place.
+/// The point from which an angle counts, if its zero is the design; a point that is used otherwise does not coincide with
+/// another.
 #[test]
 fn a_direction_may_end_where_its_point_is() {
     let listing = "fixed: low at [0.0, 0.0, 0.0], high at [0.0, 0.0, 1.0], zero at [1.0, 0.0, 0.0];\n\

@@ -8,7 +8,7 @@ use suspension_runtime::Listing;
 
 use super::program::{Rows, folder, rows, run, text};
 
-/// A sweep of the catalogue's double wishbone, with its hardpoints in a unit of which a metre has so many.
+/// Returns a sweep of the catalogue's double wishbone, with its hardpoints in a unit of which `metre` is one metre.
 fn swept(unit: &str, metre: f64) -> Rows {
     let mut texts = LISTINGS.iter();
     let (_, listing) = texts.find(|(name, _)| *name == "double_wishbone").unwrap();

@@ -17,8 +17,8 @@ pub(crate) fn allocations() -> usize {
     ALLOCATIONS.get()
 }
 
-// SAFETY: every call is passed on to the system's allocator as it came. The rest of the trait is
-// provided in terms of these two, so no allocation escapes the count.
+// SAFETY: every call is passed on unchanged to the system's allocator. The rest of the trait uses these two functions, so
+// every allocation is counted.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);

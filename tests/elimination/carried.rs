@@ -1,5 +1,5 @@
-//! Listings with carried points in every place that they can have: driven, linked to each other or to
-//! nothing, beside a frame on the chassis, held by two bodies, in the frame of another body.
+//! Listings with carried points in all possible positions: driven, linked to each other or to nothing, next to a frame on
+//! the chassis, held by two bodies, in the frame of another body.
 
 use nalgebra::Vector3;
 use suspension_core::{Real, Values};
@@ -47,7 +47,7 @@ suspension_core::linkage! {
 }
 
 suspension_core::linkage! {
-    /// A body that is held by carried points alone.
+    /// A body that is held only by carried points.
     pub mod held_by_carried {
         fixed: front, rear, top;
         free:  a, b, c, p, q, r, s;

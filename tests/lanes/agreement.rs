@@ -1,4 +1,4 @@
-//! Each lane is the step that it would make alone, to rounding.
+//! Each lane equals a single step, to rounding.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::step::bounded::Outputs;
@@ -10,8 +10,8 @@ use crate::support;
 
 const STEP: f64 = 1e-3;
 
-/// The largest differences in position, velocity and acceleration from steps made alone, over
-/// 0.6 s. Instructions that the processor lacks are replaced by what it has.
+/// Returns the largest differences in position, velocity and acceleration from single steps, over 0.6 s. Instructions that
+/// the processor lacks are replaced.
 fn worst<G, T, const LANES: usize>(
     fleet: &Fleet<G, T, LANES>,
     instructions: Instructions,
@@ -120,7 +120,7 @@ fn lanes_keep_what_they_are_given() {
     assert_eq!(back, single);
 }
 
-/// Nor do lanes without corrections take a step that they would refuse alone.
+/// Lanes without corrections also refuse the steps that they would refuse alone.
 #[test]
 fn lanes_without_corrections_agree_with_steps_alone() {
     let fleet = Fleet::<five_link::Listing, f32, 4>::near(&support::five_link_rough());

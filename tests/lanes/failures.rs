@@ -1,4 +1,4 @@
-//! A lane that fails says why and stays where it is; its neighbours do not notice.
+//! A lane that fails reports the reason and stays unchanged; its neighbours are not affected.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Factors as _;
@@ -13,8 +13,8 @@ use crate::support;
 
 const STEP: f64 = 1e-3;
 
-/// Angles that no step of a millisecond reaches: none at all, one half a radian on, and one at
-/// which the linkage has no configuration.
+/// Angles that no step of a millisecond reaches: NaN, one half a radian ahead, and one at which the linkage has no
+/// configuration.
 const OUT_OF_REACH: [fn(f64) -> f64; 3] = [|_| f64::NAN, |start| start + 0.5, |_| 3.1];
 
 /// Follows a fleet with the angle of lane `bad` out of reach in the tenth step, and without.
@@ -106,8 +106,8 @@ fn a_lane_that_missed_a_step_is_put_back_among_the_others() {
     }
 }
 
-/// Designs with link 6-1 square to an axis, where a pivot of the macro's order is zero, among
-/// others: what is solved with partial pivoting succeeds, and does not touch its neighbours.
+/// Designs with link 6-1 perpendicular to an axis, where a pivot of the macro's order is zero, among others: lanes solved
+/// with partial pivoting succeed, and do not affect their neighbours.
 #[test]
 fn an_unhealthy_lane_is_solved_with_pivoting() {
     use attia2003::{Listing, Model, Points};

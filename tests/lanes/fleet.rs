@@ -1,4 +1,4 @@
-//! Different linkages, one a lane, each driven in its own way.
+//! Different linkages, one per lane, each driven in its own way.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::{Bounded, Build, Inputs, Linkage, Listing, Motion, Real, Signal, Values};
@@ -53,7 +53,7 @@ where
         }))
     }
 
-    /// Of the points as they stand.
+    /// Makes a fleet from the positions of points.
     pub(crate) fn of(designs: [G::Points<T>; LANES]) -> Self {
         let models =
             designs.map(|design| G::Model::<T>::of(G::default(), &design).expect("a geometry"));

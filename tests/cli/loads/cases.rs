@@ -1,9 +1,9 @@
-//! What load cases may state, and several of them in one file.
+//! The contents of load cases, and several of them in one file.
 
 use super::super::program::{example, folder, rows, run, text};
 use super::{GRID, loaded, table};
 
-/// A bar is no spring that carries a wheel, wherever its name stands among those of the file.
+/// A bar is not a spring that carries a wheel, at any place among the file's springs.
 #[test]
 fn an_example_of_a_case_has_the_spring_that_the_wheel_moves() {
     let springs = "[springs.bar]\nalong = \"roll_travel\"\nrate = 9000.0\n\
@@ -114,7 +114,7 @@ fn what_is_no_load_is_refused_with_its_place() {
     }
 }
 
-/// A spring has a name of its own beside that of the measure along which it acts.
+/// The name of a spring differs from that of the measure along which it acts.
 #[test]
 fn what_bears_the_load_may_be_named_as_a_spring() {
     let springs = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n";
@@ -127,21 +127,21 @@ fn what_bears_the_load_may_be_named_as_a_spring() {
     assert_eq!(by_measure, table(&case("coil"), &GRID));
 }
 
-/// Cases differ in what bears their loads, and so do their columns.
+/// Cases differ in the parts that bear their loads, and so do their columns.
 #[test]
 fn each_case_has_its_own_columns() {
     let cases = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n";
     let row = &table(&loaded(cases), &[])[0];
     assert!(row.contains_key("a_damper_N") && !row.contains_key("b_damper_N"));
     assert!(row["a_bump_N"].abs() < 1e-8 && (row["b_bump_N"] - 4000.0).abs() < 100.0);
-    // The pushrod passes the load on to the damper, and carries nothing where the drive bears it.
+    // The pushrod passes the load on to the damper, and has no load if the drive bears it.
     assert!(row["a_pushrod_N"] < -1000.0 && row["b_pushrod_N"].abs() < 1e-8);
 }
 
 #[test]
 fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     let folder = folder();
-    // The bar's arm is tied to the rocker, which steering does not move where the wheel stays.
+    // The bar's arm is joined to the rocker, which steering does not move if the wheel stays.
     let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nsteer = \"bar_arm\"\nbump = \"damper\"\n";
     std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
     let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
@@ -173,7 +173,7 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
     assert!(text(&output.stdout).contains("tie_rod"), "{output:?}");
 }
 
-/// Rows are written as they come. All states of this motion take 40 MB; limits of the shell are those of its children, in kB.
+/// Rows are written immediately. All states of this motion need 40 MB; limits of the shell apply to its children, in kB.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_memory_of_a_long_motion_is_bounded() {

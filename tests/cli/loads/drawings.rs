@@ -13,7 +13,7 @@ fn picture(case: &str) -> String {
     std::fs::read_to_string(folder.path().join("a_a.svg")).expect("a picture")
 }
 
-/// A moment alone has no arrow, and takes no other one's number.
+/// A pure moment has no arrow, and does not take the number of another.
 #[test]
 fn the_number_at_an_arrow_is_that_of_its_force() {
     let picture =
@@ -21,7 +21,7 @@ fn the_number_at_an_arrow_is_that_of_its_force() {
     assert!(picture.contains("\n5000 N\n"), "{picture}");
 }
 
-/// Two links of a wishbone bear less than half a newton, one of them pressed.
+/// Two links of a wishbone have forces below half a newton, one of them in compression.
 #[test]
 fn a_load_that_is_rounded_to_zero_has_no_sign() {
     let picture = picture("lower_ball = [0.3, 0.0, 0.0]\n");

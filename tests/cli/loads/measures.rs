@@ -1,4 +1,4 @@
-//! What acts in measures, a coil spring's force say, at the bodies and the chassis that it pushes apart.
+//! Loads in measures, for example of a coil spring, on the bodies and the chassis between which they act.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ fn braking(layout: &str, drives: &str, more: &str) -> String {
     )
 }
 
-/// All forces that a part exerts, with the positions of its points.
+/// Returns all forces that a part exerts, with the positions of its points.
 fn exerted(row: &Row, place: &Row, part: &str) -> Vec<[Vector3<f64>; 2]> {
     let begins = format!("a_{part}_");
     let points = row.keys().filter_map(|name| {
@@ -42,7 +42,7 @@ fn sum(forces: &[[Vector3<f64>; 2]]) -> [Vector3<f64>; 2] {
     ]
 }
 
-/// A chassis point of a layout, and where it is.
+/// A chassis point of a layout, and its position.
 type Chassis = (&'static str, [f64; 3]);
 
 const COILOVER: [Chassis; 6] = [
@@ -61,7 +61,7 @@ const STRUT: [Chassis; 4] = [
     ("top", [-0.03, 0.575, 0.83]),
 ];
 
-/// Where all points are, at values of the drive of travel.
+/// Returns the positions of all points, at values of the drive of travel.
 fn places(file: &str, more: &[&str], chassis: &[Chassis]) -> Vec<Row> {
     let mut places = swept(file, more);
     for place in &mut places {
@@ -73,8 +73,8 @@ fn places(file: &str, more: &[&str], chassis: &[Chassis]) -> Vec<Row> {
     places
 }
 
-/// Each body's rows balance, but for what acts on the carrier at the contact point; so does what joins at the spring's lower
-/// end, and the chassis bears the load.
+/// The forces of each body are in equilibrium, with the load on the carrier at the contact point; so are those at the joint
+/// of the spring's lower end, and the chassis bears the load.
 fn assert_balanced(file: &str, parts: &[&str], [carrier, joint]: [&str; 2], chassis: &[Chassis]) {
     let more = ["--drive", "bump=-0.04:0.04:3"];
     let (loads, places) = (table(file, &more), places(file, &more, chassis));
@@ -116,7 +116,7 @@ fn assert_near(found: [Vector3<f64>; 2], expected: [Vector3<f64>; 2], what: &str
     }
 }
 
-/// The damper stands on a point that the lower wishbone carries.
+/// The lower wishbone carries the lower end of the damper.
 #[test]
 fn a_wishbone_with_a_coilover_is_balanced() {
     let drives = "bump = 0.3\nsteer = 0.34";
@@ -130,7 +130,7 @@ fn a_wishbone_with_a_coilover_is_balanced() {
     }
 }
 
-/// The top mount bears the spring and what is across the strut.
+/// The top mount bears the spring and the transverse force of the strut.
 #[test]
 fn a_strut_is_balanced() {
     let drives = "bump = 0.31\nsteer = 0.33";

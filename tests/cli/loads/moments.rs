@@ -9,7 +9,7 @@ use super::{force, table};
 
 type Row = BTreeMap<String, f64>;
 
-/// The one row of loads of statements at their only instant.
+/// Returns the only row of loads of statements at their single instant.
 fn only(statements: &str, drives: &str, loads: &str) -> Row {
     let file = file(statements, drives, loads);
     let rows = table(&file, &["--motion"]);
@@ -38,7 +38,8 @@ hinge arm: outer, inner -> hub;\n"
     )
 }
 
-/// A bar gives a moment about itself alone: the bushes bear the load by the lever rule, whatever line of the arm the angle has.
+/// A bar exerts only a moment about its own axis: the bushes bear the load by the lever rule, for any line of the arm in the
+/// angle.
 #[test]
 fn bushes_bear_what_a_torsion_bar_carries() {
     let load = "hub = [0.0, 0.0, 1000.0]";
@@ -70,7 +71,8 @@ fn bushes_bear_what_a_torsion_bar_carries() {
     }
 }
 
-/// Where the knuckle meets the wishbone one presses the other, the bushes bear that, and the bar a moment about their line.
+/// At the joint of knuckle and wishbone one presses on the other; the bushes bear that force, and the bar a moment about
+/// their line.
 #[test]
 fn a_wishbone_on_a_torsion_bar_is_in_equilibrium() {
     let [af, ar, lb] = [[0.3, 0.3, 0.2], [-0.25, 0.28, 0.18], [0.0, 0.7, 0.16]].map(Vector3::from);
@@ -98,7 +100,7 @@ wheel: axle -> wc;\n"
         let moment: Vector3<f64> = moments.map(|(at, name)| at.cross(&of(name))).iter().sum();
         let bar = (af - ar).normalize() * row["c_bar_Nm"];
         assert!((moment - bar).norm() < 1e-8, "{moment:?}, the bar {bar:?}");
-        // With what the upper wishbone and the tie rod bear, all of the load.
+        // All of the load, with the forces of the upper wishbone and the tie rod.
         let all = bushes + of("upper_uf") + of("upper_ur") + of("knuckle_tb");
         assert!(
             (all - Vector3::new(0.0, 0.0, 4000.0)).norm() < 1e-8,
@@ -107,7 +109,7 @@ wheel: axle -> wc;\n"
     }
 }
 
-/// Wherever the angle counts from, and on which of its turns it is.
+/// The moment depends neither on the zero of its angle nor on the number of turns.
 #[test]
 fn a_moment_does_not_depend_on_the_turn_that_its_angle_is_on() {
     let statements =
@@ -143,7 +145,7 @@ link ap: a -> p;
 link bp: b -> p;\n";
 const ANGLE: f64 = 0.949_505_195_260_471;
 
-/// What holds the angle of a link bears its moment, and the link what is left, along it.
+/// The statement that holds the angle of a link bears its moment, and the link the remaining force along it.
 #[test]
 fn a_link_bears_the_same_however_its_angle_is_stated() {
     let marks = "fixed: above at [0.0, 0.0, 0.6], side at [0.16, -0.05, 0.3];\n";
@@ -162,7 +164,7 @@ fn a_link_bears_the_same_however_its_angle_is_stated() {
     let [from_axis, about] = &rows;
     for (name, found) in from_axis {
         let expected = about[name];
-        // A driven angle has unknowns of its own, and is beside the points by rounding.
+        // A driven angle has unknowns of its own, and differs from the points by rounding.
         assert!(
             (found.abs() - expected.abs()).abs() < 1e-6,
             "{name}: {found}, not {expected}"
@@ -178,7 +180,7 @@ fn a_link_bears_the_same_however_its_angle_is_stated() {
     assert!(sum.norm() < 1e-8, "{sum:?}");
 }
 
-/// At both ends of the angle all forces are in equilibrium, the couple on each line among them.
+/// At both ends of the angle all forces are in equilibrium, including the couple on each line.
 #[test]
 fn links_at_an_angle_that_is_held_are_in_equilibrium() {
     let statements = "fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2], c at [-0.3, 0.4, 0.25], d at [0.6, 0.1, 0.5];
@@ -243,7 +245,8 @@ measure held: angle({line}, uf -> ub);\n"
     }
 }
 
-/// A link that is the axis of a driven angle bears no more than one that is the axis of a measured angle with the same moment.
+/// A link that is the axis of a driven angle has the same force as one that is the axis of a measured angle with the same
+/// moment.
 #[test]
 fn an_axis_bears_what_is_left_beside_the_moments_on_lines() {
     let statements = |angle: &str| {
@@ -298,8 +301,8 @@ drive turn: angle(e -> n, e -> a about e -> f);\n";
     }
 }
 
-/// A T-bar whose twist counts from its foot's own hinge line, or from another line of the chassis: what the chassis bears there is
-/// no load on the foot, which tilts about that line and carries the stem.
+/// A T-bar whose twist is measured from its foot's own hinge line, or from another line of the chassis: the load on the
+/// chassis there is no load on the foot, which tilts about that line and carries the stem.
 #[test]
 fn what_carries_an_axis_is_in_equilibrium_beside_a_line_of_the_chassis() {
     let rows = ["side -> low", "low -> side", "low -> out", "out -> side"].map(|line| {
@@ -333,7 +336,7 @@ measure twist: angle({line}, other -> tip about low -> top);\n"
     }
 }
 
-/// From the foot to the head of the stem.
+/// Returns the vector from the foot to the head of the stem.
 fn stem() -> Vector3<f64> {
     Vector3::new(0.12, 0.0, (0.1_f64 - 0.12 * 0.12).sqrt())
 }

@@ -1,11 +1,11 @@
-//! The moment of what acts in a measured angle, on the parts that carry its lines.
+//! Moments of loads in measured angles, on the parts that carry the lines of the angle.
 
 use nalgebra::Vector3;
 
 use super::super::program::{folder, run, text};
 use super::{force, table};
 
-/// A trailing arm, 0.4 m long, with a torsion bar along its axis; lengths of the file are so many times as long.
+/// Returns a trailing arm, 0.4 m long, with a torsion bar along its axis; lengths in the file are multiplied by `size`.
 fn arm(unit: &str, size: f64, case: &str) -> String {
     let at = |x: f64, y: f64, z: f64| format!("[{:?}, {:?}, {:?}]", x * size, y * size, z * size);
     format!(
@@ -24,7 +24,7 @@ fn moment(row: &std::collections::BTreeMap<String, f64>, name: &str) -> Vector3<
     Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{name}_{axis}_Nm")]))
 }
 
-/// Whether a case states it, a drive has its load borne so, or both: all that acts together.
+/// A case may state the load, the measure may bear that of a drive, or both: the loads are added.
 #[test]
 fn a_torsion_bar_has_its_moment_on_the_arm() {
     for (case, expected) in [
@@ -48,7 +48,7 @@ fn a_torsion_bar_has_its_moment_on_the_arm() {
     assert!(!row.keys().any(|name| name.contains("bar")), "{row:?}");
 }
 
-/// An arm on a moving body: what acts between both turns the one as much as the other, and each body is in equilibrium.
+/// An arm on a moving body: a load between both acts on the two with opposite signs, and each body is in equilibrium.
 #[test]
 fn an_angle_between_two_bodies_has_action_and_reaction() {
     let file = "statements = '''\nfixed: f1 at [0.3, 0.3, 0.2], f2 at [-0.3, 0.3, 0.2];

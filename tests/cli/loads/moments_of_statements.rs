@@ -1,4 +1,4 @@
-//! The moment of what drives or holds an angle, on the parts that carry its lines.
+//! Moments of statements that drive or hold an angle, on the parts that carry the lines of the angle.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,8 @@ const POINTS: [(&str, [f64; 3]); 8] = [
     ("right", [-0.07, 0.31, 0.23]),
 ];
 
-/// A link on a subframe that a drive turns, kept from spinning by a universal joint; lengths of the file are so many times as long.
+/// Returns a link on a subframe that a drive turns, with a universal joint against spinning; lengths in the file are
+/// multiplied by `size`.
 fn file(unit: &str, size: f64) -> String {
     let points = POINTS.map(|(name, at)| format!("{name} = {:?}\n", at.map(|along| along * size)));
     format!(

@@ -1,4 +1,4 @@
-//! What the chassis bears at each of its points.
+//! The forces on the chassis at each of its points.
 
 use nalgebra::Vector3;
 
@@ -25,7 +25,7 @@ fn frame(more: &str) -> String {
 
 const LOADS: [[f64; 3]; 2] = [[-500.0, 300.0, 4000.0], [800.0, -200.0, 100.0]];
 
-/// The case of the frame, and what it does there.
+/// Returns the case of the frame, and its loads there.
 fn loaded() -> String {
     let [tip, hub] = LOADS;
     frame(&format!("[loads.a]\ntip = {tip:?}\nhub = {hub:?}"))
@@ -88,7 +88,7 @@ fn the_report_has_a_table_of_the_brackets() {
     assert_eq!(words, expected, "{report}");
 }
 
-/// What a reader would ask: why a drive bears nothing, what moves, and how bushes share.
+/// The report answers why a drive bears nothing, what moves, and how bushes share a load.
 #[test]
 fn the_report_explains_what_it_assumes() {
     let rocker = include_str!("../../../examples/double_wishbone_rocker.toml");

@@ -10,7 +10,7 @@ fn line<'a>(report: &'a str, name: &str) -> &'a str {
     found.unwrap_or_else(|| panic!("{name} in {report}"))
 }
 
-/// What the report of a command says, and the table beside it.
+/// Returns the report of a command and its table.
 fn report_and_table(file: &str, more: &[&str]) -> (String, Rows) {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -53,7 +53,7 @@ fn the_drives_at_one_place_are_named() {
     }
 }
 
-/// The drive that is moved is told beside each force, the other one above them all.
+/// The drive that moves is named beside each force, the other one once above them all.
 #[test]
 fn a_grid_has_the_place_of_each_extreme() {
     let more = ["--drive", "bump=-0.05:0.04:5"];
@@ -90,7 +90,7 @@ fn a_grid_of_two_drives_has_both_at_each_extreme() {
     );
 }
 
-/// What is the same everywhere is greatest nowhere.
+/// A number that is equal at all places has no place of its maximum.
 #[test]
 fn what_is_the_same_everywhere_has_no_place() {
     let file = loaded(&format!("{BRAKING}bump = \"damper\"\n"));
@@ -115,7 +115,7 @@ fn a_motion_has_the_time_of_each_extreme() {
     );
 }
 
-/// A motion does not write over what a grid has found.
+/// A motion does not overwrite the table of a grid.
 #[test]
 fn grids_and_motions_have_tables_of_their_own() {
     let folder = folder();

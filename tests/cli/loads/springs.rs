@@ -1,4 +1,4 @@
-//! Springs of the file: what is said where they bear a load, where they do not, and where a case names them the wrong way round.
+//! Springs of the file: the messages if they bear a load, if they do not, and if a case names them in the wrong order.
 
 use super::super::program::{folder, run, text};
 use super::loaded;
@@ -6,14 +6,14 @@ use super::loaded;
 const SPRINGS: &str = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n";
 const CASE: &str = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n";
 
-/// What is printed and what is said of a file.
+/// Returns the output and the messages for a file.
 fn told(file: &str, more: &[&str]) -> (String, String) {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(folder.path(), &[&["loads", "a.toml"], more].concat());
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let printed = text(&output.stdout).to_owned();
-    // What hinges share is another note.
+    // The shares of hinges are another note.
     let said = text(&output.stderr).split_inclusive('\n');
     let said = said
         .filter(|line| !line.contains("each of the two bushes"))
@@ -43,7 +43,7 @@ fn the_spring_that_bears_a_load_is_named() {
     }
 }
 
-/// A drive that bears the load leaves the springs nothing: one note says so for all cases.
+/// If a drive bears the load, the springs bear nothing: one note says so for all cases.
 #[test]
 fn springs_that_bear_nothing_are_noted_once() {
     let second = "[loads.b]\ncontact = [0.0, 3500.0, 5000.0]\n";
@@ -157,7 +157,7 @@ fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
     }
 }
 
-/// A spring of one side bears nothing of the other one: the measure of that side is named, and once for all cases.
+/// A spring of one side does not bear the load of the other one: a note names the measure of that side, once for all cases.
 #[test]
 fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
     let left = "springs.left = { along = \"damper_left\", rate = 30000.0, load = 2000.0 }\n";
@@ -187,7 +187,7 @@ fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
     }
 }
 
-/// What a spring of both wheels bears is no load of one wheel.
+/// The load of a spring of both wheels is not the load of one wheel.
 #[test]
 fn a_spring_of_both_wheels_is_not_proposed_for_one() {
     let file = "linkage = \"steered_axle\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\

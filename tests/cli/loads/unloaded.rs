@@ -3,7 +3,7 @@
 use super::super::program::{folder, run, text};
 use super::{BRAKING, force, loaded, table};
 
-/// What bears nothing at any place is named in a line, in place of rows of zeros; the table that is written has it.
+/// Parts without load at any place are named in one line, instead of rows of zeros; the written table contains them.
 #[test]
 fn what_bears_nothing_is_named_in_one_line() {
     let folder = folder();

@@ -73,7 +73,7 @@ fn what_is_no_mass_is_refused_with_its_place() {
     );
 }
 
-/// Of a part that both sides have, a mass on one side alone is likely to be forgotten on the other.
+/// A mass on only one of two equal parts of both sides was probably forgotten on the other.
 #[test]
 fn masses_of_one_side_alone_are_noted() {
     let said = |masses: &str| {

@@ -1,4 +1,4 @@
-//! Bodies whose first three points lie in line, where another order of the points works.
+//! Bodies whose first three points are collinear, for which another order of the points works.
 
 use super::super::program::{folder, run};
 use super::refusal;

@@ -1,4 +1,4 @@
-//! What is missing, stands in the wrong place, or is another file.
+//! Missing entries, entries in the wrong place, and other files.
 
 use super::super::program::{CORNER, edited, folder, run, text};
 use super::refusal;
@@ -42,7 +42,7 @@ fn a_key_in_the_wrong_table_is_told_where_it_stands() {
     }
 }
 
-/// Among keys alone, above all tables and in tables that have no names in them.
+/// Among keys: above all tables and in tables without names.
 #[test]
 fn an_unknown_field_that_stands_elsewhere_is_told_where() {
     let head = "linkage = \"trailing_arm\"\nunit = \"m\"\n";
@@ -69,7 +69,7 @@ fn an_unknown_field_that_stands_elsewhere_is_told_where() {
     }
 }
 
-/// Springs, moves and targets stand in tables under their names.
+/// Springs, moves and targets belong in tables with their names.
 #[test]
 fn a_table_without_its_name_is_answered_with_the_heading_to_write() {
     for (lines, heading) in [
@@ -219,7 +219,7 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
         let files = [("a.toml", motion.as_str()), ("a.linkage", &listing)];
         assert_eq!(refusal("motion", &files, &[]), expected);
     }
-    // Where the motion file moves one of the two, nothing is wrong.
+    // If the motion file moves one of the two, there is no mistake.
     let folder = folder();
     let listing = listing.replace("lower_rear  at [-0.20,", "lower_rear  at [0.20,");
     let moved = format!("{motion}[points]\nlower_rear = [-0.2, 0.35, 0.16]\n");

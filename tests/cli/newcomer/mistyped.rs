@@ -1,4 +1,4 @@
-//! Names that are mistyped, or stand for another kind.
+//! Names that are mistyped, or are of another kind.
 
 use suspension_core::linkages::LISTINGS;
 
@@ -140,7 +140,7 @@ fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
     }
 }
 
-/// In a file whose unit the catalogue's hardpoints are not in, so that it has to state them all.
+/// In a file whose unit differs from that of the catalogue's hardpoints, so that it has to state them all.
 #[test]
 fn a_mistyped_point_of_a_file_in_millimetres_is_told_with_its_line() {
     let file = CORNER.replace("unit = \"m\"", "unit = \"mm\"")

@@ -10,7 +10,7 @@ fn corner_with(points: &str) -> String {
 
 #[test]
 fn a_point_in_another_unit_is_named_first_at_its_place() {
-    // The spin axis has no length: the marker is where the wheel centre is.
+    // The spin axis has no length: the marker coincides with the wheel centre.
     let flat = "axle = { from = \"wheel_centre\", offset = [0.0, 0.0, 0.0] }\n";
     let said = refusal(
         "motion",

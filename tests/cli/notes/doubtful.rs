@@ -1,9 +1,10 @@
-//! Notes on what a file states, or leaves to its listing, that was probably meant otherwise.
+//! Notes on values that a file states or leaves to its listing, and that are probably mistakes.
 
 use super::super::program::{CORNER, folder, run, text};
 use super::notes;
 
-/// Points of a listing that the file does not state stay where the listing has them: a note says so where those around them are elsewhere.
+/// Points that the file does not state keep their positions in the listing: a note says so if the points around them are
+/// elsewhere.
 #[test]
 fn a_point_that_stays_behind_the_others_is_remarked() {
     let file =
@@ -23,7 +24,7 @@ fn a_point_that_stays_behind_the_others_is_remarked() {
                 relative,
             )),
         ),
-        // The file is in order with what the note says.
+        // With the line that the note proposes the file is correct.
         (
             at_centre("0.31").replace("points = {", &format!("points = {{ {relative},")),
             None,
@@ -52,7 +53,7 @@ fn a_point_that_stays_behind_the_others_is_remarked() {
     }
 }
 
-/// One point on the other side than its wheel: of a corner, or of an axle one that has the wheel's name.
+/// One point on the other side than its wheel: of a corner, or of an axle a point with the wheel's name.
 #[test]
 fn a_point_on_the_wrong_side_is_remarked() {
     let corner = |point: &str| {
@@ -95,7 +96,7 @@ fn a_point_on_the_wrong_side_is_remarked() {
     assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
 }
 
-/// The same beside what it leads to: a motion that its drives cannot begin.
+/// The note accompanies its consequence: a motion that its drives cannot begin.
 #[test]
 fn a_point_on_the_wrong_side_is_told_where_a_motion_is_out_of_reach() {
     let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");

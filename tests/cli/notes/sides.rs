@@ -26,7 +26,7 @@ fn a_wheel_on_the_other_side_than_its_name_is_remarked() {
     );
 }
 
-/// A chassis point adds no unknowns, so that equations and unknowns are as many with one as with two.
+/// A chassis point adds no unknowns, so the counts of equations and unknowns are the same with one point and with two.
 #[test]
 fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
     let hinge = "hinge left_arm: OUTER, left_inner -> left_wheel_centre;";
@@ -48,7 +48,7 @@ fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
     }
 }
 
-/// The image of a point is where the listing has it, though the file moves the point.
+/// The image of a point has its position of the listing, although the file moves the point.
 #[test]
 fn a_point_that_is_moved_without_its_image_is_remarked() {
     let statements = "hinge left_arm: left_outer, left_inner -> left_wheel_centre;";

@@ -2,7 +2,7 @@
 
 use super::notes;
 
-/// An axle whose rack ends are on the chassis: the drive moves the left one.
+/// Returns an axle whose rack ends are on the chassis: the drive moves the left one.
 fn axle(rack: &str, vehicle: &str) -> String {
     format!(
         "unit = 'm'\nvehicle = {vehicle}\ntime = {{ instants = [0.0] }}\ndrives = {{ steer = 0.3 }}\nstatements = '''\nmirror: left -> right;\n\

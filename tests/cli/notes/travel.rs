@@ -30,7 +30,7 @@ fn the_travel_of_each_wheel_is_proposed_where_it_is_needed() {
         "note: a.toml: no drive is named as the travel of the fl wheel and the fr wheel, and quantities of [vehicle] that need it are \
          left out; write {TRAVEL} under [vehicle]\n"
     );
-    // Of the ground, the roll centre and what follows in roll.
+    // Quantities that need the ground: the roll centre and those in roll.
     for vehicle in [CAR, ""] {
         assert_eq!(notes(&arms(vehicle)), expected);
         assert_eq!(notes(&arms(&format!("{vehicle}{TRAVEL}\n"))), "");

@@ -1,4 +1,4 @@
-//! `suspension sensitivities` of an axle: which wheel is meant, and what moves together.
+//! `suspension sensitivities` of an axle: the intended wheel, and the points that move together.
 
 use super::super::program::{folder, run, text};
 use super::table;
@@ -38,8 +38,9 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
     }
 }
 
-/// The rack of a mirrored axle slides in a housing: moved across, its end takes the housing and the other end with it, so that the
-/// height of the rack does to bump steer what that of a rack does which is a chassis point. Along the line it moves alone.
+/// The rack of a mirrored axle slides in a housing: if its end is moved across the line, the housing and the other end
+/// follow, so that the height of the rack affects bump steer like that of a rack on a chassis point. Along the line it moves
+/// alone.
 #[test]
 fn the_end_of_a_rack_takes_its_line_with_it() {
     let file = |layout: &str, drives: &str| {
@@ -81,7 +82,7 @@ fn the_end_of_a_rack_takes_its_line_with_it() {
     assert!(along["right_toe_rad"].abs() < 1e-9);
 }
 
-/// Each wheel of an axle is moved by its own drive: most derivatives along that of the other one are zero.
+/// Each wheel of an axle is moved by its own drive: most derivatives with respect to the other one are zero.
 #[test]
 fn what_is_zero_and_unchanged_is_gathered_in_one_line() {
     let folder = folder();
@@ -106,7 +107,7 @@ fn what_is_zero_and_unchanged_is_gathered_in_one_line() {
     assert!(height.ends_with(gathered), "{height}");
 }
 
-/// The line that is missing is that of each wheel's quantity too; a name that is a wheel's by mistake is not one.
+/// A quantity of each wheel also needs the missing line; a wheel's name in the wrong place is not a quantity.
 #[test]
 fn of_a_wheel_the_line_that_is_missing_is_named_too() {
     let folder = folder();

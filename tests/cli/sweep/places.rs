@@ -28,8 +28,8 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
     assert_eq!(rows(&table).len(), 2);
 }
 
-/// The tip of two arms reaches what is nearer than their sum and farther than their difference, past either of which a straight
-/// way may lead.
+/// The tip of two arms reaches places nearer than their sum and farther than their difference; a straight path may pass
+/// either limit.
 #[test]
 fn every_place_that_neighbours_lead_to_is_reached_whatever_the_order_of_the_drives() {
     let file = "statements = '''
@@ -64,7 +64,7 @@ drives = { px = 0.35, py = 0.0 }
     }
 }
 
-/// A platform on three driven lengths changes its assembly round a cusp of its drives, where the determinant keeps its sign.
+/// A platform on three driven lengths changes its assembly round a cusp of its drives, while the determinant keeps its sign.
 #[test]
 fn no_place_is_reached_in_another_assembly_round_a_cusp() {
     let file = "statements = '''

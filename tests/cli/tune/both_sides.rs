@@ -62,7 +62,7 @@ fn a_length_of_the_other_side_is_moved_with_it() {
     );
 }
 
-/// What moves as in a mirror is on the other side.
+/// The mirrored point must be on the other side.
 #[test]
 fn a_mirrored_point_of_the_same_side_is_refused() {
     let folder = folder();

@@ -1,9 +1,9 @@
-//! Which quantities may be targets.
+//! The quantities that may be targets.
 
 use super::super::program::{folder, run, text};
 use super::{file, met, target, tuned};
 
-/// A name may begin as a shorter one does: `camber_to_ground`, `kingpin_offset`.
+/// A name may begin with a shorter one: `camber_to_ground`, `kingpin_offset`.
 #[test]
 fn every_quantity_that_sensitivities_tell_may_be_a_target() {
     let folder = folder();
@@ -28,7 +28,7 @@ fn every_quantity_that_sensitivities_tell_may_be_a_target() {
     }
 }
 
-/// There is no Ackermann percentage where the wheels are hardly steered.
+/// There is no Ackermann percentage if the wheels are hardly steered.
 #[test]
 fn a_place_without_a_value_is_told() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! Tuning in other units and axes, and what is refused.
+//! Tuning in other units and axes, and refusals.
 
 use super::super::corner;
 use super::super::program::{folder, text};
@@ -187,7 +187,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
     }
 }
 
-/// In a file in metres a box in millimetres is remarked, before anything is found.
+/// In a file in metres a box in millimetres is noted before the search.
 #[test]
 fn a_box_in_another_unit_is_remarked() {
     let drives = "bump = 0.3\nsteer = 0.34";

@@ -1,9 +1,9 @@
-//! The file that tuning writes, and what it must not write over.
+//! The file that tuning writes, and files that it must not overwrite.
 
 use super::super::program::{folder, run, text};
 use super::{DRIVES, FLAT, file, met, swept, target, tuned};
 
-/// Where a point of a drive is moved along it, the motion begins there.
+/// If a point of a drive is moved along the drive, the motion begins at the new position.
 #[test]
 fn drives_begin_where_the_design_has_them() {
     let folder = folder();
@@ -62,7 +62,7 @@ by = [-0.05, 0.05]
     assert!((found - 10_000.0).abs() < 1.001, "{found}");
 }
 
-/// A marker that the file states off a point goes with it.
+/// A marker that the file states relative to a point moves with it.
 #[test]
 fn a_marker_follows_the_point_that_it_is_stated_off() {
     let folder = folder();
@@ -177,7 +177,7 @@ fn what_is_there_is_not_replaced_unasked() {
     );
 }
 
-/// Hardpoints that are rounded assemble a little beside where the file has them.
+/// Rounded hardpoints assemble at slightly different positions than the file states.
 #[test]
 fn hardpoints_that_are_rounded_are_written_as_they_assemble() {
     let folder = folder();
@@ -222,7 +222,7 @@ within = 0.02
     assert!(!tuned.contains("603.1,"), "{tuned}");
 }
 
-/// The top is 1 mm beside the strut: the file has the points that the assembled strut has, beside the one that moves.
+/// The top is 1 mm off the strut's line: the file states the points of the assembled strut, in addition to the moved one.
 #[test]
 fn points_of_a_listing_that_do_not_satisfy_it_are_written_as_they_assemble() {
     let folder = folder();

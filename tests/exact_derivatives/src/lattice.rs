@@ -1,4 +1,4 @@
-//! A mechanism in 32 digits at places that are steps of its drives apart.
+//! A mechanism in 32 digits at places that are small steps of its drives apart.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -13,13 +13,13 @@ use suspension_runtime::Fitted;
 
 use super::wheel::Vector;
 
-/// What drives differ by from place to place, m or rad.
+/// The step of the drives between places, m or rad.
 const STEP: f64 = 2e-5;
 
 /// A correction that leaves 30 digits.
 const LAST_CORRECTION: f64 = 1e-24;
 
-/// Unknowns that there is room for: models of one size serve all layouts, and are compiled once.
+/// The number of unknowns for which there is room: models of one size serve all layouts, and are compiled once.
 const ROOM: usize = 60;
 
 pub(super) type Model<'m, T> = suspension_runtime::Model<'m, T, ROOM>;
@@ -34,7 +34,7 @@ type Known<K> = RefCell<HashMap<K, Rc<[Vector]>>>;
 pub(super) struct Lattice<'m> {
     pub(super) exact: Model<'m, DoubleDouble>,
     drives: Vec<f64>,
-    /// At the start, by which all places near it are corrected.
+    /// The factors at the start, with which all places near it are corrected.
     factors: <Model<'m, f64> as Linkage<ROOM>>::Factors,
     start: SVector<f64, ROOM>,
     solved: Known<Steps>,
@@ -95,7 +95,7 @@ impl<'m> Lattice<'m> {
             .collect()
     }
 
-    /// Steps of one drive.
+    /// Returns steps of one drive.
     pub(super) fn beside(&self, drive: usize, steps: i32) -> Steps {
         let mut beside = vec![0; self.drives.len()];
         beside[drive] = steps;
@@ -152,7 +152,7 @@ impl<'m> Lattice<'m> {
         panic!("no root at {steps:?} of {:?}", self.drives);
     }
 
-    /// What the drives prescribe, cosines of all digits.
+    /// Returns the prescribed coordinates, with cosines of all digits.
     fn coordinates(&self, steps: &Steps) -> <Model<'m, DoubleDouble> as Linkage<ROOM>>::Drives {
         // At an angle of zero the coordinate of a link is its length, and the rate of an angle about an axis a
         // quarter of it.

@@ -1,8 +1,8 @@
-//! Derivatives that `suspension sweep` writes, of every quantity, at every layout of the catalogue, against central
-//! differences in numbers of 32 digits.
+//! Derivatives from `suspension sweep`, of every quantity at every layout of the catalogue, against central differences in
+//! numbers of 32 digits.
 //!
-//! The reference has the equations' residuals from the core and no derivative at all: places beside the one of a row
-//! are solved to 30 digits, velocities are differences of these, and quantities are computed from points and velocities.
+//! The reference uses the equations' residuals of the core and no derivatives: places near that of a row are solved to 30
+//! digits, velocities are differences of these, and quantities are computed from points and velocities.
 
 mod lattice;
 mod quantities;
@@ -22,13 +22,13 @@ use lattice::{Lattice, Model};
 use quantities::{Car, Reference, travel_and_steering};
 use sensitivities::Sensitive;
 
-/// What values and derivatives may differ by, relative to their magnitude.
+/// The largest difference of values and derivatives, relative to their magnitude.
 pub const GATE: f64 = 1e-8;
 
-/// Or, where they are smaller than that, to this: in metres, radians and percent, per metre or radian of a drive.
+/// The magnitude below which the difference is absolute: in metres, radians and percent, per metre or radian of a drive.
 const SMALL: f64 = 1e-3;
 
-/// Beyond this there is no instant centre: in the view the carrier does not turn, but for rounding.
+/// An instant centre farther away does not exist: in the view the carrier rotates only by rounding.
 const NOWHERE: f64 = 1e9;
 
 /// Quantities in roll, which `axle::derivatives` holds against differences.
@@ -38,7 +38,7 @@ fn is_of_roll(name: &str) -> bool {
     OF_ROLL.iter().any(|of_roll| name.contains(of_roll))
 }
 
-/// From the design position to the second place, m and rad.
+/// The distance of the second place from the design position, m and rad.
 const OFFSETS: [f64; 2] = [0.013, 0.05];
 
 const CARS: [Car; 2] = [Car::Front, Car::Rear];
@@ -49,7 +49,8 @@ const WHEEL_CENTRE: [f64; 3] = [-1.270, 0.415, 0.218];
 /// A row of a table, by the names of its columns.
 type Row = BTreeMap<String, f64>;
 
-/// What a command of the program, with options, writes to standard output for a motion file with this text: `--csv -` is one of them.
+/// Runs a command of the program with options, one of which is `--csv -`, on a motion file with this text, and returns its
+/// standard output.
 pub type Program<'a> = &'a dyn Fn(&str, &[&str]) -> Vec<u8>;
 
 /// A layout of the catalogue.
@@ -65,9 +66,9 @@ pub struct Layout {
 pub struct Worst {
     /// The difference, relative.
     pub off: f64,
-    /// Of which number.
+    /// The name of the number.
     pub what: String,
-    /// How many numbers were compared.
+    /// The number of compared numbers.
     pub count: usize,
 }
 
@@ -232,7 +233,7 @@ impl Worst {
         );
     }
 
-    /// Holds a row without second derivatives against one with them: other numbers have read it.
+    /// Compares a row without second derivatives with one that has them: they were computed with other number types.
     fn compare_rows(&mut self, layout: &str, first: &Row, row: &Row) {
         for (name, found) in first {
             let (what, expected) = (format!("{layout} {name} alone"), row[name]);
@@ -245,7 +246,7 @@ impl Worst {
         self.hold_to(SMALL, what, found, expected);
     }
 
-    /// Holds a number to a small one, or to the magnitude of what is expected where that is larger.
+    /// Compares a number relative to `small` or to the magnitude of the expected number, whichever is larger.
     fn hold_to(&mut self, small: f64, what: &str, found: f64, expected: f64) {
         if expected.is_nan() || expected.abs() > NOWHERE {
             return;
@@ -261,7 +262,7 @@ impl Worst {
     }
 }
 
-/// The catalogue without what includes another of it: tests/cli/axle/car.rs holds that against the other.
+/// Returns the catalogue without layouts that include others: tests/cli/axle/car.rs compares these.
 pub fn layouts() -> impl Iterator<Item = Layout> {
     let layouts = LISTINGS.iter().map(|(name, text)| Layout { name, text });
     layouts.filter(|layout| !layout.text.contains("include "))

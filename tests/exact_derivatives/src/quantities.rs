@@ -22,10 +22,10 @@ const LEVER: f64 = 5.0;
 const BRAKE_SHARE: f64 = 0.625;
 const DRIVE_SHARE: f64 = 0.25;
 
-/// What wheels that move each other have not.
+/// Quantities that wheels which move each other lack.
 const OF_INDEPENDENT: [&str; 2] = ["roll_centre_m", "jacking_percent"];
 
-/// Which axle of a car the suspension is.
+/// The axle of the suspension in a car.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Car {
     Front,
@@ -33,8 +33,8 @@ pub(super) enum Car {
 }
 
 impl Car {
-    /// The line of a motion file that describes the vehicle. Without a word `steer` is the drive of steering, and those of
-    /// travel are the ones named after the wheels.
+    /// Returns the line of a motion file that describes the vehicle. By default `steer` is the drive of steering, and the
+    /// drives of travel have the names of the wheels.
     pub(super) fn vehicle(self, travel: &str, steers: bool) -> String {
         let axle = match self {
             Self::Front => "front",
@@ -55,13 +55,13 @@ impl Car {
     }
 }
 
-/// The first drive that does not steer, and the one that does.
+/// Returns the first drive that does not steer, and the one that does.
 pub(super) fn travel_and_steering(drives: &[&str]) -> (usize, Option<usize>) {
     let place = |steers: bool| drives.iter().position(|name| (*name == "steer") == steers);
     (place(false).expect("a drive"), place(true))
 }
 
-/// What quantities rest on beside points and velocities.
+/// Data for quantities in addition to points and velocities.
 pub(super) struct Reference<'a> {
     pub(super) system: &'a System,
     pub(super) car: Car,
@@ -145,7 +145,7 @@ impl Reference<'_> {
         named
     }
 
-    /// How far a wheel has moved, by the ends of its axis.
+    /// Computes the displacement of a wheel from the ends of its axis.
     fn changes_from_design(&self, named: &mut Named, now: [Vector; 2], design: [Vector; 2]) {
         let centre = now[1] - design[1];
         let contact = on_ground(now) - on_ground(design);
@@ -217,7 +217,7 @@ impl Reference<'_> {
         );
     }
 
-    /// `is_axle` where one body carries both wheels, which bears the torque of the drive.
+    /// `is_axle` if one body carries both wheels, which then bears the torque of the drive.
     fn in_side_view(
         &self,
         named: &mut Named,

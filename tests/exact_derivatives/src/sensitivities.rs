@@ -13,16 +13,16 @@ use super::lattice::{Lattice, Model, first_difference};
 use super::quantities::{Car, Reference};
 use super::{Layout, Program, Row, Worst, design, is_of_roll, missing};
 
-/// What a hardpoint or a length differs by from suspension to suspension, m. The model's constants are rounded to 16 digits,
-/// which shows in differences over the second, and those over the first miss how curved a number is close to a pole: a
-/// sensitivity is held to the nearer one.
+/// The differences of a hardpoint or a length between suspensions, m. The model's constants are rounded to 16 digits, which
+/// affects differences with the smaller step, and differences with the larger step have truncation errors close to a pole: a
+/// sensitivity is compared with the nearer one.
 const STEPS: [f64; 2] = [2e-4, 2e-6];
 
-/// What smaller sensitivities of a number are held to: a part of its largest one, and no less than this, per metre.
+/// The tolerance of smaller sensitivities of a number: a part of its largest one, and at least this, per metre.
 const SMALL: f64 = 1e-2;
 const NONE: f64 = 1e-3;
 
-/// What is changed.
+/// The changed coordinate or length.
 #[derive(Clone, Copy, Debug)]
 enum Changed {
     Point(usize, usize),
@@ -32,10 +32,10 @@ enum Changed {
 /// Numbers of a suspension under their names in the table: values, then derivatives with respect to drives.
 type Numbers = BTreeMap<String, DoubleDouble>;
 
-/// How many changes of a layout are drawn.
+/// The number of random changes of a layout.
 const DRAWN: usize = 16;
 
-/// A layout whose sensitivities are held, and what is drawn at random of all changes.
+/// A layout whose sensitivities are compared, and the random changes.
 pub(super) struct Sensitive<'a> {
     pub(super) layout: &'a Layout,
     pub(super) random: &'a mut fastrand::Rng,
@@ -59,7 +59,7 @@ fn all(listing: &Listing) -> impl Iterator<Item = (String, Changed)> {
 }
 
 impl Sensitive<'_> {
-    /// The table's rows, by what is changed.
+    /// Returns the table's rows, by the change.
     fn table(&self, listing: &Listing, drives: &[f64]) -> BTreeMap<String, Row> {
         let file = self.layout.file(listing, Car::Front, drives);
         let table = (self.program)(&file, &["sensitivities", "a.toml", "--csv", "-"]);
@@ -117,7 +117,7 @@ impl Sensitive<'_> {
     }
 }
 
-/// Whether a number is of the wheel centre, which is a point under another name.
+/// Returns whether a number is that of the wheel centre, which is a point under another name.
 fn is_point(key: &str) -> bool {
     ["centre_x", "centre_y", "centre_z"]
         .iter()
@@ -137,8 +137,8 @@ fn difference(beside: &[Numbers; 4], key: &str, step: f64) -> f64 {
     (sum / DoubleDouble::from(12.0 * step)).nearest()
 }
 
-/// Moves a point. One that slides on a line of the chassis, of which a layout has one at most, takes that and what else slides
-/// there with it, as far as it moves across the line.
+/// Moves a point. A point that slides on a line of the chassis, of which a layout has at most one, takes the line and the
+/// other points that slide there with it, as far as it moves across the line.
 fn move_point(listing: &Listing, points: &mut [Vector3<f64>], place: usize, by: Vector3<f64>) {
     let chassis = listing.count(Kind::ChassisPoint);
     let statements = listing.statements().into_iter();
@@ -160,7 +160,7 @@ fn move_point(listing: &Listing, points: &mut [Vector3<f64>], place: usize, by: 
     points[place] += by;
 }
 
-/// The numbers of a suspension with one change.
+/// Returns the numbers of a suspension with one change.
 fn numbers(
     reference: &Reference<'_>,
     listing: &Listing,

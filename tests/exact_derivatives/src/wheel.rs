@@ -1,4 +1,4 @@
-//! What a wheel's points and velocities tell of it, in 32 digits.
+//! Quantities of a wheel from its points and velocities, in 32 digits.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ pub(super) type Named = Vec<(String, Number)>;
 /// Wheel radius, m.
 pub(super) const RADIUS: f64 = 0.3;
 
-/// How far the rack moves in a turn of the steering wheel, m.
+/// The travel of the rack per turn of the steering wheel, m.
 pub(super) const PER_TURN: f64 = 0.052;
 
 pub(super) fn on_ground([inner, centre]: [Vector; 2]) -> Vector {
@@ -87,7 +87,7 @@ pub(super) fn of_steering(
             ("virtual_pitch_m_rad", pitch),
             (
                 "steering_ratio_rad_rad",
-                // Of any suspension of the catalogue it is positive.
+                // It is positive for every suspension of the catalogue.
                 if ratio.is_below_zero() { -ratio } else { ratio },
             ),
         ]
@@ -95,8 +95,8 @@ pub(super) fn of_steering(
     );
 }
 
-/// The carrier of a wheel by three of its points: of rigid edges `a` and `b` with rates `a'` and `b'`, and `n = a x b`,
-/// the angular velocity is `(a (b' . n) - b (a' . n) + n (a' . b)) / |n|^2`.
+/// The motion of a wheel's carrier from three of its points: for rigid edges `a` and `b` with rates `a'` and `b'`, and `n =
+/// a x b`, the angular velocity is `(a (b' . n) - b (a' . n) + n (a' . b)) / |n|^2`.
 pub(super) fn moving_carrier(
     points: [Vector; 3],
     rates: [Vector; 3],

@@ -1,4 +1,4 @@
-//! From any text to a listing, a model where it states its points, and steps of it; or mistakes with their places.
+//! From any text to a listing, a model if it states its points, and its steps; or mistakes with their places.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -43,13 +43,13 @@ impl Work for Steps {
             {
                 assert_eq!(bits(&bounded), bits(&before));
             }
-            // Errors are as good as steps here: what is demanded of them is in `solver`.
+            // Errors are accepted like steps here: `solver` tests them.
             let _ = Tracker::default().step(&model, &inputs, 1e-3, &mut tracked);
         }
     }
 }
 
-/// Whatever the numbers are, NaN included.
+/// Returns the bits of any numbers, NaN included.
 fn bits<const N: usize>(motion: &Motion<f64, N>) -> Vec<u64> {
     let Motion {
         position,
@@ -72,7 +72,7 @@ fn read_parts(listing: &Listing) {
     assert!(listing.count(Kind::Unknown) <= 60);
 }
 
-/// Every mistake is one in the text, or at its end.
+/// Every mistake is at a place in the text, or at its end.
 fn check(text: &str, refused: &Mistakes) {
     assert!(!refused.mistakes.is_empty());
     assert!(!refused.to_string().is_empty());

@@ -1,4 +1,4 @@
-//! What is counted of the baked wheel pose: one look-up in the curve.
+//! The counted call for the baked wheel pose: one look-up in the curve.
 
 use suspension_core::baked::Curve;
 
@@ -9,10 +9,10 @@ pub type Wheel<T> = Curve<'static, T, 6, 6>;
 
 const SEGMENTS: usize = WHEEL_BY_THETA.segments.len();
 
-/// In `f64`, as it was baked.
+/// The curve in `f64`.
 pub static WHEEL_F64: Wheel<f64> = WHEEL_BY_THETA;
 
-/// In `f32`.
+/// The curve in `f32`.
 pub static WHEEL_F32: Wheel<f32> = Curve {
     range: [
         WHEEL_BY_THETA.range[0] as f32,
@@ -33,10 +33,10 @@ const fn rounded() -> [[[f32; 6]; 6]; SEGMENTS] {
     rounded
 }
 
-/// Exports the look-ups in one number type: of a drive and its rates, into the pose and its rates.
+/// Exports the look-ups in one number type: from a drive and its rates to the pose and its rates.
 macro_rules! export {
     ($number:ty: $position:ident, $velocity:ident, $acceleration:ident) => {
-        /// Position alone.
+        /// Only the position.
         #[unsafe(no_mangle)]
         #[inline(never)]
         pub fn $position(

@@ -1,4 +1,4 @@
-//! A number that tells two motions apart by their last bit.
+//! A number that distinguishes two motions by their last bit.
 
 /// A number whose bits can be seen.
 pub trait Bits: Copy {
@@ -18,7 +18,7 @@ impl Bits for f64 {
     }
 }
 
-/// FNV-1a, with one number in the place of a byte.
+/// FNV-1a with numbers in place of bytes.
 #[derive(Clone, Copy)]
 pub struct Checksum(u64);
 

@@ -15,7 +15,7 @@ pub struct Instructions {
 }
 
 impl Instructions {
-    /// The counter, or what it counts of [`KNOWN`] instructions where it miscounts.
+    /// Returns the counter, or its result for [`KNOWN`] instructions if that is wrong.
     pub fn checked() -> Result<Self, u32> {
         let plain = Self { of_nothing: 0 };
         // The first reading may find the processor's counter not yet started.
@@ -40,7 +40,7 @@ impl Gauge for Instructions {
     }
 }
 
-/// What is counted of a call: the same around each.
+/// The counted code around a call, which is the same for all calls.
 #[inline(never)]
 fn called(counter: &Instructions, call: fn()) -> u32 {
     counter.gauge(call).1

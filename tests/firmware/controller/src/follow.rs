@@ -1,4 +1,4 @@
-//! Through the published motion, one counted call a step.
+//! The published motion, with one counted call per step.
 
 use suspension_core::nalgebra::{SVector, Vector3};
 use suspension_core::solve::report as solver;
@@ -8,13 +8,13 @@ use crate::baked::Wheel;
 use crate::checksum::{Bits, Checksum};
 use crate::published::{self, Published, STEPS};
 
-/// Gauges what a call takes: instructions, or bytes of stack.
+/// Measures the cost of a call: instructions, or bytes of stack.
 pub trait Gauge {
-    /// What the call results in, and what it takes.
+    /// Returns the result of the call, and its cost.
     fn gauge<R>(&self, call: impl FnOnce() -> R) -> (R, u32);
 }
 
-/// What a mode did over the motion.
+/// The results of a mode over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
     /// The least that a step took.
@@ -23,7 +23,7 @@ pub struct Report {
     pub most: u32,
     /// Made of all numbers of the states after each step.
     pub checksum: u64,
-    /// The largest residual that a step was accepted with, m; zero where none is formed.
+    /// The largest residual of an accepted step, m; zero if none is computed.
     pub residual: f64,
 }
 
@@ -43,15 +43,15 @@ impl Report {
     }
 }
 
-/// What forces do.
+/// The results of forces.
 pub struct Borne<T> {
-    /// Of each equation.
+    /// The multiplier of each equation.
     pub multipliers: SVector<T, 15>,
-    /// What the drive bears.
+    /// The force on the drive.
     pub on_drive: T,
 }
 
-/// What forces at the points do at a position.
+/// Computes the results of forces at the points of a position.
 pub type OfForces<T, L> = fn(
     &L,
     &<L as Linkage<15>>::Drives,
@@ -62,8 +62,8 @@ pub type OfForces<T, L> = fn(
 /// A look-up of the pose at a drive with its rates; false outside the range.
 pub type LookUp<T> = fn(&Wheel<T>, &[T; 3], &mut [[T; 6]; 3]) -> bool;
 
-/// Follows the motion with the steps of a solver; or the number of the first step that
-/// fails. A type for each step makes its call a direct one.
+/// Follows the motion with the steps of a solver; returns the number of the first step that fails. The type parameter for
+/// each step makes its call a direct one.
 pub fn solved<T, L, E>(
     gauge: &impl Gauge,
     step: impl Fn(&L, &Inputs<Still, L::Drives>, &mut Motion<T, 15>) -> Result<solver::Report<T>, E>,
@@ -120,8 +120,7 @@ where
     Ok(report)
 }
 
-/// Looks the motion up in a baked one; or the number of the first step outside
-/// its range.
+/// Looks the motion up in a baked one; returns the number of the first step outside its range.
 pub fn baked<T: Real + Bits>(
     gauge: &impl Gauge,
     wheel: &Wheel<T>,

@@ -1,8 +1,7 @@
-//! A control loop that drives the published five-point suspension through its motion, with one
-//! millisecond a step.
+//! A control loop that drives the published five-point suspension through its motion, with one millisecond per step.
 //!
-//! The same code runs on emulated microcontrollers, where each step's instructions are counted, and
-//! on the host, with which their results must agree.
+//! The same code runs on emulated microcontrollers, where each step's instructions are counted, and on the host, whose
+//! results must agree.
 #![no_std]
 
 pub mod baked;

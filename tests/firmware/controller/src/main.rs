@@ -1,5 +1,5 @@
-//! The loop on a controller. What each mode takes is written to the debugger, a line a mode: what
-//! was gauged, the mode, least and most, checksum and largest residual.
+//! The loop on a controller. It writes the costs of each mode to the debugger, one line per mode: the measured cost, the
+//! mode, least and most, checksum and largest residual.
 #![no_std]
 #![no_main]
 

@@ -4,7 +4,7 @@ use crate::baked::{self, WHEEL_F32, WHEEL_F64};
 use crate::follow::{Gauge, Report, baked, loaded, solved};
 use crate::steps;
 
-/// Runs each mode, which is named by its counted function, and tells of it.
+/// Runs each mode, which is named by its counted function, and reports it.
 macro_rules! run {
     ($gauge:ident, $tell:ident: solved $($name:ident)*) => {
         $($tell(stringify!($name), solved($gauge, steps::$name));)*
@@ -17,7 +17,7 @@ macro_rules! run {
     };
 }
 
-/// The modes in `f32`. What is told is a mode's name and what it did, or the step that fails.
+/// The modes in `f32`. The report is a mode's name and its results, or the step that fails.
 pub fn single(gauge: &impl Gauge, tell: &mut impl FnMut(&'static str, Result<Report, u32>)) {
     run!(gauge, tell: solved
         attia2003_f32_exact five_link_f32_exact

@@ -11,8 +11,8 @@ use crate::steps;
 /// The length of a step, s.
 pub const STEP: f64 = 1e-3;
 
-/// The steps, from 0 to 1.9 s. The mechanism locks at 1.978 s; the last of the published instants,
-/// 1.95 s, is so near that one correction a step does not reach the tolerance of `f64` there.
+/// The number of steps, from 0 to 1.9 s. The mechanism locks at 1.978 s; the last of the published instants, 1.95 s, is so
+/// near that one correction per step does not reach the tolerance of `f64` there.
 pub const STEPS: u32 = 1900;
 
 /// Attia 2003, tables 1 and 2 at t = 0: points 1 to 10 in metres, and a wheel centre.
@@ -35,14 +35,14 @@ const LINKS: [f64; 5] = [0.445872, 0.298452, 0.247006, 0.315105, 0.311988];
 
 /// A model of the published mechanism in a number type. Its functions are compiled here, once, and not for each gauge.
 pub trait Published: Build<15, Listing: Default> {
-    /// At t = 0 with the rates of the motion; `None` where it cannot be assembled.
+    /// Returns the motion at t = 0 with its rates; `None` if it cannot be assembled.
     fn start() -> Option<(Self, Motion<Self::Scalar, 15>)>;
 
-    /// Steps to the tolerance; false where that fails.
+    /// Steps to the tolerance; returns `false` if that fails.
     fn advance(&self, number: u32, motion: &mut Motion<Self::Scalar, 15>) -> bool;
 }
 
-/// The distances within the knuckle are those that a mechanism keeps, in the order of its listing.
+/// The distances within the knuckle are the lengths of a mechanism, in the order of its listing.
 macro_rules! published {
     ($linkage:ident, $distances:expr; $($number:ty: $step:ident),*) => {
         $(impl Published for $linkage::Model<$number> {

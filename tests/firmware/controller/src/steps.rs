@@ -1,5 +1,5 @@
-//! What is counted: one step of the control loop, as one call of a function that nothing is
-//! inlined into. Their names are those of the symbols.
+//! The counted calls: one step of the control loop each, as one call of a function that is not inlined. Their names are
+//! those of the symbols.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::SVector;
@@ -11,10 +11,10 @@ use suspension_core::{Bounded, Inputs, Motion, SolveError, Still, Tracker};
 use crate::follow::Borne;
 use crate::published::STEP;
 
-/// Exports a step to the tolerance, by as many corrections as it takes.
+/// Exports a step to the tolerance, with as many corrections as necessary.
 macro_rules! exact {
     ($linkage:ident, $number:ty: $name:ident) => {
-        /// To the tolerance.
+        /// Steps to the tolerance.
         #[unsafe(no_mangle)]
         #[inline(never)]
         pub fn $name(
@@ -27,11 +27,10 @@ macro_rules! exact {
     };
 }
 
-/// Exports an attempt at a step of fixed cost, with one correction where the acceleration is solved for and
-/// else two.
+/// Exports an attempt at a step of fixed cost, with one correction if it solves for the acceleration and otherwise two.
 macro_rules! bounded {
     ($linkage:ident, $number:ty, $outputs:ident, $corrections:literal: $name:ident) => {
-        /// At a fixed cost.
+        /// Steps at a fixed cost.
         #[unsafe(no_mangle)]
         #[inline(never)]
         pub fn $name(
@@ -50,8 +49,8 @@ macro_rules! bounded {
     };
 }
 
-/// Exports what forces at the points do to each equation and to the drive: those of links in N. The Jacobian is factored
-/// anew.
+/// Exports the multipliers and the force on the drive due to forces at the points: those of links in N. The Jacobian is
+/// factored again.
 macro_rules! loads {
     ($linkage:ident, $number:ty: $name:ident) => {
         /// Forces at the points of a state.
@@ -84,7 +83,7 @@ bounded!(five_link, f32, Velocity, 2: five_link_f32_bounded_velocity);
 bounded!(five_link, f64, Velocity, 2: five_link_f64_bounded_velocity);
 bounded!(five_link, f32, Acceleration, 1: five_link_f32_bounded_acceleration);
 bounded!(five_link, f64, Acceleration, 1: five_link_f64_bounded_acceleration);
-// What a step without corrections leaves out is rounding in `f32`.
+// The omitted terms of a step without corrections are rounding in `f32`.
 bounded!(attia2003, f32, Acceleration, 0: attia2003_f32_bounded_uncorrected);
 bounded!(five_link, f32, Acceleration, 0: five_link_f32_bounded_uncorrected);
 loads!(attia2003, f32: attia2003_f32_loads);

@@ -1,4 +1,4 @@
-//! Every call of the solver. All settings come from outside, so that no branch is folded away.
+//! All calls of the solver. All settings are arguments, so that no branch is optimised away.
 
 mod assembly;
 mod baked;

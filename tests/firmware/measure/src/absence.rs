@@ -35,7 +35,7 @@ fn found<'a>(archive: &'a Archive, root: &str, with_soft: bool) -> Result<Vec<&'
     Ok(reach.symbols().filter(is_forbidden).collect())
 }
 
-/// What the calls of a target reach and must not, a sentence each, and which offenders the search
+/// Returns a sentence for each forbidden function that the calls of a target reach, and for each offender that the search
 /// misses.
 pub(crate) fn complaints(target: &Target, archive: &Archive) -> Result<Vec<String>> {
     let mut complaints = Vec::new();
@@ -68,12 +68,12 @@ pub(crate) fn complaints(target: &Target, archive: &Archive) -> Result<Vec<Strin
     Ok(complaints)
 }
 
-/// Whether a call is made in the loop, not once before it.
+/// Returns whether a call is made in the loop, not once before it.
 fn is_in_loop(entry: &str) -> bool {
     !entry.ends_with("_construct") && !entry.ends_with("_start")
 }
 
-/// Whether a symbol is one of a call of the solver.
+/// Returns whether a symbol belongs to a call of the solver.
 fn is_entry(name: &str) -> bool {
     ["firmware_", "attia2003_f", "five_link_f", "wheel_f"]
         .iter()

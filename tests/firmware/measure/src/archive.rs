@@ -1,4 +1,4 @@
-//! The sections of an archive, one a function, and which refers to which.
+//! The sections of an archive, one per function, and their references to each other.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -13,12 +13,12 @@ use object::{
 /// A function, or data.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Section {
-    /// Its symbols, demangled; of data that has none, the section's name.
+    /// Its symbols, demangled; the section's name for data without symbols.
     pub names: Vec<String>,
     /// Size.
     pub bytes: u64,
     pub is_code: bool,
-    /// The stack that it takes itself, bytes, where the compiler has written that down.
+    /// The stack of the function alone, bytes, if the compiler has recorded it.
     pub frame: Option<u64>,
     /// Sections that it calls.
     pub calls: Vec<usize>,
@@ -152,7 +152,7 @@ fn is_call(object: &object::File<'_>, flags: RelocationFlags) -> bool {
     }
 }
 
-/// A number in seven bits a byte, the lowest first; the highest bit tells that another follows.
+/// Reads a number with seven bits per byte, the lowest first; the highest bit says that another byte follows.
 fn unsigned_leb128(bytes: &[u8]) -> u64 {
     let length = bytes.iter().take_while(|byte| **byte >= 0x80).count() + 1;
     let digits = bytes.iter().take(length).rev();

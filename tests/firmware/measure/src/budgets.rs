@@ -1,4 +1,4 @@
-//! The budgets, and what breaks them.
+//! The budgets, and measurements that exceed them.
 
 use std::path::{Path, PathBuf};
 
@@ -28,7 +28,7 @@ fn parse(text: &str, path: &Path) -> Result<Table<Figures>> {
     toml::from_str(text).with_context(|| path.display().to_string())
 }
 
-/// Replaces the budgets by what was measured.
+/// Replaces the budgets by the measurements.
 pub(crate) fn write(measured: &Table<Measured>) -> Result<()> {
     let figures: Table<Figures> = measured
         .iter()
@@ -52,8 +52,8 @@ fn with_room(figures: Figures) -> Figures {
     }
 }
 
-/// What is wrong, a sentence each; nothing where all is well. Of the budgets only those count that
-/// `is_wanted`, by target and mode.
+/// Returns a sentence for each violation, and none if there is none. Only budgets that `is_wanted` count, by target and
+/// mode.
 pub(crate) fn complaints(
     measured: &Table<Measured>,
     budgets: &Table<Figures>,

@@ -12,11 +12,11 @@ pub(crate) fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// What was built for a target.
+/// The files built for a target.
 pub(crate) struct Built {
     /// The loop, to be run.
     pub firmware: PathBuf,
-    /// The calls, to be looked into: not linked, so that every function has a section of its own.
+    /// The archive of the calls: it is not linked, so that every function has its own section.
     pub archive: PathBuf,
 }
 
@@ -28,13 +28,13 @@ pub(crate) fn take_versions() -> Result<()> {
     Ok(())
 }
 
-/// Builds for a target; what comes of it is in a folder of its own.
+/// Builds the files for a target in a separate folder.
 pub(crate) fn compile(target: &Target) -> Result<Built> {
     let linker = linker()?;
     let config = |key: &str, value: &str| format!("target.{}.{key}={value}", target.triple);
     let mut flags = vec!["-Zemit-stack-sizes"];
     flags.extend(target.flags);
-    // One folder for all targets: the macro and what it depends on are built once.
+    // One folder for all targets: the macro and its dependencies are built once.
     let folder = workspace().join("target");
     let built = folder.join(target.name);
     let mut command = Command::new("rustup");
@@ -48,7 +48,7 @@ pub(crate) fn compile(target: &Target) -> Result<Built> {
         .args(["--config", &config("rustflags", &format!("{flags:?}"))])
         .args(["--config", &config("linker", &format!("{linker:?}"))])
         .current_dir(workspace())
-        // For -Z.
+        // Required by -Z.
         .env("RUSTC_BOOTSTRAP", "1");
     if target.has_doubles {
         command.args(["--features", "controller/f64"]);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// What is budgeted of a mode.
+/// The budgeted figures of a mode.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Figures {
@@ -27,20 +27,20 @@ impl Figures {
     }
 }
 
-/// What was measured of a mode.
+/// The measurements of a mode.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Measured {
-    /// To be held against the budget.
+    /// The figures to compare with the budget.
     pub figures: Figures,
     /// The fewest instructions of a step.
     pub least: u64,
     /// The deepest stack that the motion has used, bytes.
     pub used_stack: u64,
-    /// Whether the states are those of the host to the last bit.
+    /// Whether the states equal those of the host to the last bit.
     pub is_hosts: bool,
     /// The largest residual, m.
     pub residual: f64,
 }
 
-/// By target and mode.
+/// Figures by target and mode.
 pub(crate) type Table<T> = BTreeMap<String, BTreeMap<String, T>>;

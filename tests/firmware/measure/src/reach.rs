@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::archive::{Archive, Section};
 
-/// What calls reach.
+/// The functions and data that calls reach.
 pub(crate) struct Reach<'a> {
     archive: &'a Archive,
     sections: BTreeSet<usize>,
@@ -30,7 +30,7 @@ impl<'a> Reach<'a> {
         self.sections.iter().map(|at| &self.archive.sections[*at])
     }
 
-    /// What is reached, the largest first.
+    /// Returns the reached sections, the largest first.
     pub(crate) fn by_size(&self) -> Vec<&'a Section> {
         let mut sections: Vec<_> = self.sections().collect();
         sections.sort_by_key(|section| std::cmp::Reverse(section.bytes));
@@ -49,8 +49,8 @@ impl<'a> Reach<'a> {
         self.sections().map(|section| section.bytes).sum()
     }
 
-    /// The deepest stack of a call of `root`, bytes. Any function whose address is taken may be
-    /// called by any other, one such at a time.
+    /// Returns the deepest stack of a call of `root`, bytes. Any function whose address is taken may be called by any other,
+    /// one of these at a time.
     pub(crate) fn stack(&self, root: usize) -> Result<u64> {
         let mut deepest = Deepest {
             archive: self.archive,

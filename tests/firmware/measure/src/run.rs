@@ -9,16 +9,16 @@ use controller::{Gauge, Report, modes};
 
 use crate::target::Target;
 
-/// The most that a run takes beside other boards and builds, s: alone it takes some ten.
+/// The time limit of a run in parallel with other boards and builds, s: alone it takes about ten.
 const TIME_LIMIT: &str = "300";
 
-/// What a mode took on a board: least and most.
+/// The cost of a mode on a board: least and most.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Taken {
     pub instructions: [u32; 2],
     /// Bytes.
     pub stack: [u32; 2],
-    /// Of the states.
+    /// The checksum of the states.
     pub checksum: String,
     /// The largest residual, m.
     pub residual: f64,
@@ -39,7 +39,7 @@ pub(crate) fn on_board(target: &Target, firmware: &Path) -> Result<BTreeMap<Stri
     parse(&text)
 }
 
-/// Reads what the firmware writes.
+/// Parses the output of the firmware.
 fn parse(text: &str) -> Result<BTreeMap<String, Taken>> {
     let mut modes = BTreeMap::<String, Taken>::new();
     for line in text.lines() {

@@ -1,16 +1,16 @@
-//! The targets: what is built for each, and on which emulated board it runs.
+//! The targets: the files built for each, and the emulated board that runs them.
 
 /// A processor with its board.
 pub(crate) struct Target {
-    /// Its name in tables and budgets.
+    /// The name in tables and budgets.
     pub name: &'static str,
     /// The compiler's name of its instruction set.
     pub triple: &'static str,
     /// Compiler flags beyond those of the instruction set.
     pub flags: &'static [&'static str],
-    /// Whether it computes `f64` in hardware.
+    /// Whether the hardware computes `f64`.
     pub has_doubles: bool,
-    /// Whether all calls of the solver are searched here, not only the counted ones.
+    /// Whether all calls of the solver are searched, not only the counted ones.
     pub has_rooms: bool,
     /// The emulator and its board, started so that instructions can be counted: see `controller`.
     pub emulator: &'static [&'static str],

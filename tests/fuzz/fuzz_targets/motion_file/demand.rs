@@ -29,7 +29,7 @@ pub(crate) fn demand(text: &str) {
     }
 }
 
-/// Points are where numbers can say; a quantity that has no value there, as the instant centre of a parallel motion, is NaN.
+/// Points have finite coordinates; a quantity without a value, such as the instant centre of a parallel motion, is NaN.
 fn first_instants(mechanism: &dyn Kinematics) {
     let (mut done, columns) = (0, columns(catalogue(), &mechanism.names));
     let swept = mechanism.move_through(&mechanism.instants, &mut |state| {

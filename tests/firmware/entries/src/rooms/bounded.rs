@@ -1,4 +1,4 @@
-//! Steps of fixed cost. All settings come from outside, so that no branch is folded away.
+//! Steps of fixed cost. All settings are arguments, so that no branch is optimised away.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::step::bounded::Outputs;

@@ -1,4 +1,4 @@
-//! Proofs of roots, and what makes them.
+//! Proofs of roots, and their preparation.
 
 use suspension_core::certificate::{Certificate, Certifier};
 use suspension_core::chassis::RigidMotion;

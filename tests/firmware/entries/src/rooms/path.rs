@@ -1,4 +1,4 @@
-//! Curves and led motions. All settings come from outside, so that no branch is folded away.
+//! Curves and led motions. All settings are arguments, so that no branch is optimised away.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::nalgebra::{SVector, Vector3};

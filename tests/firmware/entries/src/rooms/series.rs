@@ -1,4 +1,4 @@
-//! Steps by series. All settings come from outside, so that no branch is folded away.
+//! Steps by series. All settings are arguments, so that no branch is optimised away.
 
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::step::series::{ChassisSeries, InputSeries, Jet, Series, SeriesTracker};
@@ -22,7 +22,7 @@ where
     tracker.step(linkage, inputs, dt, motion).is_ok()
 }
 
-/// The motion at `dt` and the radius of convergence; false where that is not known.
+/// Returns the motion at `dt` and the radius of convergence; `false` if that is not known.
 fn look_ahead<T, L>(
     linkage: &L,
     drives: &Jet<L::Drives, ORDER>,

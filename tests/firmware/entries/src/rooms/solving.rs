@@ -1,4 +1,4 @@
-//! The solving path. All settings come from outside, so that no branch is folded away.
+//! The solving path. All settings are arguments, so that no branch is optimised away.
 
 use suspension_core::chassis::RigidMotion;
 use suspension_core::linkage::{HasKingpin, HasWheel};
@@ -35,7 +35,7 @@ impl<T: Real> Drive<T> {
     }
 }
 
-/// What the control loop reads.
+/// The results that the control loop reads.
 #[repr(C)]
 pub struct Readout<T> {
     centre: [[T; 3]; 3],
