@@ -169,7 +169,7 @@ impl<'a> Check<'a> {
             let (name, other) = (&named.name, &other.name);
             // Images come last.
             let error = if self.is_image(name) && !self.is_image(other) {
-                errors::prescribed_beside_image(other, name, kind)
+                errors::prescribed_by_image(other, name, kind)
             } else {
                 errors::prescribed_twice(name, other, kind)
             };

@@ -47,7 +47,7 @@ pub(crate) fn at(ident: &Ident, message: impl Display) -> Error {
 }
 
 /// Whether a message is the parser's own, which names what it expected.
-pub(crate) fn is_of_the_parser(message: &str) -> bool {
+pub(crate) fn is_from_parser(message: &str) -> bool {
     message.starts_with("expected") || message.starts_with("unexpected end")
 }
 
@@ -183,7 +183,7 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
 }
 
 /// The error that nothing keeps the distance between two points, although it must stay the same.
-pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
+pub(crate) fn distance_not_constant(from: &Ident, to: &Ident, as_what: &str) -> Error {
     let message = format!(
         "the distance of `{from}` and `{to}` is not constant, {as_what} requires; list both in one body, \
          join them by a link, or put both on the chassis"
@@ -194,7 +194,7 @@ pub(crate) fn loose(from: &Ident, to: &Ident, as_what: &str) -> Error {
 /// The error that all points of a statement belong to one body, so that the statement has nothing to keep or to move.
 /// `what` names the points and comes before the body; the remedy comes after it, and begins with its comma or
 /// semicolon.
-pub(crate) fn of_one_body(token: &Ident, what: &str, body: &Body, remedy: &str) -> Error {
+pub(crate) fn points_of_one_body(token: &Ident, what: &str, body: &Body, remedy: &str) -> Error {
     let body = &body.name;
     let message = format!("{what} of body `{body}`{remedy} of another body");
     at(token, message)
@@ -214,7 +214,7 @@ pub(crate) fn prescribed_twice(name: &Ident, other: &Ident, kind: Kind) -> Error
     )
 }
 
-pub(crate) fn prescribed_beside_image(name: &Ident, image: &Ident, kind: Kind) -> Error {
+pub(crate) fn prescribed_by_image(name: &Ident, image: &Ident, kind: Kind) -> Error {
     at(
         name,
         format!(

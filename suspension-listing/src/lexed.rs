@@ -39,7 +39,7 @@ pub(crate) fn tokens(text: &str) -> Result<TokenStream, Vec<Mistake>> {
     }
     let tokens: TokenStream = text.parse().map_err(|e| vec![unreadable(text, &e)])?;
     match exceeded(&tokens) {
-        Some(error) => Err(vec![Mistake::of(text, &error)]),
+        Some(error) => Err(vec![Mistake::new(text, &error)]),
         None => Ok(tokens),
     }
 }

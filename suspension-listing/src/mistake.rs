@@ -19,11 +19,11 @@ pub struct Mistake {
 
 impl Mistake {
     /// The message of an error, at its place in a text.
-    pub(crate) fn of(text: &str, error: &Error) -> Self {
+    pub(crate) fn new(text: &str, error: &Error) -> Self {
         let message = in_one_line(&error.to_string());
         let (start, end) = (error.span().start(), error.span().end());
         // The parser gives no place for something that is missing at the end.
-        if errors::is_of_the_parser(&message) && error.span().byte_range() == (0..0) {
+        if errors::is_from_parser(&message) && error.span().byte_range() == (0..0) {
             let lines = text.lines().count().max(1);
             let last = text.lines().last().map_or(0, |line| line.chars().count());
             return Self {

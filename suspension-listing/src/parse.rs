@@ -136,7 +136,7 @@ impl Reading<'_> {
         let flat = lexed::with_places(|| self.flat(include, text, file))?;
         self.listing.included.extend(flat.included);
         self.listing.sides.extend(flat.sides);
-        let images = flat.images.iter().map(|name| include.under(name));
+        let images = flat.images.iter().map(|name| include.prefixed_name(name));
         self.listing.images.extend(images);
         let mut statements = flat.statements.iter();
         statements.try_for_each(|tokens| self.add(include.statement(tokens, &flat.names)?))

@@ -94,7 +94,7 @@ impl Partial {
 
     /// Eliminates to the end; `None` if no entry is large enough for a pivot.
     pub(super) fn eliminate(mut self, attempt: u64) -> Option<EliminationOrder> {
-        let mut preference = Preference::of(attempt);
+        let mut preference = Preference::new(attempt);
         while self.order.steps.len() < self.cells.len() {
             let (row, column) = self.pivot(&mut preference)?;
             self.take(row, column)?;

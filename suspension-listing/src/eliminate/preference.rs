@@ -11,7 +11,7 @@ pub(super) struct Preference {
 
 impl Preference {
     /// Attempts alternate: on a large matrix short chains may cost too many operations.
-    pub(super) fn of(attempt: u64) -> Self {
+    pub(super) fn new(attempt: u64) -> Self {
         Self {
             random: Lcg::new(attempt),
             early: attempt % 2 == 1,

@@ -95,7 +95,7 @@ struct Values<'a> {
 }
 
 impl Values<'_> {
-    fn of(&self, factor: &Factor) -> f64 {
+    fn value(&self, factor: &Factor) -> f64 {
         match factor {
             Factor::Unknown(name) => {
                 let known = self.scalars.iter().find(|(other, _)| *other == name);
@@ -181,7 +181,7 @@ impl Equations for Bilinear {
     fn residual(&self, &[length, ..]: &Vector, at: &[Vector], scalars: &[f64]) -> Vector {
         let values = self.values(at, scalars);
         let products = self.products.iter().map(|Multiplied { by, factors }| {
-            let [u, v] = factors.each_ref().map(|factor| values.of(factor));
+            let [u, v] = factors.each_ref().map(|factor| values.value(factor));
             by * u * v
         });
         let sum: f64 = products.sum();

@@ -71,7 +71,7 @@ impl Included {
 pub(crate) fn mistakes(text: &str, included: &[Included], error: Error) -> Vec<Mistake> {
     let mistake_of = |error: Error| {
         let inner = included.iter().find(|inner| inner.has(error.span()));
-        let mistake = Mistake::of(inner.map_or(text, |inner| &inner.text), &error);
+        let mistake = Mistake::new(inner.map_or(text, |inner| &inner.text), &error);
         match inner {
             Some(inner) => mistakes(text, included, inner.wrong(vec![mistake])),
             None => vec![mistake],

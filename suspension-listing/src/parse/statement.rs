@@ -69,7 +69,7 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     if let Some(message) = errors::keyword_as_name(&message) {
         return syn::Error::new(error.span(), message);
     }
-    if !errors::is_of_the_parser(&message) {
+    if !errors::is_from_parser(&message) {
         return error;
     }
     let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) {

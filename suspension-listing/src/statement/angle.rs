@@ -56,11 +56,15 @@ impl Statement for Angle {
             let name = &self.named.name;
             let lines = format!("both lines of `{name}` are");
             let remedy = ", which keeps their angle; remove it, or take a line";
-            errors.push(errors::of_one_body(name, &lines, body, remedy));
+            errors.push(errors::points_of_one_body(name, &lines, body, remedy));
         }
         for [from, to] in &self.lines {
             if from != to && !listing.keeps_apart(system, [from, to]) {
-                errors.push(errors::loose(from, to, "as a line at an angle"));
+                errors.push(errors::distance_not_constant(
+                    from,
+                    to,
+                    "as a line at an angle",
+                ));
             }
         }
     }

@@ -137,11 +137,11 @@ impl Include {
     }
 
     fn prefixed(&self, name: &Ident) -> Ident {
-        Ident::new(&self.under(&name.unraw().to_string()), name.span())
+        Ident::new(&self.prefixed_name(&name.unraw().to_string()), name.span())
     }
 
     /// The name here of a name of the other listing.
-    pub(crate) fn under(&self, name: &str) -> String {
+    pub(crate) fn prefixed_name(&self, name: &str) -> String {
         format!("{}_{name}", self.name.unraw())
     }
 

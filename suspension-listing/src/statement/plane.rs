@@ -64,7 +64,12 @@ impl Statement for Plane {
         if let Some(body) = system.body_of(&self.points) {
             let [point, ..] = &self.points;
             let plane = format!("`{point}` and the plane that it stays in are points");
-            errors.push(errors::of_one_body(point, &plane, body, "; take a plane"));
+            errors.push(errors::points_of_one_body(
+                point,
+                &plane,
+                body,
+                "; take a plane",
+            ));
         }
     }
 }

@@ -61,10 +61,19 @@ impl Statement for Slide {
         }
         if let Some(body) = system.body_of(&self.points) {
             let line = format!("`{point}` and the line that it slides on are points");
-            errors.push(errors::of_one_body(point, &line, body, "; take the line"));
+            errors.push(errors::points_of_one_body(
+                point,
+                &line,
+                body,
+                "; take the line",
+            ));
         }
         if !listing.keeps_apart(system, [from, to]) {
-            errors.push(errors::loose(from, to, "as a line to slide on"));
+            errors.push(errors::distance_not_constant(
+                from,
+                to,
+                "as a line to slide on",
+            ));
         }
     }
 }

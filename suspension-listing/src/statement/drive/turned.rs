@@ -208,11 +208,11 @@ pub(super) fn check(
     if let Some(body) = system.body_of(points) {
         let lines = format!("the lines of `{drive}` and its axis are");
         let remedy = ", which keeps their angle; take a line";
-        return Some(errors::of_one_body(drive, &lines, body, remedy));
+        return Some(errors::points_of_one_body(drive, &lines, body, remedy));
     }
     let [from, to] = about;
     (from != to && !listing.keeps_apart(system, [from, to]))
-        .then(|| errors::loose(from, to, "as the axis of an angle"))
+        .then(|| errors::distance_not_constant(from, to, "as the axis of an angle"))
 }
 
 pub(super) fn about_no_axis(drive: &Ident) -> Error {
