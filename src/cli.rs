@@ -97,13 +97,13 @@ pub enum Command {
 
 impl Options {
     /// Parses the command line. Prints the help or the mistake, and exits, if there is one to print.
-    pub fn given() -> Self {
+    pub fn parsed() -> Self {
         let arguments: Vec<OsString> = std::env::args_os().collect();
         let mut program = program(&arguments);
         let matches = program.try_get_matches_from_mut(&arguments);
         matches
             .and_then(|matches| Self::from_arg_matches(&matches))
-            .unwrap_or_else(|mistake| end(&with_suggestion(mistake, &program, &arguments)))
+            .unwrap_or_else(|mistake| exit_with(&with_suggestion(mistake, &program, &arguments)))
     }
 
     /// Runs the command, or without one solves the published motion.
@@ -148,11 +148,11 @@ fn program(arguments: &[OsString]) -> clap::Command {
 
 /// Prints help or a mistake in the options and exits. If the help cannot be written, the exit code is that of a result that
 /// cannot be written.
-fn end(told: &clap::Error) -> ! {
+fn exit_with(told: &clap::Error) -> ! {
     let written = told.print().and_then(|()| std::io::stdout().flush());
     let code = match written {
         Err(error) if !told.use_stderr() => {
-            code_of(&Failure::writing("standard output", &error)).into()
+            exit_code(&Failure::writing("standard output", &error)).into()
         }
         _ => told.exit_code(),
     };
@@ -160,7 +160,7 @@ fn end(told: &clap::Error) -> ! {
 }
 
 /// Prints why the program fails and returns its exit code.
-fn code_of(failure: &Failure) -> u8 {
+fn exit_code(failure: &Failure) -> u8 {
     if !matches!(failure, Failure::ReaderGone) {
         tell(failure);
     }
@@ -168,13 +168,13 @@ fn code_of(failure: &Failure) -> u8 {
 }
 
 /// Runs a job, with a flag that an interrupt sets. If the job fails, prints why and returns the exit code.
-pub fn exit_code_of(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
+pub fn run_job(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
     if let Err(error) = interrupt::catch_signals() {
         tell(format_args!("note: an interrupt will lose rows: {error}"));
     }
     match job(interrupt::flag()) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => ExitCode::from(code_of(&failure)),
+        Err(failure) => ExitCode::from(exit_code(&failure)),
     }
 }
 

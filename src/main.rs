@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use suspension::cli::{Options, exit_code_of};
+use suspension::cli::{Options, run_job};
 
 fn main() -> ExitCode {
-    let options = Options::given();
-    exit_code_of(|interrupted| options.run(interrupted))
+    let options = Options::parsed();
+    run_job(|interrupted| options.run(interrupted))
 }

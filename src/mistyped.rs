@@ -15,7 +15,7 @@ pub(crate) fn with_suggestion(
     arguments: &[OsString],
 ) -> clap::Error {
     if let Some(ContextValue::String(command)) = mistake.get(ContextKind::InvalidSubcommand)
-        && let Some(advice) = of_file(command)
+        && let Some(advice) = advice_for_file(command)
     {
         mistake.remove(ContextKind::SuggestedSubcommand);
         let advice = ContextValue::StyledStrs(vec![advice.into()]);
@@ -27,7 +27,7 @@ pub(crate) fn with_suggestion(
         return mistake;
     }
     if let Some(ContextValue::String(wanted)) = mistake.get(ContextKind::InvalidArg)
-        && let Some(meant) = meant(wanted, program, arguments)
+        && let Some(meant) = nearest_option(wanted, program, arguments)
     {
         mistake.remove(ContextKind::Suggested);
         mistake.insert(ContextKind::SuggestedArg, ContextValue::String(meant));
@@ -36,7 +36,7 @@ pub(crate) fn with_suggestion(
 }
 
 /// Returns the advice for a file in place of a command.
-fn of_file(name: &str) -> Option<String> {
+fn advice_for_file(name: &str) -> Option<String> {
     match Path::new(name).extension()?.to_str()? {
         "toml" => Some(format!(
             "for the motion of a file write suspension motion {name}"
@@ -52,7 +52,7 @@ fn of_file(name: &str) -> Option<String> {
 }
 
 /// Returns the nearest long option of the command that the arguments name.
-fn meant(wanted: &str, program: &Command, arguments: &[OsString]) -> Option<String> {
+fn nearest_option(wanted: &str, program: &Command, arguments: &[OsString]) -> Option<String> {
     let wanted = wanted.strip_prefix("--")?;
     let named = arguments.get(1)?.to_str()?;
     let command = program.find_subcommand(named)?;

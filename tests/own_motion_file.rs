@@ -186,7 +186,7 @@ fn baked_far_from_the_origin() {
             mechanism: &mechanism(away),
             request: &request,
         };
-        let sheet = baking.sheet().expect("a curve");
+        let sheet = baking.execute().expect("a curve");
         match sheet.baked {
             Table::Curve(baked) => (sheet.about, baked),
             Table::Surface(_) => panic!("of one drive a curve"),

@@ -125,7 +125,7 @@ fn bakes_points_alone(mechanism: &dyn Kinematics) {
             mechanism,
             request: &request(wish),
         }
-        .sheet()
+        .execute()
     };
     let points = baked(Wish::AllPoints).expect("a curve");
     assert_eq!(points.subject(), "points_by_height");

@@ -98,7 +98,7 @@ impl Arguments {
             request: &self.request()?,
             interrupted,
         };
-        let sheet = baking.sheet()?;
+        let sheet = baking.execute()?;
         let language = Language::from(self.language);
         let ending = format!("_{}.{}", sheet.subject(), language.extension());
         let own = in_out(&self.file, &ending);
@@ -114,7 +114,7 @@ impl Arguments {
 
     fn variables(&self) -> Result<request::Variables, Failure> {
         if let Some(along) = &self.along {
-            return self.in_place_of(along);
+            return self.measure_variables(along);
         }
         let ends = [self.from, self.to];
         let mut drives = self.drives.clone();
@@ -137,7 +137,7 @@ impl Arguments {
     }
 
     /// Returns the measure with its range and the drive that it replaces.
-    fn in_place_of(&self, along: &WishedMeasure) -> Result<request::Variables, Failure> {
+    fn measure_variables(&self, along: &WishedMeasure) -> Result<request::Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
             [Wished { drive, range }] if *range == [None; 2] => drive.clone(),

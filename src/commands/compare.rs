@@ -3,8 +3,8 @@
 mod alone;
 mod by_wheel;
 mod comparison;
+mod curve_pair;
 mod differences;
-mod over;
 mod page;
 mod report;
 mod side;
@@ -69,7 +69,7 @@ impl Arguments {
         let side = |source: &Source, loaded: &Loaded<'_>| {
             let mechanism = loaded.at_design_in(first.axes())?;
             let converted = converted([loaded, &first]);
-            Side::of(
+            Side::compute(
                 &*mechanism,
                 (source, converted),
                 spans,
@@ -81,7 +81,7 @@ impl Arguments {
         if self.steer.is_some() && ![&a, &b].iter().any(|side| side.steers()) {
             return Err(no_steering(&a.file));
         }
-        let comparison = Comparison::of([&a, &b]);
+        let comparison = Comparison::new([&a, &b]);
         if csv != Some(Target::Stdout) {
             print(&report::text([&a, &b], &comparison))?;
         }

@@ -127,18 +127,18 @@ impl Arguments {
         let other = one.other_side();
         let unlike = matches!(other, Other::Unlike(_)) && self.side.is_none();
         if self.side.is_none() {
-            one.said.extend(other.said(self.axle));
+            one.notes.extend(other.side_note(self.axle));
         }
         if !self.axle && !unlike {
-            let text = written_out(&Draft::of(&one), out)?;
+            let text = written_out(&Draft::for_corner(&one), out)?;
             write_file(out, &text)?;
             return Ok(vec![out.to_owned()]);
         }
-        let other = self.beside(&one)?;
-        let axle = Axle::of(&one.choice, out);
+        let other = self.right_corner(&one)?;
+        let axle = Axle::new(&one.choice, out);
         axle.check_corner(out)?;
         axle.written(out, |listing| {
-            written_out(&Draft::of_axle([&one, &other], &axle, listing), out)
+            written_out(&Draft::for_axle([&one, &other], &axle, listing), out)
         })
     }
 
@@ -160,7 +160,7 @@ impl Arguments {
         }
         let found = orientation(&choice, &names.arrangement, self.axes, stated.usual);
         let orientation = found.map_err(refuse)?;
-        let corner = Corner::of(&choice, orientation.axes, side).map_err(refuse)?;
+        let corner = Corner::new(&choice, orientation.axes, side).map_err(refuse)?;
         Ok(Imported {
             stated,
             names,
@@ -169,12 +169,12 @@ impl Arguments {
             orientation,
             corner,
             unit: self.unit,
-            said: Vec::new(),
+            notes: Vec::new(),
         })
     }
 
     /// Returns the right corner, in the layout, axes and unit of the left one.
-    fn beside<'a>(&self, left: &Imported<'a>) -> Result<Imported<'a>, Failure> {
+    fn right_corner<'a>(&self, left: &Imported<'a>) -> Result<Imported<'a>, Failure> {
         let as_left = Self {
             linkage: Some(left.choice.linkage.to_owned()),
             axes: Some(left.orientation.axes),

@@ -95,9 +95,9 @@ impl Arguments {
                 .map(|folder| (folder, name_of(&self.file).into_owned())),
         };
         if self.motion {
-            run.in_motion(&forms, interrupted)
+            run.run_motion(&forms, interrupted)
         } else {
-            run.on_grid((&self.drives, self.absolute), &forms, interrupted)
+            run.run_grid((&self.drives, self.absolute), &forms, interrupted)
         }
     }
 

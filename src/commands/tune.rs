@@ -43,7 +43,7 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let out = self.out.clone();
-        let out = out.unwrap_or_else(|| beside(&self.file));
+        let out = out.unwrap_or_else(|| tuned_path(&self.file));
         if self.out.is_none() {
             refuse_existing(&out, &out)?;
         }
@@ -113,7 +113,7 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String
         .collect()
 }
 
-fn beside(file: &Path) -> PathBuf {
+fn tuned_path(file: &Path) -> PathBuf {
     file.with_file_name(format!("{}_tuned.toml", name_of(file)))
 }
 

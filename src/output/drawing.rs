@@ -83,7 +83,7 @@ const FAINT: f64 = 0.25;
 impl Drawing {
     /// Returns the drawing as an SVG document of the given width and height in pixels; `None` if there are no points.
     pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
-        let view = View::around(&self.outline(), self.axes, seen, shown, MARGIN)?;
+        let view = View::fit(&self.outline(), self.axes, seen, shown, MARGIN)?;
         let mut text = String::new();
         let size = (shown.0 * FINE, shown.1 * FINE);
         let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
@@ -111,9 +111,9 @@ impl Drawing {
 
     /// Draws wheel, bodies and lines at a place of the motion, with the opacity `part`.
     fn draw_mechanism(&self, area: &Area<'_>, view: &View, at: &[[f64; 3]], part: f64) -> Drawn {
-        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
+        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.project(*at)));
         for rim in self.wheels.iter().filter_map(|wheel| rim(wheel, at)) {
-            let rim: Vec<_> = rim.map(|at| pixels(view.of(at))).collect();
+            let rim: Vec<_> = rim.map(|at| pixels(view.project(at))).collect();
             area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12 * part).filled()))?;
             area.draw(&PathElement::new(
                 rim,
@@ -133,7 +133,7 @@ impl Drawing {
         for axis in self.axes(at) {
             let (dash, gap) = (14 * FINE, 4 * FINE);
             let stroke = AXIS.mix(part).stroke_width(FINE);
-            let ends = axis.map(|at| pixels(view.of(at)));
+            let ends = axis.map(|at| pixels(view.project(at)));
             area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?;
         }
         for line in &self.lengths {
@@ -180,7 +180,7 @@ impl Drawing {
         let places: Vec<(i32, i32)> = self
             .points
             .iter()
-            .map(|(_, at)| pixels(view.of(*at)))
+            .map(|(_, at)| pixels(view.project(*at)))
             .collect();
         for (index, &(x, y)) in places.iter().enumerate() {
             let half = 5 * FINE as i32;
@@ -192,7 +192,7 @@ impl Drawing {
                 area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
             }
         }
-        let mut labels = Labels::among(&places, self.segments(view), shown, FINE as i32);
+        let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
         for ((name, _), place) in self.points.iter().zip(&places) {
             let Boxed { at, anchor, leader } = labels.put(name, *place);
             if let Some(end) = leader {
@@ -211,7 +211,7 @@ impl Drawing {
     /// Returns the lines that labels must avoid.
     fn segments(&self, view: &View) -> Vec<Segment> {
         let at: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
-        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.of(*at)));
+        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.project(*at)));
         let slides = self.slides.iter().map(|[from, to, _]| [*from, *to]);
         let lines = self
             .links
@@ -227,7 +227,7 @@ impl Drawing {
             edges.collect::<Vec<_>>()
         });
         let axes = self.axes(&at).into_iter();
-        let axes = axes.map(|axis| axis.map(|at| pixels(view.of(at))));
+        let axes = axes.map(|axis| axis.map(|at| pixels(view.project(at))));
         lines.chain(edges).chain(axes).collect()
     }
 

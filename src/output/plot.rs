@@ -176,8 +176,8 @@ impl Chart {
         let all: Vec<_> = all.copied().filter(is_finite).collect();
         let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
         let above = MARGIN + LEGEND_LINE * named.count() as f64;
-        let time = Axis::around(all.iter().map(|point| point.0), [0.02, 0.02])?;
-        let value = Axis::around(all.iter().map(|point| point.1), [MARGIN, above])?;
+        let time = Axis::fit(all.iter().map(|point| point.0), [0.02, 0.02])?;
+        let value = Axis::fit(all.iter().map(|point| point.1), [MARGIN, above])?;
         Some([time, value])
     }
 }
@@ -199,7 +199,7 @@ struct Axis {
 
 impl Axis {
     /// Returns the range of all values, extended by these parts of it below and above.
-    fn around(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<Self> {
+    fn fit(values: impl Iterator<Item = f64>, [below, above]: [f64; 2]) -> Option<Self> {
         /// A smaller range is a constant with rounding errors, which are not drawn as a wave.
         const CONSTANT: f64 = 1e-9;
         /// The range around a constant, relative to its size or to one.

@@ -23,7 +23,7 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     let columns = columns.map(|column| {
         let values = kept.iter().map(|state| column.value(state));
         let heading = format!("{:>9}", column.heading(unit));
-        TextColumn::values(values, column.dimension, unit).under(heading)
+        TextColumn::values(values, column.dimension, unit).headed(heading)
     });
     let table = laid_out(2, columns);
     let mut out = format!("Linkage {linkage}, axes of {}\n\n{table}", axes.in_words());

@@ -41,16 +41,16 @@ impl TextColumn {
     }
 
     /// Sets the heading.
-    pub fn under(self, heading: impl Into<String>) -> Self {
+    pub fn headed(self, heading: impl Into<String>) -> Self {
         let heading = heading.into();
         Self { heading, ..self }
     }
 
     /// Joins the cells of another column to this one's, for example units; the heading becomes left-aligned.
-    pub fn then(self, between: &str, next: Self) -> Self {
+    pub fn joined(self, between: &str, next: Self) -> Self {
         let cells = self.cells.iter().zip(next.cells);
         let cells = cells.map(|(cell, next)| format!("{cell}{between}{next}"));
-        Self::left(cells).under(self.heading)
+        Self::left(cells).headed(self.heading)
     }
 
     /// Returns the heading and the cells, padded to the same width.
@@ -98,7 +98,7 @@ mod tests {
             ""
         );
         let headed = [
-            TextColumn::left(NONE).under("name"),
+            TextColumn::left(NONE).headed("name"),
             TextColumn::right(NONE),
         ];
         assert_eq!(laid_out(2, headed), "  name\n");
@@ -117,9 +117,9 @@ mod tests {
     #[test]
     fn headings_that_are_wider_stand_where_the_cells_do() {
         let columns = [
-            TextColumn::left(["a", "b"]).under("measure"),
-            numbers(&["1.25", "-10"]).under("in all"),
-            TextColumn::right([7, 12]).under("  no"),
+            TextColumn::left(["a", "b"]).headed("measure"),
+            numbers(&["1.25", "-10"]).headed("in all"),
+            TextColumn::right([7, 12]).headed("  no"),
             TextColumn::left(["m", ""]),
         ];
         let expected = "\
@@ -131,10 +131,10 @@ mod tests {
 
     #[test]
     fn what_follows_numbers_is_below_each_other() {
-        let range = numbers(&["1.5", "-20"]).then(" to ", numbers(&["300", "0.25"]));
+        let range = numbers(&["1.5", "-20"]).joined(" to ", numbers(&["300", "0.25"]));
         let range = range
-            .under("from")
-            .then(" ", TextColumn::left(["N", "N m"]));
+            .headed("from")
+            .joined(" ", TextColumn::left(["N", "N m"]));
         let expected = "from\n  1.5 to 300    N\n-20   to   0.25 N m\n";
         assert_eq!(laid_out(0, [range]), expected);
     }

@@ -89,7 +89,7 @@ impl<'l> Structure<'l> {
 
     /// The effect of a case at a state; `None` if the mechanism locks, if a measure that should bear the load of a
     /// drive does not move with it, and if points that hold a body with a mass are collinear.
-    pub fn under(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
+    pub fn solve(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
         let here = self.here(mechanism, state);
         let mut forces = here.at_sites(&case.at);
         forces.extend(here.in_measures(&case.along));
@@ -100,9 +100,9 @@ impl<'l> Structure<'l> {
             on_drives,
             mut by_parts,
             on_parts,
-        } = here.under(&summed(&forces, here.points()), &self.part_forces)?;
+        } = here.solve(&summed(&forces, here.points()), &self.part_forces)?;
         let by_actuators = by_parts.split_off(self.statements.len());
-        let along = self.in_each(&[case.along.as_slice(), &in_measures].concat());
+        let along = self.sum_by_measure(&[case.along.as_slice(), &in_measures].concat());
         let at_ends = self.at_ends(&here, &along);
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),

@@ -60,7 +60,7 @@ pub fn coordinates(
         .collect();
     Axis::ALL.into_iter().map(move |axis| {
         let by = axis.vector();
-        let on_lines = guides.iter().flat_map(|guide| guide.with(point, by));
+        let on_lines = guides.iter().flat_map(|guide| guide.moved_with(point, by));
         let moved = moved.iter().map(|point| (*point, by));
         Change {
             name: format!("{name}.{axis}"),
@@ -99,7 +99,7 @@ pub fn sensitivities(
         Some(exact) => exact.read(changes),
         None => {
             let each = changes.iter();
-            each.map(|change| difference::of(mechanism, change, &columns))
+            each.map(|change| difference::derivatives(mechanism, change, &columns))
                 .collect()
         }
     };

@@ -3,10 +3,10 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use suspension::cli::exit_code_of;
+use suspension::cli::run_job;
 use suspension_laboratory::cli::Options;
 
 fn main() -> ExitCode {
     let options = Options::parse();
-    exit_code_of(|interrupted| options.command.run(interrupted))
+    run_job(|interrupted| options.command.run(interrupted))
 }

@@ -60,11 +60,11 @@ impl Report {
         let length = |name: &str, value: fn(&Assembly) -> f64| {
             let values = each().map(value);
             TextColumn::values(values, Dimension::Length, unit)
-                .under(format!("{name} ({})", unit.symbol()))
+                .headed(format!("{name} ({})", unit.symbol()))
         };
         let wheel = self.wheel.iter().map(|column| {
             let values = each().map(|assembly| column.value(&assembly.state));
-            TextColumn::values(values, column.dimension, unit).under(column.heading(unit))
+            TextColumn::values(values, column.dimension, unit).headed(column.heading(unit))
         });
         let singular_values =
             each().map(|assembly| format!("{:.1e}", assembly.smallest_singular_value));
@@ -73,14 +73,14 @@ impl Report {
             points => format!("{:>9}", points.join(" ")),
         });
         let mut columns = vec![
-            TextColumn::right(each().map(|assembly| assembly.number)).under(" assembly"),
+            TextColumn::right(each().map(|assembly| assembly.number)).headed(" assembly"),
             length("distance", |assembly| assembly.distance),
             length("farthest", |assembly| assembly.farthest),
-            TextColumn::right(singular_values).under("smallest singular value"),
+            TextColumn::right(singular_values).headed("smallest singular value"),
         ];
         columns.extend(wheel);
         // A long list of names continues to the right of the heading.
-        columns.push(TextColumn::left(mirrored).under(" mirrored"));
+        columns.push(TextColumn::left(mirrored).headed(" mirrored"));
         columns
     }
 }
@@ -101,7 +101,7 @@ fn certainty(listed: &Listed) -> String {
         [] => format!("{verdict}:\n{real}; all equations are linear.\n"),
         [part] => format!(
             "{verdict}:\n{real} and {}{WORDS}",
-            of_part(part, "a mechanism")
+            part_summary(part, "a mechanism")
         ),
         parts => {
             let count = parts.len();
@@ -124,7 +124,7 @@ fn one_of_several(part: &PartTally) -> String {
         times => format!(", with each of {times} assemblies of the parts that it needs"),
     };
     let names = part.unknowns.join(", ");
-    let rest = of_part(part, "a part").replace('\n', "\n  ");
+    let rest = part_summary(part, "a part").replace('\n', "\n  ");
     format!(
         "- {names}{times}:\n  {} real and {}\n",
         part.real,
@@ -133,7 +133,7 @@ fn one_of_several(part: &PartTally) -> String {
 }
 
 /// Says for one part how many assemblies are not real, and whether its count is complete.
-fn of_part(part: &PartTally, whole: &str) -> String {
+fn part_summary(part: &PartTally, whole: &str) -> String {
     let unconfirmed = match part.unconfirmed {
         0 => String::new(),
         count => format!(" ({count} beside a fold, real or complex is not to be told)"),

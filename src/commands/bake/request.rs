@@ -80,7 +80,7 @@ impl Baking<'_> {
     ///
     /// [`Failure::Input`] if drives, ranges or tolerance are wrong, [`Failure::Solver`] if the mechanism does not pass
     /// through the ranges or the tolerance is not met.
-    pub fn sheet(&self) -> Result<Sheet, Failure> {
+    pub fn execute(&self) -> Result<Sheet, Failure> {
         self.check()?;
         let Description {
             linkage,

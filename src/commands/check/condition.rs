@@ -31,7 +31,7 @@ pub(super) struct Condition {
 
 impl Condition {
     /// Analyses the Jacobian of a mechanism at its design position.
-    pub(super) fn of(mechanism: &dyn Kinematics) -> Self {
+    pub(super) fn analyse(mechanism: &dyn Kinematics) -> Self {
         let names = &mechanism.names;
         let Equations {
             jacobian,

@@ -1,21 +1,21 @@
 //! The comparison: the design positions, derivatives there, and curves.
 
 use crate::characteristics::Parameter;
+use crate::commands::compare::curve_pair::CurvePair;
 use crate::commands::compare::differences::{
     ALIKE, Difference, Part, both, same_ways, title_of_both,
 };
-use crate::commands::compare::over::Over;
 use crate::commands::compare::side::Side;
 
 /// The quantities and curves that both suspensions have.
 pub(super) struct Comparison<'a> {
     pub(super) parts: Vec<Part>,
-    pub(super) over: Vec<Over<'a>>,
+    pub(super) over: Vec<CurvePair<'a>>,
 }
 
 impl<'a> Comparison<'a> {
     /// Compares two suspensions.
-    pub(super) fn of(sides: [&'a Side; 2]) -> Self {
+    pub(super) fn new(sides: [&'a Side; 2]) -> Self {
         let design =
             |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
         let mut parts = vec![Part {
@@ -27,7 +27,7 @@ impl<'a> Comparison<'a> {
         parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
         let unit = sides[0].unit;
         let over = same_ways(sides).into_iter();
-        let over: Vec<Over<'_>> = over.filter_map(|both| Over::of(both, unit)).collect();
+        let over: Vec<CurvePair<'_>> = over.filter_map(|both| CurvePair::new(both, unit)).collect();
         parts.extend(over.iter().map(|over| over.part(unit)));
         parts.retain(|part| !part.differences.is_empty());
         Self { parts, over }
@@ -82,7 +82,7 @@ fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
         let other = of_other.map_or(0.0, |wheel| in_b.rise(wheel, of_b));
         (other - rise).abs() > ALIKE * own
     };
-    in_a.symbol(of_a) != in_b.symbol(of_b) || a.wheels_beside(b).into_iter().any(is_unlike)
+    in_a.symbol(of_a) != in_b.symbol(of_b) || a.pair_wheels(b).into_iter().any(is_unlike)
 }
 
 /// Returns the derivative of a parameter with respect to a drive, or to the height of its wheel with the other wheels held.

@@ -163,20 +163,20 @@ fn columns(part: &Part) -> Vec<TextColumn> {
     let differences = || part.differences.iter();
     let numbers = |title, value: &dyn Fn(&Difference) -> f64| {
         let cells = differences().map(|difference| in_digits(value(difference)));
-        TextColumn::numbers(cells).under(title)
+        TextColumn::numbers(cells).headed(title)
     };
     let quantities = differences().map(|difference| &difference.quantity);
     let symbols = differences().map(|difference| &difference.symbol);
     let mut columns = vec![
-        TextColumn::left(quantities).under("quantity"),
+        TextColumn::left(quantities).headed("quantity"),
         numbers("A", &|difference| difference.values[0]),
         numbers("B", &|difference| difference.values[1]),
         numbers("B - A", &Difference::value),
-        TextColumn::left(symbols).under("unit"),
+        TextColumn::left(symbols).headed("unit"),
     ];
     if part.across.is_some() {
         let at = |difference: &Difference| difference.at.map_or(EVERYWHERE.to_owned(), in_digits);
-        columns.push(TextColumn::numbers(differences().map(at)).under("at"));
+        columns.push(TextColumn::numbers(differences().map(at)).headed("at"));
     }
     columns
 }

@@ -37,7 +37,7 @@ pub(super) struct Side {
 
 impl Side {
     /// Computes the results of a file's mechanism, with lengths in `unit`; `converted` names the other conversions.
-    pub(super) fn of(
+    pub(super) fn compute(
         mechanism: &dyn Kinematics,
         (source, converted): (&Source, Option<String>),
         spans: [Option<Span>; 2],
@@ -173,7 +173,7 @@ impl Side {
 
     /// Pairs the wheels of drives of travel with those of another suspension, by index; `None` for a wheel that the other
     /// one lacks.
-    pub(super) fn wheels_beside(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
+    pub(super) fn pair_wheels(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
         let travels = |side: &Self| {
             let ways = side.ways.iter();
             ways.filter(|way| way.does == Does::Travel).count()

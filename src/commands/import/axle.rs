@@ -53,7 +53,7 @@ measure bar_twist: angle(right_bar_outer -> right_drop_lower, left_bar_outer -> 
 
 impl Axle {
     /// Makes an axle of a layout, for a motion file.
-    pub(super) fn of(choice: &Choice<'_>, out: &Path) -> Self {
+    pub(super) fn new(choice: &Choice<'_>, out: &Path) -> Self {
         let twist = choice.listing.point(BAR).map_or("", |_| TWIST);
         let mirrored =
             |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n{twist}");
@@ -74,7 +74,7 @@ impl Axle {
     /// Returns name, position and origin of the rack housing, which is in the middle of the vehicle.
     pub(super) fn housing(&self, left: &Imported<'_>) -> Option<[String; 3]> {
         self.corner.as_ref()?;
-        let [x, _, z] = left.at("rack")?;
+        let [x, _, z] = left.position("rack")?;
         Some([
             "rack_housing".to_owned(),
             format!("{:?}", [x, 0.0, z]),

@@ -45,7 +45,7 @@ struct Candidate<'a> {
 }
 
 impl<'a> Candidate<'a> {
-    fn of(
+    fn new(
         (linkage, text): (&'static str, &'static str),
         points: &[&'a Hardpoint],
         names: &Names,
@@ -178,7 +178,7 @@ pub(super) fn choose<'a>(
     let listings = LISTINGS.iter();
     let listings = listings.filter(|(name, _)| wanted.is_none_or(|wanted| wanted == *name));
     let refuse = |mistakes: Mistakes| mistakes.to_string();
-    let candidates = listings.map(|listing| Candidate::of(*listing, points, names));
+    let candidates = listings.map(|listing| Candidate::new(*listing, points, names));
     let candidates = candidates.collect::<Result<_, _>>();
     let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
     candidates.sort_by_key(|candidate| {

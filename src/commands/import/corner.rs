@@ -25,7 +25,7 @@ impl Corner {
     /// # Errors
     ///
     /// If the coordinates put the corner on the other side than its names do, and no option states the side.
-    pub(super) fn of(
+    pub(super) fn new(
         choice: &Choice<'_>,
         axes: Axes,
         wanted: Option<Side>,

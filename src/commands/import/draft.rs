@@ -43,7 +43,7 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
     let placed = points.iter().filter(|[name, ..]| is_placed(name));
     let placed = placed.map(|[name, _, why]| format!("{name} is not in the file: {why}"));
-    let remarks = imported.of_corner(!before.is_empty()).into_iter();
+    let remarks = imported.corner_remarks(!before.is_empty()).into_iter();
     let remarks = remarks.chain(placed).collect();
     (points, remarks)
 }
@@ -73,7 +73,7 @@ fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
 
 impl<'a> Draft<'a> {
     /// Drafts the motion file of one corner.
-    pub(super) fn of(imported: &'a Imported<'_>) -> Self {
+    pub(super) fn for_corner(imported: &'a Imported<'_>) -> Self {
         let stated = format!("linkage = \"{}\"", imported.choice.linkage);
         let corner = corner(imported, "");
         let radius = wheel_radius(imported);
@@ -81,7 +81,11 @@ impl<'a> Draft<'a> {
     }
 
     /// Drafts the motion file of an axle, the left corner first.
-    pub(super) fn of_axle(sides: [&'a Imported<'_>; 2], axle: &Axle, listing: &'a Listing) -> Self {
+    pub(super) fn for_axle(
+        sides: [&'a Imported<'_>; 2],
+        axle: &Axle,
+        listing: &'a Listing,
+    ) -> Self {
         let mut points: Vec<[String; 3]> = axle.housing(sides[0]).into_iter().collect();
         let mut remarks = vec!["the motion file has an axle, both corners".to_owned()];
         for (side, before) in sides.into_iter().zip(["left_", "right_"]) {
@@ -112,7 +116,7 @@ impl<'a> Draft<'a> {
         wheel_radius: Option<[String; 2]>,
     ) -> Self {
         let (unit, _) = imported.unit();
-        let mut remarks = imported.of_file();
+        let mut remarks = imported.file_remarks();
         remarks.extend(of_corners);
         remarks.extend(spin_axis_between_hardpoints(listing));
         if wheel_radius.is_none() {
@@ -127,12 +131,12 @@ impl<'a> Draft<'a> {
             points,
             wheel_radius,
         };
-        draft.remarks.push(draft.of_motion());
+        draft.remarks.push(draft.motion_remark());
         draft
     }
 
     /// Says that the motion is an example.
-    fn of_motion(&self) -> String {
+    fn motion_remark(&self) -> String {
         let travel = (0..self.drives()).filter(|drive| self.is_travel(*drive));
         let travel = travel.map(|drive| {
             let rate = match self.listing.drive_kind(drive) {

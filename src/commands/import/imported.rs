@@ -23,7 +23,7 @@ pub(super) struct Imported<'a> {
     /// The unit that the user states.
     pub(super) unit: Option<Length>,
     /// Sentences about the other corner of the file.
-    pub(super) said: Vec<String>,
+    pub(super) notes: Vec<String>,
 }
 
 /// The data of a file on the other side of the vehicle.
@@ -42,7 +42,7 @@ const ROUNDING: f64 = 1e-6;
 
 impl Other {
     /// Returns a sentence on the other side for the user.
-    pub(super) fn said(&self, is_axle: bool) -> Option<String> {
+    pub(super) fn side_note(&self, is_axle: bool) -> Option<String> {
         match self {
             Self::Image if !is_axle => Some(
                 "the right corner is the mirror image of the left one; --axle makes an axle of both".to_owned(),
@@ -116,10 +116,10 @@ impl Imported<'_> {
         let Self { choice, stated, .. } = self;
         let (unit, _) = self.unit();
         let (side, stated_side) = (self.corner.side, self.corner.stated_side);
-        let spin = Spin::of(stated, self.names, side, stated_side);
+        let spin = Spin::new(stated, self.names, side, stated_side);
         let names = load::points(&choice.listing).map(str::to_owned);
         let each = names.filter_map(|name| {
-            let (position, origin) = match (self.at(&name), choice.point(&name)) {
+            let (position, origin) = match (self.position(&name), choice.point(&name)) {
                 (Some(at), Some(point)) => {
                     let origin = format!("{}, {}", point.name, stated.line(&point.place));
                     let halved = self.halved(&name, at).filter(|_| !before.is_empty());
@@ -131,7 +131,12 @@ impl Imported<'_> {
                         None => (format!("{at:?}"), origin),
                     }
                 }
-                _ => stand_in(&name, |name| self.at(name), &spin, (unit.metre(), before))?,
+                _ => stand_in(
+                    &name,
+                    |name| self.position(name),
+                    &spin,
+                    (unit.metre(), before),
+                )?,
             };
             Some([format!("{before}{name}"), position, origin])
         });
@@ -144,12 +149,12 @@ impl Imported<'_> {
         if name != "bar_inner" || at[1] != 0.0 {
             return None;
         }
-        let outer = self.at("bar_outer")?;
+        let outer = self.position("bar_outer")?;
         Some([0, 1, 2].map(|axis| 0.5 * (at[axis] + outer[axis])))
     }
 
     /// Returns the coordinates of a point of the listing, if the file has it.
-    pub(super) fn at(&self, name: &str) -> Option<[f64; 3]> {
+    pub(super) fn position(&self, name: &str) -> Option<[f64; 3]> {
         let place = self
             .choice
             .found

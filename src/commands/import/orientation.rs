@@ -43,9 +43,9 @@ pub(super) fn orientation(
     let is_otherwise = otherwise.any(|name| name == choice.linkage);
     let ahead = if is_otherwise { &[][..] } else { ahead };
     let clues = [
-        of_order(choice, ahead, 0, "behind"),
-        of_order(choice, above, 2, "below"),
-        of_side(choice.point("wheel_centre")),
+        clue_from_order(choice, ahead, 0, "behind"),
+        clue_from_order(choice, above, 2, "below"),
+        clue_from_side(choice.point("wheel_centre")),
     ];
     let clues: Vec<Clue> = clues.into_iter().flatten().collect();
     let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
@@ -128,7 +128,12 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
 }
 
 /// Deduces the direction of an axis from the first of the pairs that the file has.
-fn of_order(choice: &Choice<'_>, pairs: &[[String; 2]], axis: usize, is: &str) -> Option<Clue> {
+fn clue_from_order(
+    choice: &Choice<'_>,
+    pairs: &[[String; 2]],
+    axis: usize,
+    is: &str,
+) -> Option<Clue> {
     pairs.iter().find_map(|[first, second]| {
         let [first, second] = [choice.point(first)?, choice.point(second)?];
         let [a, b] = [first.at[axis], second.at[axis]];
@@ -145,7 +150,7 @@ fn of_order(choice: &Choice<'_>, pairs: &[[String; 2]], axis: usize, is: &str) -
 }
 
 /// Deduces the direction of the lateral axis from the side that a point's name states.
-fn of_side(point: Option<&Hardpoint>) -> Option<Clue> {
+fn clue_from_side(point: Option<&Hardpoint>) -> Option<Clue> {
     let point = point?;
     let (side, y) = (point.side?, point.at[1]);
     let outboard = match side {

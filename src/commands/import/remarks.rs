@@ -28,7 +28,7 @@ impl Imported<'_> {
     }
 
     /// Returns the assumptions about the file.
-    pub(super) fn of_file(&self) -> Vec<String> {
+    pub(super) fn file_remarks(&self) -> Vec<String> {
         let choice = &self.choice;
         let (unit, why_unit) = self.unit();
         let Orientation { axes, why, doubts } = &self.orientation;
@@ -37,7 +37,7 @@ impl Imported<'_> {
             format!(
                 "the layout is {}: {}",
                 choice.linkage,
-                of_either_side(&first_sentence(choice.text))
+                remove_side(&first_sentence(choice.text))
             ),
             format!("the unit of lengths is {}, {why_unit}", unit.symbol()),
             format!(
@@ -50,12 +50,12 @@ impl Imported<'_> {
         let doubts = doubts.iter();
         remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
         remarks.extend(self.stated.unread.iter().cloned());
-        remarks.extend(self.said.iter().cloned());
+        remarks.extend(self.notes.iter().cloned());
         remarks
     }
 
     /// Returns the assumptions about the corner and the conversions; for the corners of an axle without their sides.
-    pub(super) fn of_corner(&self, is_of_axle: bool) -> Vec<String> {
+    pub(super) fn corner_remarks(&self, is_of_axle: bool) -> Vec<String> {
         let Self { choice, corner, .. } = self;
         let mut remarks: Vec<String> = self.far_points().collect();
         let side = corner.side.name();
@@ -128,7 +128,7 @@ impl Imported<'_> {
 }
 
 /// Removes the side from the description of a layout: all corners of the catalogue are left ones.
-fn of_either_side(sentence: &str) -> String {
+fn remove_side(sentence: &str) -> String {
     let sides = [", front left", ", rear left", ", left"];
     let without = |sentence: String, side| sentence.replace(side, "");
     sides.into_iter().fold(sentence.to_owned(), without)

@@ -34,7 +34,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
 
 impl<'a> Row<'a> {
     /// Splits a line without its remark, at the separator that gives three coordinates, or else the most numbers.
-    pub(super) fn of(place: Range<usize>, line: &'a str) -> Self {
+    pub(super) fn parse(place: Range<usize>, line: &'a str) -> Self {
         let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
         let line = &line[..starts.min().unwrap_or(line.len())];
         let present = SEPARATORS

@@ -56,7 +56,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
 fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     let start = lines.iter().position(|(_, line)| *line == TEMPLATE)?;
     let (place, counts) = lines.get(start + 3)?;
-    let counts = Row::of(place.clone(), counts).numbers();
+    let counts = Row::parse(place.clone(), counts).numbers();
     let [parts, points, ..] = counts.as_slice() else {
         return None;
     };
@@ -65,7 +65,7 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     let name = |block: &[(Range<usize>, &'a str)]| {
         let (place, line) = &block[LINE_OF_COORDINATES];
         let (_, name) = block[0];
-        Row::of(place.clone(), line).coordinates().map(|_| name)
+        Row::parse(place.clone(), line).coordinates().map(|_| name)
     };
     let names: Vec<&str> = blocks.map_while(name).collect();
     (names.len() == *points as usize).then_some(names)
@@ -86,7 +86,7 @@ fn suspension(lines: &[(Range<usize>, &str)], points: usize) -> Option<Suspensio
         return None;
     };
     let rows = lines.get(start + 2..)?.iter();
-    let mut rows = rows.map(|(place, line)| Row::of(place.clone(), line));
+    let mut rows = rows.map(|(place, line)| Row::parse(place.clone(), line));
     let at = |row: Row<'_>| Some((row.place.clone(), row.coordinates()?));
     let coordinates: Vec<_> = rows.by_ref().take(points).map_while(at).collect();
     let radius = rows.next().and_then(|row| match row.numbers().as_slice() {

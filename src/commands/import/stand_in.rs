@@ -60,7 +60,7 @@ pub(super) struct Spin {
 impl Spin {
     /// Computes the spin axis of a corner on a `side` from the toe and camber that the file states for `stated_side`;
     /// without them it points straight outboard.
-    pub(super) fn of(
+    pub(super) fn new(
         stated: &Hardpoints<'_>,
         names: &Names,
         side: Side,

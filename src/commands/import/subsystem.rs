@@ -33,7 +33,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             continue;
         }
         match &*within {
-            "HARDPOINT" | "PARAMETER" => add(&mut stated, &Row::of(place, line), names)?,
+            "HARDPOINT" | "PARAMETER" => add(&mut stated, &Row::parse(place, line), names)?,
             "UNITS" => {
                 let words = spelled(line);
                 match words.split_once('_') {

@@ -15,7 +15,7 @@ use crate::mechanism::{Axes, Length};
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Iso);
     for (place, line) in lines(source.text()) {
-        let row = Row::of(place.clone(), line);
+        let row = Row::parse(place.clone(), line);
         add(&mut stated, &row, names)?;
         if row.numbers().is_empty() {
             let words = spelled(line);

@@ -13,7 +13,7 @@ pub(super) struct Leading {
 
 impl Leading {
     /// Selects quantities of the catalogue.
-    pub(super) fn of(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
+    pub(super) fn new(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
         let mut columns = quantities::columns(catalogue(), &mechanism.names);
         columns.retain(|column| quantities.iter().any(|quantity| column.is(quantity)));
         Self {

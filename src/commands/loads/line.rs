@@ -21,7 +21,7 @@ pub(super) struct Line {
 
 impl Line {
     /// Makes the same line for a force or a moment, at a single place with its components.
-    pub(super) fn of(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
+    pub(super) fn with_vector(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
         match found.places {
             1 => Self {
                 numbers: vector.iter().copied().collect(),
@@ -47,20 +47,20 @@ pub(super) fn table([what, heading]: [&str; 2], lines: &[Line]) -> String {
     };
     let numbers = 0..lines.first().map_or(0, |line| line.numbers.len());
     let numbers = numbers.map(column);
-    let Some(numbers) = numbers.reduce(|column, next| column.then(between, next)) else {
+    let Some(numbers) = numbers.reduce(|column, next| column.joined(between, next)) else {
         return String::new();
     };
     let names = TextColumn::left(lines.iter().map(|line| &line.name));
     let units = TextColumn::left(lines.iter().map(|line| line.unit));
-    let numbers = numbers.then(" ", units).under(heading);
-    let mut columns = vec![names.under(what), numbers];
+    let numbers = numbers.joined(" ", units).headed(heading);
+    let mut columns = vec![names.headed(what), numbers];
     if lines
         .iter()
         .any(|line| line.places != [const { String::new() }; 2])
     {
         let places = |end: usize| TextColumn::left(lines.iter().map(move |line| &line.places[end]));
-        columns.push(places(0).under("least at"));
-        columns.push(places(1).under("greatest at"));
+        columns.push(places(0).headed("least at"));
+        columns.push(places(1).headed("greatest at"));
     }
     laid_out(0, columns) + "\n"
 }

@@ -23,8 +23,8 @@ impl Report<'_> {
     /// Returns the report of a case over all places that have an answer.
     pub(super) fn text(&self, found: &Found<'_>) -> String {
         let [drives, measures, links, joints, moments, on_chassis] = self.lines(found);
-        let mut unloaded = Unloaded::of(found);
-        let inside = [links, joints, moments].map(|lines| unloaded.without(lines));
+        let mut unloaded = Unloaded::new(found);
+        let inside = [links, joints, moments].map(|lines| unloaded.remove_from(lines));
         let [links, joints, moments] = inside;
         let on_chassis = on_chassis.into_iter();
         let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line)).collect();
@@ -45,7 +45,7 @@ impl Report<'_> {
             (["chassis point", borne], on_chassis),
         ];
         let tables = tables.map(|(headings, lines)| table(headings, &lines));
-        let notes = [unloaded.in_words(), self.near_a_lock(found)];
+        let notes = [unloaded.in_words(), self.lock_note(found)];
         self.heading(found) + &tables.concat() + &notes.concat()
     }
 
@@ -57,13 +57,13 @@ impl Report<'_> {
         let mut ranges = found.ranges.iter();
         let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
         let drives = names.drives.iter().enumerate().map(|(number, drive)| {
-            let name = with_what_bears(names, found.case, number);
+            let name = drive_with_bearer(names, found.case, number);
             line(&name, unit_of(drive))
         });
         let drives = drives.collect();
         let measures = first.in_measures.iter().map(|(measure, _)| {
             let unit = unit_in(&names.measures[*measure]);
-            line(&with_what_acts(names, found.case, *measure), unit)
+            line(&measure_with_loads(names, found.case, *measure), unit)
         });
         let measures = measures.collect();
         let links = first.links.iter();
@@ -72,18 +72,18 @@ impl Report<'_> {
         let joints = first.joints.iter().map(|(by, point, force)| {
             let by = structure.name_of(*by, names);
             let name = format!("{by} at {}", names.points[*point]);
-            line(&name, "N").of(force, found)
+            line(&name, "N").with_vector(force, found)
         });
         let joints = joints.collect();
         let moments = first.moments.iter().map(|(by, part, moment)| {
             let by = structure.name_of(*by, names);
             let name = format!("{by} on {}", structure.statements[*part].name);
-            line(&name, "N m").of(moment, found)
+            line(&name, "N m").with_vector(moment, found)
         });
         let moments = moments.collect();
         let on_chassis = first.on_chassis.iter();
-        let on_chassis =
-            on_chassis.map(|(point, force)| line(&self.on_chassis(*point), "N").of(force, found));
+        let on_chassis = on_chassis
+            .map(|(point, force)| line(&self.on_chassis(*point), "N").with_vector(force, found));
         let on_chassis = on_chassis.collect();
         [drives, measures, links, joints, moments, on_chassis]
     }
@@ -147,7 +147,7 @@ impl Report<'_> {
     }
 
     /// Returns a note if internal forces are so large that a lock must be near.
-    fn near_a_lock(&self, found: &Found<'_>) -> String {
+    fn lock_note(&self, found: &Found<'_>) -> String {
         /// Arms and rockers alone make forces several times as large as the load.
         const MANY: f64 = 100.0;
         let Extreme { value: most, place } = &found.amplification;
@@ -162,7 +162,7 @@ impl Report<'_> {
 }
 
 /// Names a drive, and the measure that bears its load if the case names one.
-fn with_what_bears(names: &Names, case: &Case, drive: usize) -> String {
+fn drive_with_bearer(names: &Names, case: &Case, drive: usize) -> String {
     let Drive { name, .. } = &names.drives[drive];
     let borne = case.borne_by.iter().find(|(borne, _)| *borne == drive);
     match borne {
@@ -172,7 +172,7 @@ fn with_what_bears(names: &Names, case: &Case, drive: usize) -> String {
 }
 
 /// Names a measure with the springs of the file that act along it and the load that the case states in it.
-fn with_what_acts(names: &Names, case: &Case, measure: usize) -> String {
+fn measure_with_loads(names: &Names, case: &Case, measure: usize) -> String {
     let along = names.vehicle.springs.iter();
     let along = along.filter(|spring| spring.measure == measure);
     let springs: Vec<&str> = along.map(|spring| spring.name.as_str()).collect();

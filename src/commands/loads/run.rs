@@ -40,7 +40,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// Computes the loads at each place of a grid.
-    pub(super) fn on_grid(
+    pub(super) fn run_grid(
         &self,
         (drives, absolute): (&[Swept], bool),
         forms: &Forms,
@@ -48,7 +48,7 @@ impl<'a> Run<'a> {
     ) -> Result<(), Failure> {
         let grid = grid(self.mechanism, self.source, drives, absolute)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let leading = Leading::of(self.mechanism, &[&DRIVES]);
+        let leading = Leading::new(self.mechanism, &[&DRIVES]);
         let mut found = self.none_found();
         let mut read = |place: &dyn Place| {
             progress.step();
@@ -78,9 +78,13 @@ impl<'a> Run<'a> {
     }
 
     /// Computes the loads at each instant of the motion.
-    pub(super) fn in_motion(&self, forms: &Forms, interrupted: &AtomicBool) -> Result<(), Failure> {
+    pub(super) fn run_motion(
+        &self,
+        forms: &Forms,
+        interrupted: &AtomicBool,
+    ) -> Result<(), Failure> {
         let instants = &self.mechanism.instants;
-        let leading = Leading::of(self.mechanism, &[&TIME, &DRIVES]);
+        let leading = Leading::new(self.mechanism, &[&TIME, &DRIVES]);
         let mut found = self.none_found();
         let is_over = || interrupted.load(Ordering::Relaxed);
         let go_on = |is_over| match is_over {
@@ -130,7 +134,7 @@ impl<'a> Run<'a> {
     /// Computes each case at a state.
     fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
         let cases = self.cases.iter();
-        let outcomes = cases.map(|case| self.structure.under(self.mechanism, case, state));
+        let outcomes = cases.map(|case| self.structure.solve(self.mechanism, case, state));
         outcomes.collect()
     }
 

@@ -11,7 +11,7 @@ pub(super) struct Unloaded {
 }
 
 impl Unloaded {
-    pub(super) fn of(found: &Found<'_>) -> Self {
+    pub(super) fn new(found: &Found<'_>) -> Self {
         /// A part of the largest of all forces.
         const ROUNDING: f64 = 1e-9;
         let sizes = found.ranges.iter().map(Extreme::largest);
@@ -22,7 +22,7 @@ impl Unloaded {
     }
 
     /// Returns the lines that bear a load and keeps the names of the others.
-    pub(super) fn without(&mut self, lines: Vec<Line>) -> Vec<Line> {
+    pub(super) fn remove_from(&mut self, lines: Vec<Line>) -> Vec<Line> {
         let (loaded, others): (Vec<Line>, Vec<Line>) =
             lines.into_iter().partition(|line| self.is_loaded(line));
         self.names.extend(others.into_iter().map(|line| line.name));

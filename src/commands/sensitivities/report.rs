@@ -100,7 +100,7 @@ impl Report<'_> {
     /// Returns the largest sensitivities of the numbers whose names begin with one of `of`, or of all numbers if `of` is
     /// empty.
     pub(super) fn text(&self, of: &[String], largest: usize) -> String {
-        let (per, _) = self.per();
+        let (per, _) = self.usual_change();
         let axes = self.mechanism.axes.in_words();
         let is_wanted = |number: &Number| {
             of.is_empty()
@@ -112,7 +112,7 @@ impl Report<'_> {
         let mut out = format!(
             "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n{}",
             self.file,
-            self.of_tie_rod(&numbers)
+            self.tie_rod_note(&numbers)
         );
         let (zero, others): (Vec<Number>, Vec<Number>) = numbers
             .into_iter()
@@ -139,7 +139,7 @@ impl Report<'_> {
 
     /// Says why moving an end of a tie rod does not change the toe at the design position; empty if `numbers` has no toe or
     /// the linkage has no such rod.
-    fn of_tie_rod(&self, numbers: &[Number]) -> String {
+    fn tie_rod_note(&self, numbers: &[Number]) -> String {
         const NAMES: [&str; 3] = ["tie_rod", "track_rod", "toe_link"];
         let is_of_toe = |number: &Number| {
             let column = &self.found.columns[number.column];
@@ -158,7 +158,7 @@ impl Report<'_> {
     }
 
     /// Returns the usual change of a hardpoint in words, and its length in the file's unit.
-    fn per(&self) -> (&'static str, f64) {
+    fn usual_change(&self) -> (&'static str, f64) {
         match self.mechanism.unit.length {
             Length::Metre => ("mm", 1e-3),
             other => (other.symbol(), 1.0),
@@ -171,7 +171,7 @@ impl Report<'_> {
 
     /// Returns the finite effects of all changes on a number.
     fn effects(&self, at: &Number) -> Vec<(&str, f64)> {
-        let scale = at.scale * self.per().1;
+        let scale = at.scale * self.usual_change().1;
         let each = self.found.each.iter();
         let each = each.map(|each| (&*each.change.name, each.of[(at.column, at.number)] * scale));
         each.filter(|(_, by)| by.is_finite()).collect()
@@ -203,7 +203,7 @@ impl Report<'_> {
         let each = effects.iter().take(count);
         let each = each.map(|(change, by)| format!("{change} {}", rounded(*by, DIGITS)));
         let each = each.collect::<Vec<_>>().join(", ");
-        let unit = format!("{} per {}", at.symbol, self.per().0);
+        let unit = format!("{} per {}", at.symbol, self.usual_change().0);
         format!("{}: {each}", unit.trim_start())
     }
 }

@@ -15,7 +15,7 @@ pub(super) struct Derivatives {
 impl Derivatives {
     /// Returns the derivatives with respect to the drives of travel and steering. If a drive of travel is not the height of
     /// its wheel, those with respect to this height follow.
-    pub(super) fn of(mechanism: &Description, rises: &[Option<Rise>]) -> Vec<Self> {
+    pub(super) fn collect(mechanism: &Description, rises: &[Option<Rise>]) -> Vec<Self> {
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let both = ways.zip(rises).flat_map(|((way, (_, drive)), rise)| {
             let name = &mechanism.names.drives[drive].name;

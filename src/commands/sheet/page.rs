@@ -62,7 +62,7 @@ impl Page<'_> {
             }
             h2 { "At the design position: " (self.drives) }
             (self.table())
-            (self.of_curves_alone())
+            (self.quantities_with_curves_only())
             @for curves in &self.curves {
                 (over(curves, *unit))
             }
@@ -76,7 +76,7 @@ impl Page<'_> {
     fn table(&self) -> Markup {
         /// With derivatives with respect to more drives the columns are narrower.
         const MOST_ROOMY: usize = 3;
-        let derivatives = Derivatives::of(self.mechanism, &self.rises);
+        let derivatives = Derivatives::collect(self.mechanism, &self.rises);
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
         let cells = self.cells(&groups, &derivatives);
         let has_names = self
@@ -113,7 +113,7 @@ impl Page<'_> {
     }
 
     /// Lists the quantities that have curves but are zero at the design position, so that the table omits them.
-    fn of_curves_alone(&self) -> Markup {
+    fn quantities_with_curves_only(&self) -> Markup {
         let is_shown = |quantity: &&Quantity| {
             let mut lines = self.curves.iter().flat_map(|curves| &curves.lines);
             lines.any(|line| line.title.of_wheel == quantity.title)

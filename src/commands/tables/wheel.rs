@@ -83,7 +83,7 @@ struct Points {
 }
 
 impl Points {
-    fn of(wheel: &mechanism::Wheel, state: &State, metre: f64) -> Self {
+    fn read(wheel: &mechanism::Wheel, state: &State, metre: f64) -> Self {
         let at = |point: usize| state.axes.turned(state.position(point)) / metre;
         let [inner, centre] = wheel.points.axis.map(at);
         Self {
@@ -126,7 +126,7 @@ impl Wheel {
     }
 
     /// Computes the motion of a wheel along its travel; `None` if the mechanism is singular at its design position.
-    pub(super) fn of(
+    pub(super) fn compute(
         mechanism: &dyn Kinematics,
         number: usize,
         travel: &Along,
@@ -156,10 +156,10 @@ impl Wheel {
         let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
         let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
         let to_the_left = |steer: Rates| steer.times(steer.angles.z.signum());
-        let design = Points::of(wheel, &design, metre);
+        let design = Points::read(wheel, &design, metre);
         let reached = travel.visited.places.iter().flatten();
-        let changes =
-            reached.filter_map(|(state, _)| Change::of(&design, &Points::of(wheel, state, metre)));
+        let changes = reached
+            .filter_map(|(state, _)| Change::between(&design, &Points::read(wheel, state, metre)));
         let mut changes: Vec<Change> = changes.collect();
         // If z points down, the drive rises as the wheel falls.
         changes.sort_by(|a, b| a.moved.z.total_cmp(&b.moved.z));
@@ -178,7 +178,7 @@ impl Wheel {
 }
 
 impl Change {
-    fn of(design: &Points, now: &Points) -> Option<Self> {
+    fn between(design: &Points, now: &Points) -> Option<Self> {
         let upright = pose(&design.carrier, &now.carrier)?.rotation * Vector3::z();
         Some(Self {
             moved: now.centre - design.centre,

@@ -153,6 +153,6 @@ fn table([what, heading]: [&str; 2], lines: &[(String, String, String)]) -> Stri
     let names = TextColumn::left(lines.iter().map(|(name, ..)| name));
     let numbers = TextColumn::numbers(lines.iter().map(|(_, number, _)| number.clone()));
     let rest = TextColumn::left(lines.iter().map(|(.., rest)| rest));
-    let numbers = numbers.then(" ", rest).under(heading);
-    laid_out(0, [names.under(what), numbers])
+    let numbers = numbers.joined(" ", rest).headed(heading);
+    laid_out(0, [names.headed(what), numbers])
 }

@@ -91,7 +91,7 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
     let at = |value: f64| {
         let mut place = [0.0; 3];
         place[axis] = value;
-        view.of(place)[sheet]
+        view.project(place)[sheet]
     };
     // Compute the coordinate from two places that are far apart on the sheet, whatever the scale.
     let apart = 1.0 / view.scale;

@@ -79,13 +79,15 @@ impl Drawing {
         let largest = forces.links.iter().map(|link| link.tension.abs());
         let largest = largest.fold(f64::MIN_POSITIVE, f64::max);
         for link in &forces.links {
-            let ends = link.ends.map(|end| pixels(view.of(self.points[end].1)));
+            let ends = link
+                .ends
+                .map(|end| pixels(view.project(self.points[end].1)));
             let width = THIN + (THICK - THIN) * link.tension.abs() / largest;
             let stroke = colour(link.tension).stroke_width((width * f64::from(FINE)) as u32);
             area.draw(&PathElement::new(ends.to_vec(), stroke))?;
         }
         for arrow in self.arrows() {
-            let ends = arrow.map(|at| pixels(view.of(at)));
+            let ends = arrow.map(|at| pixels(view.project(at)));
             area.draw(&PathElement::new(
                 ends.to_vec(),
                 ACTING.stroke_width(3 * FINE),
@@ -101,7 +103,9 @@ impl Drawing {
             return Ok(());
         };
         for link in &forces.links {
-            let [a, b] = link.ends.map(|end| pixels(view.of(self.points[end].1)));
+            let [a, b] = link
+                .ends
+                .map(|end| pixels(view.project(self.points[end].1)));
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
             let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
             put(area, labels, &text, (middle, colour(link.tension)))?;
@@ -112,7 +116,7 @@ impl Drawing {
                 area,
                 labels,
                 &format!("{size:.0} N"),
-                (pixels(view.of(tip)), ACTING),
+                (pixels(view.project(tip)), ACTING),
             )?;
         }
         let font = ("sans-serif", labels.font_size()).into_font();

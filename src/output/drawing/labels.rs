@@ -42,7 +42,7 @@ const CUT: f64 = 20.0;
 
 impl Labels {
     /// Starts the placement beside points on a sheet of a size in pixels; `unit` is the number of drawing units per pixel.
-    pub(super) fn among(
+    pub(super) fn new(
         points: &[(i32, i32)],
         lines: Vec<Segment>,
         (width, height): (u32, u32),
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn names_of_points_side_by_side_do_not_overlap() {
         let points = [(100, 100), (120, 100), (100, 120)];
-        let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
+        let mut labels = Labels::new(&points, Vec::new(), (300, 300), 1);
         for point in points {
             labels.put("upper_front", point);
         }
@@ -186,7 +186,7 @@ mod tests {
         let crowd = |column: i32| (0..20).map(move |row| (60 + 12 * column, 15 * row));
         let mut points: Vec<_> = (0..9).flat_map(crowd).collect();
         points.extend([(10, 100), (290, 100), (10, 120), (290, 120)]);
-        let mut labels = Labels::among(&points, Vec::new(), (300, 300), 1);
+        let mut labels = Labels::new(&points, Vec::new(), (300, 300), 1);
         for point in points.iter().rev().take(4).chain([&(60, 105)]) {
             labels.put("upper_front", *point);
         }
@@ -204,7 +204,7 @@ mod tests {
         let point = (150, 150);
         for end in [(300, 150), (0, 150), (150, 300), (300, 300), (290, 140)] {
             let line = [point, end];
-            let mut labels = Labels::among(&[point], vec![line], (300, 300), 1);
+            let mut labels = Labels::new(&[point], vec![line], (300, 300), 1);
             labels.put("ball", point);
             let place = labels.taken.last().expect("a name");
             assert_eq!(inside(&line, place), 0.0, "{end:?}");

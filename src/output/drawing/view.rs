@@ -66,7 +66,7 @@ const ELEVATION: f64 = 20.0;
 
 impl View {
     /// Returns the projection that fits all points, given in these axes, with a margin; `None` if there are none.
-    pub(super) fn around(
+    pub(super) fn fit(
         points: &[[f64; 3]],
         axes: Axes,
         seen: Seen,
@@ -84,7 +84,7 @@ impl View {
             scale: 1.0,
             origin: [0.0; 2],
         };
-        let flat: Vec<[f64; 2]> = points.iter().map(|at| view.of(*at)).collect();
+        let flat: Vec<[f64; 2]> = points.iter().map(|at| view.project(*at)).collect();
         let ends = |axis: usize| {
             let values = flat.iter().map(|at| at[axis]);
             let low = values.clone().reduce(f64::min)?;
@@ -104,7 +104,7 @@ impl View {
     }
 
     /// Returns the position of a point on the sheet: to the right and down.
-    pub(super) fn of(&self, at: [f64; 3]) -> [f64; 2] {
+    pub(super) fn project(&self, at: [f64; 3]) -> [f64; 2] {
         let along = |axis: [f64; 3]| axis.iter().zip(at).map(|(a, x)| a * x).sum::<f64>();
         [
             self.origin[0] + self.scale * along(self.across),
@@ -121,11 +121,11 @@ mod tests {
     fn up_is_up_and_outboard_is_on_the_right() {
         let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]];
         for seen in [Seen::Oblique, Seen::Front] {
-            let view = View::around(&points, Axes::Iso, seen, (100, 100), 10.0).expect("points");
-            assert!(view.of(points[2])[1] < view.of(points[1])[1]);
-            assert!(view.of(points[2])[0] > view.of(points[0])[0]);
+            let view = View::fit(&points, Axes::Iso, seen, (100, 100), 10.0).expect("points");
+            assert!(view.project(points[2])[1] < view.project(points[1])[1]);
+            assert!(view.project(points[2])[0] > view.project(points[0])[0]);
             for at in points {
-                assert!(view.of(at).iter().all(|x| (9.99..=90.01).contains(x)));
+                assert!(view.project(at).iter().all(|x| (9.99..=90.01).contains(x)));
             }
         }
     }

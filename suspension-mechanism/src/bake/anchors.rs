@@ -11,7 +11,7 @@ pub(super) struct Anchors<S>(Vec<(f64, S)>);
 
 impl<S: Copy> Anchors<S> {
     /// The anchors of a range, to which the mechanism is led from `now`. `follow` leads from one value to another.
-    pub(super) fn over(
+    pub(super) fn new(
         [from, to]: [f64; 2],
         (now, start): (f64, S),
         follow: impl Fn([f64; 2], &mut S) -> Result<(), Stop>,

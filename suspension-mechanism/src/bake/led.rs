@@ -53,7 +53,7 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
         let led = led.map_err(|cause| unreached(Some(cause)))?;
         let [from, to] = range;
         let now = nearest(way.kind(), way.measured(&led), 0.5 * (from + to));
-        let anchors = Anchors::over(range, (now, led), |ends, led| way.follow(ends, led))?;
+        let anchors = Anchors::new(range, (now, led), |ends, led| way.follow(ends, led))?;
         Ok(Self { way, anchors })
     }
 }

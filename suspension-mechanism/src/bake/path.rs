@@ -43,7 +43,7 @@ impl<'a, L: Suspension<N>, const N: usize> Path<'a, L, N> {
             drive,
         };
         let now = held.values().nth(drive).unwrap_or_default();
-        let anchors = Anchors::over(range, (now, *start), |ends, motion| {
+        let anchors = Anchors::new(range, (now, *start), |ends, motion| {
             way.follow(ends, motion)
         })?;
         Ok(Self { way, anchors })

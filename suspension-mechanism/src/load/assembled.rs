@@ -47,7 +47,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
         let points: L::Points = given(&task);
         let stated = || points.values().take(task.names.points.len());
         parts::finite(stated()).map_err(|error| task.refuse_geometry(&error))?;
-        let outlier = Outlier::among(&task, &points);
+        let outlier = Outlier::find(&task, &points);
         let outlier_first = |failure| before(outlier.as_ref(), failure, request.source);
         let origin = LocalOrigin::among(stated());
         task.file = task.file.seen_from(origin.position().into());

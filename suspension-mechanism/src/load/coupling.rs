@@ -61,7 +61,7 @@ impl Travels<'_> {
             rates: own.clone(),
             takes_both: false,
         };
-        let Some((other, of_other)) = self.beside(wheel) else {
+        let Some((other, of_other)) = self.opposite(wheel) else {
             return Some(alone);
         };
         let rise = |rates: &[Vector3<f64>], of: usize| {
@@ -88,7 +88,7 @@ impl Travels<'_> {
     }
 
     /// The other wheel of an axle, if it has another drive of travel, with the effect of that drive.
-    fn beside(&self, wheel: usize) -> Option<(usize, &[Vector3<f64>])> {
+    fn opposite(&self, wheel: usize) -> Option<(usize, &[Vector3<f64>])> {
         let mut pairs = self.pairs.iter();
         let other = pairs.find_map(|pair| pair.other(wheel))?;
         let travel = |wheel: usize| self.names.wheels[wheel].travel;

@@ -115,7 +115,7 @@ fn unsatisfied<L: Suspension<N>, const N: usize>(
     let inputs = drives.inputs::<L::Drives>(0.0);
     let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
     let residual = model.residual(&model.unknowns(points), &fixed.value, &drives.value);
-    Unsatisfied::of(&residual, model.size())
+    Unsatisfied::find(&residual, model.size())
 }
 
 /// The fraction of the mechanism's size above which a misfit is a mistake, and not rounding.

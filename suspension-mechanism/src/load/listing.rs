@@ -32,7 +32,7 @@ pub(super) struct Chosen {
 impl Chosen {
     /// The listing that the file names or states. Points that the listing states and the file does not are taken
     /// over.
-    pub(super) fn of(source: &Source, file: &mut MotionFile) -> Result<Self, Failure> {
+    pub(super) fn read(source: &Source, file: &mut MotionFile) -> Result<Self, Failure> {
         let stated = [&file.linkage, &file.listing, &file.statements];
         let places: Vec<_> = stated.into_iter().flatten().map(Spanned::span).collect();
         let [place] = places.as_slice() else {

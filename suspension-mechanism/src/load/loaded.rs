@@ -27,7 +27,7 @@ pub struct Loaded<'a> {
 /// [`Failure::Input`] with a place if the file or the listing is wrong.
 pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
     let mut file = MotionFile::parse(source)?;
-    let listing = Chosen::of(source, &mut file)?;
+    let listing = Chosen::read(source, &mut file)?;
     let instants = check::instants(source, &file.time)?;
     Ok(Loaded {
         source,

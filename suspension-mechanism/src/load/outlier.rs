@@ -38,7 +38,7 @@ pub(super) struct Outlier {
 
 impl Outlier {
     /// The outlier among the points that the file states by coordinates, as given.
-    pub(super) fn among<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<Self> {
+    pub(super) fn find<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<Self> {
         let stated = task.file.points.get_ref();
         let named = task.names.points.iter().zip(given.values());
         let by_coordinates = named.filter_map(|(name, at)| {

@@ -14,7 +14,7 @@ use crate::load::notes::{
 use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
-use crate::load::usual_drives::in_effect;
+use crate::load::usual_drives::effective_names;
 use crate::load::{columns, led, start};
 use crate::mechanism::{
     Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
@@ -37,7 +37,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         }
         None => Vec::new(),
     };
-    let (mut names, of_drives) = in_effect(task, design);
+    let (mut names, of_drives) = effective_names(task, design);
     names.vehicle.steering_wheel = steering_wheel(task, &names, design)?;
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
@@ -49,8 +49,11 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     task.check_angles(first.values(), &task.file.drives)?;
     let begin = Begin::of(&assembled, request.to, drives, (&doubts, &mut notes))?;
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
-    let named = names.clone().with(springs, masses).designed(&points);
-    let named = named.about(task.middle).coupled(&couplings);
+    let named = names
+        .clone()
+        .with_springs_and_masses(springs, masses)
+        .designed(&points);
+    let named = named.with_middle(task.middle).coupled(&couplings);
     columns::check(request.source, &named, task.file.unit())?;
     let drive_offsets = assembled.drive_offsets.values().take(names.drives.len());
     let description = Description {

@@ -18,7 +18,7 @@ const EQUAL: f64 = 1e-6;
 
 impl Unsatisfied {
     /// The equation with the largest residual; `None` if the points satisfy all.
-    pub(super) fn of<const N: usize>(residual: &SVector<f64, N>, size: f64) -> Option<Self> {
+    pub(super) fn find<const N: usize>(residual: &SVector<f64, N>, size: f64) -> Option<Self> {
         let (equation, by) = largest(residual.abs().as_slice())?;
         (by > ROUNDING * size).then_some(Self { equation, by })
     }

@@ -16,7 +16,7 @@ const MOVES: f64 = 1e-6;
 
 /// The names without drives of travel that do not move the wheel up or down, and without the usual drives of steering
 /// that do not turn it; with notes on usual drives of travel.
-pub(super) fn in_effect<L: Suspension<N>, const N: usize>(
+pub(super) fn effective_names<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
 ) -> (Names, Vec<String>) {

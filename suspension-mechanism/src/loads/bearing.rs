@@ -26,7 +26,7 @@ pub(super) fn bearing(
         return Some(Vec::new());
     }
     let on_drives = |forces: &[Force]| {
-        let borne = here.under(&summed(forces, here.points()), &[])?.on_drives;
+        let borne = here.solve(&summed(forces, here.points()), &[])?.on_drives;
         let relieved = borne_by.iter().map(|(drive, _)| borne[*drive]);
         Some(DVector::from_iterator(borne_by.len(), relieved))
     };

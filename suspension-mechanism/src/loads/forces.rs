@@ -79,7 +79,7 @@ pub(super) struct Here<'a> {
 
 impl Here<'_> {
     /// The effect of forces at the points, and the forces of parts on the points; `None` if the mechanism locks.
-    pub(super) fn under(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
+    pub(super) fn solve(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
         self.mechanism.under(self.state, forces, parts)
     }
 

@@ -7,7 +7,7 @@ use super::{By, Outcome, Structure};
 
 impl Structure<'_> {
     /// The measures in which loads act, by number and in their order, with the loads in each added together.
-    pub(super) fn in_each(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
+    pub(super) fn sum_by_measure(&self, acting: &[(usize, f64)]) -> Vec<(usize, f64)> {
         let measures = 0..self.measured_points.len();
         let each = measures.filter_map(|measure| {
             let in_it = acting.iter().filter(|(acting, _)| *acting == measure);

@@ -98,7 +98,7 @@ impl Structure<'_> {
     ) -> Option<Vec<f64>> {
         let here = self.here(mechanism, state);
         let acting = here.in_measure(measure, 1.0);
-        Some(here.under(&summed(&acting, here.points()), &[])?.on_drives)
+        Some(here.solve(&summed(&acting, here.points()), &[])?.on_drives)
     }
 }
 

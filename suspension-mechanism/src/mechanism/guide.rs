@@ -51,7 +51,7 @@ impl Guide {
 
     /// The points that move with a point that slides on it (the ends of the line and the other points that slide
     /// there), each with its displacement: the part of `by` across the line.
-    pub(crate) fn with(&self, point: usize, by: Vector3<f64>) -> Vec<(usize, Vector3<f64>)> {
+    pub(crate) fn moved_with(&self, point: usize, by: Vector3<f64>) -> Vec<(usize, Vector3<f64>)> {
         if !self.sliding.contains(&point) {
             return Vec::new();
         }

@@ -143,7 +143,7 @@ impl Names {
     }
 
     /// Adds springs, and parts that have a mass.
-    pub fn with(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
+    pub fn with_springs_and_masses(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
         self.vehicle.springs = springs.into();
         self.vehicle.masses = masses.into();
         self
@@ -163,7 +163,7 @@ impl Names {
 
     /// Adds whether each wheel is in the middle of the vehicle; `middle` is to be added to y to get the file's
     /// coordinates.
-    pub(crate) fn about(mut self, middle: f64) -> Self {
+    pub(crate) fn with_middle(mut self, middle: f64) -> Self {
         /// A fraction of the length of the spin axis.
         const ROUNDING: f64 = 1e-6;
         for wheel in &mut self.wheels {

@@ -62,18 +62,18 @@ pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
     if !rolling.coupling(names).is_coupled() && !rolling.shares_its_carrier(names) {
         return travel(names, rolling);
     }
-    beside(names, rolling).map_or(Along::Travel, Along::Heave)
+    opposite_wheel(names, rolling).map_or(Along::Travel, Along::Heave)
 }
 
 /// The motion of a wheel in travel, with the other wheel of its axle held at its height.
 pub(super) fn travel(names: &Names, rolling: Rolling) -> Along {
     let takes_both = rolling.coupling(names).takes_both_drives;
-    let other = beside(names, rolling).filter(|_| takes_both);
+    let other = opposite_wheel(names, rolling).filter(|_| takes_both);
     other.map_or(Along::Travel, Along::Held)
 }
 
 /// The other wheel of an axle, if each of its wheels has a drive of travel.
-fn beside(names: &Names, rolling: Rolling) -> Option<Rolling> {
+fn opposite_wheel(names: &Names, rolling: Rolling) -> Option<Rolling> {
     let mut axles = Axle::all(names).into_iter().filter(Axle::has_travel);
     axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
         number if number == a.number => Some(b),

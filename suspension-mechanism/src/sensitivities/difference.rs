@@ -31,7 +31,7 @@ pub(super) fn fill(
     if columns.iter().all(|column| column.has_derivatives) {
         return;
     }
-    let Some(differences) = of(mechanism, change, columns) else {
+    let Some(differences) = derivatives(mechanism, change, columns) else {
         return;
     };
     for (place, column) in columns.iter().enumerate() {
@@ -42,7 +42,7 @@ pub(super) fn fill(
 }
 
 /// The derivatives of all numbers along a change; `None` if no such suspensions can be built.
-pub(super) fn of(
+pub(super) fn derivatives(
     mechanism: &dyn Kinematics,
     change: &Change,
     columns: &[Column],

@@ -39,7 +39,7 @@ impl Baking<'_> {
             ),
             Unmet::OutOfReach(error) if locks == [None, None] => {
                 kept = [false; 2];
-                self.between(drive, &error)
+                self.lost_between(drive, &error)
             }
             Unmet::OutOfReach(_) => {
                 let locks: Vec<String> = locks.into_iter().flatten().collect();
@@ -121,7 +121,7 @@ impl Baking<'_> {
     }
 
     /// Says at which value, within the reach of the drive, the solver lost the motion.
-    fn between(&self, drive: usize, error: &OutOfReach) -> String {
+    fn lost_between(&self, drive: usize, error: &OutOfReach) -> String {
         let [from, to] = error.reached.map(|end| number(self.in_file(drive, end)));
         let names = &self.mechanism.names;
         let cause = error

@@ -103,12 +103,12 @@ impl Baking<'_> {
         let (reason, inside) = match unmet {
             Unmet::TooManySegments { at } => {
                 let tolerance = rounded(self.request.tolerance, 3);
-                let at = self.of_measure(along, *at);
+                let at = self.format_value(along, *at);
                 let reason =
                     format!("{MOST_SEGMENTS} segments do not meet {tolerance} m about {at}");
                 (reason, wanted.range)
             }
-            Unmet::OutOfReach(error) => (self.lost(along, error), error.reached),
+            Unmet::OutOfReach(error) => (self.describe_failure(along, error), error.reached),
         };
         let possible = self.possible_along(
             along,
@@ -131,15 +131,15 @@ impl Baking<'_> {
     }
 
     /// Says why the measure does not lead through its range.
-    fn lost(&self, along: &AlongMeasure, error: &OutOfReach) -> String {
+    fn describe_failure(&self, along: &AlongMeasure, error: &OutOfReach) -> String {
         let names = &self.mechanism.names;
         match &error.cause {
             Some(SolveError::TurningPoint { extreme, .. }) => format!(
                 "the measure turns back at {}, there is none beyond on this branch",
-                self.of_measure(along, *extreme)
+                self.format_value(along, *extreme)
             ),
             cause => {
-                let [from, to] = error.reached.map(|end| self.of_measure(along, end));
+                let [from, to] = error.reached.map(|end| self.format_value(along, end));
                 let cause = cause.map(|cause| format!(" ({})", names.cause(&cause)));
                 let cause = cause.unwrap_or_default();
                 format!("the mechanism is led from {from} to {to} only{cause}")
@@ -165,7 +165,7 @@ impl Baking<'_> {
     }
 
     /// Formats a local value of the measure with its unit.
-    fn of_measure(&self, along: &AlongMeasure, local: f64) -> String {
+    fn format_value(&self, along: &AlongMeasure, local: f64) -> String {
         let measure = &self.mechanism.names.measures[along.measure];
         let given = local + self.mechanism.measure_offsets[along.measure];
         let symbol = Dimension::from(measure.kind).symbol(self.mechanism.unit);

@@ -8,16 +8,16 @@ use crate::commands::compare::differences::{Difference, Part, pairs, title_of_bo
 use crate::mechanism::Unit;
 
 /// The curves of both suspensions over the same kind of motion.
-pub(super) struct Over<'a> {
+pub(super) struct CurvePair<'a> {
     /// The title, for example `over travel`.
     of: String,
     pub(super) curves: [Cow<'a, Curves>; 2],
 }
 
-impl<'a> Over<'a> {
+impl<'a> CurvePair<'a> {
     /// Pairs the curves over equal changes of the drives, or over the travel of the wheel if equal changes move the wheels
     /// unequally far.
-    pub(super) fn of(both: [&'a Curves; 2], unit: Unit) -> Option<Self> {
+    pub(super) fn new(both: [&'a Curves; 2], unit: Unit) -> Option<Self> {
         let [a, b] = both;
         if are_unlike(both)
             && let Some(curves) = by_wheel(both, unit)
