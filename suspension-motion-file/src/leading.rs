@@ -119,11 +119,11 @@ mod tests {
             ),
             (
                 "bump = 1\nsteer = 1\nspring = 1",
-                "a.toml:3:1: measure `spring` can lead only in",
+                "a.toml:3:1: measure `spring` can only replace a drive",
             ),
             (
                 "steer = 1\nspring = 1\nheight = 1",
-                "a.toml:3:1: measure `height` cannot lead beside",
+                "a.toml:3:1: measures `spring` and `height` cannot both replace a drive",
             ),
         ];
         for (leading, expected) in cases {

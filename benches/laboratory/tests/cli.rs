@@ -15,7 +15,9 @@ fn drives_must_lead() {
         let output = program::run(folder.path(), &[command, "a.toml"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         let message = program::text(&output.stderr);
-        let expected = format!("`height` is a measure; suspension-laboratory {command} needs");
+        let expected = format!(
+            "`height` is a measure that prescribes the motion; suspension-laboratory {command} needs"
+        );
         assert!(message.contains(&expected), "{output:?}");
     }
     let files = std::fs::read_dir(folder.path()).expect("a folder").count();
