@@ -6,9 +6,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-use nix::sys::resource::{UsageWho, getrusage};
-use nix::sys::time::TimeVal;
-
 use crate::listing;
 use crate::median::median;
 
@@ -118,10 +115,23 @@ impl Workshop {
 }
 
 /// Returns the processor seconds of all builds so far.
-fn cpu_of_children() -> nix::Result<f64> {
+#[cfg(unix)]
+fn cpu_of_children() -> std::io::Result<f64> {
+    use nix::sys::resource::{UsageWho, getrusage};
+    use nix::sys::time::TimeVal;
+
     let usage = getrusage(UsageWho::RUSAGE_CHILDREN)?;
     let seconds = |time: TimeVal| time.tv_sec() as f64 + 1e-6 * time.tv_usec() as f64;
     Ok(seconds(usage.user_time()) + seconds(usage.system_time()))
+}
+
+#[cfg(not(unix))]
+fn cpu_of_children() -> std::io::Result<f64> {
+    let message = "the processor time of a build is known on Unix only";
+    Err(std::io::Error::new(
+        std::io::ErrorKind::Unsupported,
+        message,
+    ))
 }
 
 fn manifest(core: &Path) -> String {
