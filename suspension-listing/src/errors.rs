@@ -182,10 +182,10 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
-/// The error that nothing keeps the distance between two points, although it must stay the same.
-pub(crate) fn distance_not_constant(from: &Ident, to: &Ident, as_what: &str) -> Error {
+/// The error that nothing keeps the distance between two points, although a line of theirs must keep its length.
+pub(crate) fn distance_not_constant(from: &Ident, to: &Ident, line: &str) -> Error {
     let message = format!(
-        "the distance of `{from}` and `{to}` is not constant, {as_what} requires; list both in one body, \
+        "{line} needs two points at a constant distance, and nothing holds `{from}` and `{to}` at one; list both in one body, \
          join them by a link, or put both on the chassis"
     );
     at(from, message)

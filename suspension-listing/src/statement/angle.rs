@@ -63,7 +63,7 @@ impl Statement for Angle {
                 errors.push(errors::distance_not_constant(
                     from,
                     to,
-                    "as a line at an angle",
+                    "a line at an angle",
                 ));
             }
         }

@@ -72,7 +72,7 @@ impl Statement for Slide {
             errors.push(errors::distance_not_constant(
                 from,
                 to,
-                "as a line to slide on",
+                "a line to slide on",
             ));
         }
     }

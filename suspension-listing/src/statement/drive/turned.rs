@@ -212,7 +212,7 @@ pub(super) fn check(
     }
     let [from, to] = about;
     (from != to && !listing.keeps_apart(system, [from, to]))
-        .then(|| errors::distance_not_constant(from, to, "as the axis of an angle"))
+        .then(|| errors::distance_not_constant(from, to, "the axis of an angle"))
 }
 
 pub(super) fn about_no_axis(drive: &Ident) -> Error {
