@@ -1,6 +1,7 @@
 //! Baked files.
 
 mod along;
+mod c;
 mod contents;
 mod kept;
 mod languages;

@@ -52,6 +52,11 @@ fn files_of_any_size() {
         message.contains("must increase or decrease throughout"),
         "{message}"
     );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_that_never_ends() {
     let folder = folder();
     assert!(refused(folder.path(), "/dev/zero").contains("larger than 4 MiB"));
 }

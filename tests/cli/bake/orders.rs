@@ -1,5 +1,7 @@
 //! The ranges that are baked, and the messages about those that are not.
 
+use std::path::Path;
+
 use super::super::program::{example, folder, run, text};
 
 #[test]
@@ -9,10 +11,9 @@ fn without_options_the_motion_of_the_file_is_baked_under_out() {
     let output = run(folder.path(), &["bake", "a.toml"]);
     assert_eq!(output.status.code(), Some(0));
     let message = text(&output.stderr);
-    assert!(
-        message.starts_with("wrote out/a_wheel_by_theta.rs: "),
-        "{message}"
-    );
+    let path = Path::new("out").join("a_wheel_by_theta.rs");
+    let wrote = format!("wrote {}: ", path.display());
+    assert!(message.starts_with(&wrote), "{message}");
     let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
     let file = file.expect("a file");
     assert!(file.contains("// Drive: theta from 0.7 to 2.1503125 rad."));

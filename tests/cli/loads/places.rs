@@ -1,5 +1,7 @@
 //! The places of the least and greatest forces, and the tables of grids and motions.
 
+use std::path::Path;
+
 use super::super::program::{Rows, folder, rows, run, text};
 use super::{BRAKING, loaded};
 
@@ -122,13 +124,16 @@ fn grids_and_motions_have_tables_of_their_own() {
     std::fs::write(folder.path().join("a.toml"), loaded(BRAKING)).expect("written");
     let grid = ["loads", "a.toml", "--drive", "bump=-0.05:0.05:3"];
     for (options, name) in [
-        (&grid[..], "out/a_loads.csv"),
-        (&["loads", "a.toml", "--motion"], "out/a_loads_motion.csv"),
+        (&grid[..], "a_loads.csv"),
+        (&["loads", "a.toml", "--motion"], "a_loads_motion.csv"),
     ] {
         let output = run(folder.path(), options);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        let told = text(&output.stderr);
-        assert!(told.contains(&format!("wrote {name}\n")), "{told}");
+        let (told, path) = (text(&output.stderr), Path::new("out").join(name));
+        assert!(
+            told.contains(&format!("wrote {}\n", path.display())),
+            "{told}"
+        );
     }
     let grid = std::fs::read(folder.path().join("out/a_loads.csv")).expect("a table");
     assert_eq!(rows(&grid).len(), 3);
