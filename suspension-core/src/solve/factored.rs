@@ -62,7 +62,7 @@ where
     if is_healthy(factors.growth_squared()) {
         Ok(work(&factors))
     } else {
-        Ok(work(&with_pivoting_for_rates(linkage, q, fixed)?))
+        with_pivoting_for_rates(linkage, q, fixed, |lu| work(lu))
     }
 }
 
@@ -88,26 +88,25 @@ where
     Ok(lu)
 }
 
-/// As [`with_pivoting`], for rates.
+/// Passes to `work` the factors with partial pivoting, for rates. (Returned, they would lie on the stack twice.)
 ///
 /// # Errors
 ///
 /// As [`with_factors_for_rates`].
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn with_pivoting_for_rates<T, L, const N: usize>(
+pub(crate) fn with_pivoting_for_rates<T, L, R, const N: usize>(
     linkage: &L,
     q: &SVector<T, N>,
     fixed: &L::Fixed,
-) -> Result<Lu<T, N>, SolveError<T>>
+    work: impl FnOnce(&Lu<T, N>) -> R,
+) -> Result<R, SolveError<T>>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let factored = with_pivoting(linkage, q, fixed, least_pivot());
-    if let Ok(lu) = &factored {
-        check_rates(linkage, lu)?;
-    }
-    factored
+    let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
+    check_rates(linkage, &lu)?;
+    Ok(work(&lu))
 }
 
 /// The direction of the unknowns that changes the equations least: the inverse takes almost any vector to it.
@@ -170,9 +169,7 @@ impl<T: Real, F: Factors<T, N>, const N: usize> Factored<F, T, N> {
         if is_healthy(factors.growth_squared()) {
             Ok(Self::InFixedOrder(factors))
         } else {
-            Ok(Self::WithPivoting(with_pivoting_for_rates(
-                linkage, q, fixed,
-            )?))
+            with_pivoting_for_rates(linkage, q, fixed, |lu| Self::WithPivoting(*lu))
         }
     }
 

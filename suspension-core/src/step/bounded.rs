@@ -206,8 +206,8 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
             return Err(SolveError::not_finite(equation));
         }
-        let lu = with_pivoting_for_rates(linkage, at, fixed)?;
-        let (next, evidence) = step.settle::<_, true>(&lu, outputs);
+        let (next, evidence) =
+            with_pivoting_for_rates(linkage, at, fixed, |lu| step.settle::<_, true>(lu, outputs))?;
         let before = motion.positive_determinant;
         match self.judge(linkage.size(), &evidence, before, || step.moved(&next)) {
             Ok(settled) => {
