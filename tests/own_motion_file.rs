@@ -136,7 +136,7 @@ fn a_motion_far_from_the_origin() {
     for (here, there) in here.iter().zip(&there) {
         assert_shifted(&home, here, there);
     }
-    let names = home.names.of_drives();
+    let names = home.names.drive_names();
     let bump = names.iter().position(|name| *name == "bump");
     assert_eq!(here[0].drives[bump.expect("a drive")], 0.18);
 }

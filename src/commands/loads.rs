@@ -77,7 +77,7 @@ impl Arguments {
         };
         let mechanism = &*mechanism;
         let cases = loaded.load_cases(mechanism)?;
-        let structure = Structure::of(loaded.listing());
+        let structure = Structure::new(loaded.listing());
         if cases.is_empty() {
             let mut sprung = |place: &dyn Place| structure.sprung(mechanism, &place.state());
             let sprung = mechanism.at_start(interrupted, &mut sprung).flatten();

@@ -60,7 +60,7 @@ impl Arguments {
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
         let ranges = self.ranges((mechanism, &chosen), csv.as_ref(), interrupted);
         // At the end of an angle the curves of other drives cannot start.
-        let at_end = mechanism.end_of_angle(&mechanism.given(&mechanism.first_drives()));
+        let at_end = mechanism.end_of_angle(&mechanism.drives_in_file(&mechanism.first_drives()));
         ranges.map_err(|failure| match (failure, at_end) {
             (Failure::Solver(_), Some(why)) => Failure::Solver(format!(
                 "{}: the curves cannot start at the end of an angle: {why}",

@@ -89,7 +89,7 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(mechanism, source, &self.drives, self.absolute)?;
-        let table = GridTable::of(mechanism, self.derivatives.into());
+        let table = GridTable::new(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
             2 => DerivativeOrder::Second,

@@ -34,8 +34,8 @@ const REST: &str = "
 fn numbers(place: &dyn Place, columns: &[Column], drives: usize) -> Vec<f64> {
     let per = (0..drives).map(|drive| place.per(drive).expect("a regular place"));
     let (state, per) = (place.state(), per.collect::<Vec<_>>());
-    let reader = Reader::of(&state);
-    let per: Vec<Reader<'_>> = per.iter().map(Reader::of).collect();
+    let reader = Reader::new(&state);
+    let per: Vec<Reader<'_>> = per.iter().map(Reader::new).collect();
     let of_column = |column: &Column| {
         let rates = per.iter().map(|reader| column.read(reader).rate);
         [column.read(&reader).value]
@@ -62,7 +62,7 @@ fn of_linkage(criterion: &mut Criterion, linkage: &str) {
     let changes = loaded.changes(mechanism).expect("changes");
     let columns = columns(mechanism);
     let travel = mechanism.names.vehicle.travel[0];
-    let axis = Axis::of(travel, vec![TRAVEL]);
+    let axis = Axis::for_drive(travel, vec![TRAVEL]);
     let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).expect("a grid");
     let mut group = criterion.benchmark_group(linkage);
     group.bench_function("state", |bencher| {

@@ -63,14 +63,14 @@ fn sweeps(criterion: &mut Criterion) {
     let loaded = load(&source).expect("a motion");
     let walked = loaded.at_design().expect("a design");
     let written = written(&*walked);
-    let names = walked.names.of_drives();
+    let names = walked.names.drive_names();
     let axis = |name: &str, (most, count): (f64, usize)| {
         let drive = names.iter().position(|drive| *drive == name);
-        Axis::of(drive.expect("a drive"), evenly_spaced([-most, most], count))
+        Axis::for_drive(drive.expect("a drive"), evenly_spaced([-most, most], count))
     };
     let axes = vec![axis("bump", BUMP), axis("steer", STEER)];
     let grid = Grid::new(&walked, axes, CountedFrom::Start).expect("a grid");
-    let table = GridTable::of(&walked, 1);
+    let table = GridTable::new(&walked, 1);
     let mut group = criterion.benchmark_group("double_wishbone");
     let mut bench = |id: &str, mechanism: &dyn Kinematics| {
         let reached = sweep(mechanism, &grid, &table);

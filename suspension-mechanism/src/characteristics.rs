@@ -18,7 +18,7 @@ mod way;
 pub use along::{Along, no_steering, ways};
 pub use curves::{Curves, Line, Sort, curves};
 pub use grid_table::GridTable;
-pub use instead::{not_of_this, of_wheels, zero_at_design};
+pub use instead::{not_of_this, suggest_for_wheels, zero_at_design};
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};
 pub use per_wheel::Rises;
 pub use rise::Rise;

@@ -27,7 +27,7 @@ impl<T: Number, const D: usize> Dual<T, D> {
     }
 
     #[inline]
-    fn with(value: T, rate: impl Fn(usize) -> T) -> Self {
+    fn new(value: T, rate: impl Fn(usize) -> T) -> Self {
         Self {
             value,
             rates: from_fn(rate),
@@ -36,8 +36,8 @@ impl<T: Number, const D: usize> Dual<T, D> {
 
     /// A function of two numbers by its value and its derivatives with respect to each.
     #[inline]
-    fn of([a, b]: [Self; 2], value: T, [by_a, by_b]: [T; 2]) -> Self {
-        Self::with(value, |direction| {
+    fn from_partials([a, b]: [Self; 2], value: T, [by_a, by_b]: [T; 2]) -> Self {
+        Self::new(value, |direction| {
             a.rates[direction] * by_a + b.rates[direction] * by_b
         })
     }
@@ -48,14 +48,14 @@ impl<T: Number, const D: usize> Number for Dual<T, D> {
     fn square_root(self) -> Self {
         let value = self.value.square_root();
         let scale = T::one() / (value + value);
-        Self::with(value, |direction| self.rates[direction] * scale)
+        Self::new(value, |direction| self.rates[direction] * scale)
     }
 
     #[inline]
     fn arc_tangent(y: Self, x: Self) -> Self {
         let square = x.value * x.value + y.value * y.value;
         let value = T::arc_tangent(y.value, x.value);
-        Self::of([y, x], value, [x.value / square, -y.value / square])
+        Self::from_partials([y, x], value, [x.value / square, -y.value / square])
     }
 
     #[inline]
@@ -69,7 +69,7 @@ impl<T: Number, const D: usize> Neg for Dual<T, D> {
 
     #[inline]
     fn neg(self) -> Self {
-        Self::with(-self.value, |direction| -self.rates[direction])
+        Self::new(-self.value, |direction| -self.rates[direction])
     }
 }
 
@@ -78,7 +78,7 @@ impl<T: Number, const D: usize> Add for Dual<T, D> {
 
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self::with(self.value + other.value, |direction| {
+        Self::new(self.value + other.value, |direction| {
             self.rates[direction] + other.rates[direction]
         })
     }
@@ -89,7 +89,7 @@ impl<T: Number, const D: usize> Sub for Dual<T, D> {
 
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self::with(self.value - other.value, |direction| {
+        Self::new(self.value - other.value, |direction| {
             self.rates[direction] - other.rates[direction]
         })
     }
@@ -100,7 +100,7 @@ impl<T: Number, const D: usize> Mul for Dual<T, D> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self::of(
+        Self::from_partials(
             [self, other],
             self.value * other.value,
             [other.value, self.value],
@@ -115,7 +115,7 @@ impl<T: Number, const D: usize> Div for Dual<T, D> {
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         let inverse = T::one() / other.value;
-        Self::of([self, other], value, [inverse, -value * inverse])
+        Self::from_partials([self, other], value, [inverse, -value * inverse])
     }
 }
 

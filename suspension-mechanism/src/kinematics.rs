@@ -52,8 +52,13 @@ pub trait Kinematics: Deref<Target = Description> {
         on_place: &mut OnPlace<'_>,
     ) -> VisitEnd;
 
-    /// See [`Mechanism::under`].
-    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne>;
+    /// See [`Mechanism::apply_forces`].
+    fn apply_forces(
+        &self,
+        state: &State,
+        forces: &[Vector3<f64>],
+        parts: &[PartForces],
+    ) -> Option<Borne>;
 
     /// See [`Mechanism::gradient`].
     fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>>;
@@ -179,8 +184,13 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         self.visit_each(grid, order, interrupted, on_place)
     }
 
-    fn under(&self, state: &State, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
-        self.under(state, forces, parts)
+    fn apply_forces(
+        &self,
+        state: &State,
+        forces: &[Vector3<f64>],
+        parts: &[PartForces],
+    ) -> Option<Borne> {
+        self.apply_forces(state, forces, parts)
     }
 
     fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {
@@ -196,7 +206,7 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     }
 
     fn equations(&self) -> Equations {
-        Equations::of(self)
+        Equations::evaluate(self)
     }
 
     fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Box<dyn Assembled + 'a> {

@@ -19,7 +19,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, Names, State};
 use bearing::bearing;
 use forces::{Force, Here, summed};
-use in_measures::with_stated;
+use in_measures::add_stated;
 use shares::Shared;
 
 pub use outcome::{By, Outcome};
@@ -66,7 +66,7 @@ pub struct Structure<'l> {
 impl<'l> Structure<'l> {
     /// The structure of a listing. It does not contain drives of free points: [`Outcome::on_drives`] has what they
     /// bear.
-    pub fn of(listing: &'l Listing) -> Self {
+    pub fn new(listing: &'l Listing) -> Self {
         let actuators: Vec<Statement<'l>> = listing.actuators().collect();
         let of_actuators = actuators.iter().map(PartForces::of_own);
         let statements: Vec<Statement<'l>> = listing.parts().collect();
@@ -91,11 +91,11 @@ impl<'l> Structure<'l> {
     /// drive does not move with it, and if points that hold a body with a mass are collinear.
     pub fn solve(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
         let here = self.here(mechanism, state);
-        let mut forces = here.at_sites(&case.at);
-        forces.extend(here.in_measures(&case.along));
-        forces.extend(here.of_masses(&case.field)?);
+        let mut forces = here.forces_at_sites(&case.at);
+        forces.extend(here.forces_in_measures(&case.along));
+        forces.extend(here.forces_of_masses(&case.field)?);
         let in_measures = bearing(&here, &case.borne_by, &forces)?;
-        forces.extend(here.in_measures(&in_measures));
+        forces.extend(here.forces_in_measures(&in_measures));
         let Borne {
             on_drives,
             mut by_parts,
@@ -103,15 +103,15 @@ impl<'l> Structure<'l> {
         } = here.solve(&summed(&forces, here.points()), &self.part_forces)?;
         let by_actuators = by_parts.split_off(self.statements.len());
         let along = self.sum_by_measure(&[case.along.as_slice(), &in_measures].concat());
-        let at_ends = self.at_ends(&here, &along);
+        let at_ends = self.forces_at_ends(&here, &along);
         let mut outcome = Outcome {
             on_drives: in_newton_metres(mechanism, on_drives),
-            in_measures: with_stated(in_measures, &case.along),
+            in_measures: add_stated(in_measures, &case.along),
             links: Vec::new(),
             joints: Vec::new(),
             moments: [
-                moments::of_statements(on_parts, &self.statements, &mechanism.names),
-                moments::in_measures(&here, &along),
+                moments::moments_of_angles(on_parts, &self.statements, &mechanism.names),
+                moments::moments_in_measures(&here, &along),
             ]
             .concat(),
             on_chassis: Vec::new(),

@@ -50,7 +50,7 @@ pub use known::DerivativeOrder;
 pub use lead::Lead;
 pub(crate) use lead::lead;
 pub use locking::Lock;
-pub use locking::from_design;
+pub use locking::describe_change_from_design;
 pub use mass::Mass;
 pub(crate) use measure::nearest;
 pub use names::{Drive, Measure, Names};
@@ -65,7 +65,7 @@ pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Un
 pub use through_instants::OnState;
 pub use under_forces::Borne;
 pub use vehicle::{
-    Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, on_other_side, side_of,
+    Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, name_on_other_side, side_of,
 };
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::{advice, listed};

@@ -95,7 +95,7 @@ pub fn sensitivities(
     let state = mechanism.at_start(interrupted, &mut |place| place.state());
     let exact = design.as_ref().zip(state);
     let exact = exact.map(|(design, state)| Exact::new(mechanism, &**design, state));
-    let of = |changes: &[Change]| match &exact {
+    let derivatives_of = |changes: &[Change]| match &exact {
         Some(exact) => exact.read(changes),
         None => {
             let each = changes.iter();
@@ -108,7 +108,7 @@ pub fn sensitivities(
         if interrupted.load(Ordering::Relaxed) {
             return None;
         }
-        for (change, of) in changes.iter().zip(of(changes)) {
+        for (change, of) in changes.iter().zip(derivatives_of(changes)) {
             on_change();
             let Some(mut of) = of else {
                 continue;

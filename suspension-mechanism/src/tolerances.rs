@@ -25,7 +25,7 @@ pub type Deviations = Vec<Vec<f64>>;
 /// The standard deviations that follow from sensitivities, to first order: `sqrt(sum (s d)^2)`. They count as unknown
 /// if a change makes a suspension that cannot be built.
 pub fn first_order(found: &Sensitivities, tolerances: &[Tolerance]) -> Deviations {
-    let of = |column: usize, number: usize| {
+    let deviation = |column: usize, number: usize| {
         let parts = tolerances.iter().map(|tolerance| {
             let mut each = found.each.iter();
             let sensitivity = each.find(|each| each.change == tolerance.change);
@@ -39,7 +39,7 @@ pub fn first_order(found: &Sensitivities, tolerances: &[Tolerance]) -> Deviation
     columns
         .map(|(column, numbers)| {
             (0..numbers.len())
-                .map(|number| of(column, number))
+                .map(|number| deviation(column, number))
                 .collect()
         })
         .collect()
@@ -79,7 +79,7 @@ pub fn sampled(
                 .per_unit
                 .times(normal * tolerance.deviation)
         });
-        let changes = Changes::together(each);
+        let changes = Changes::sum(each);
         let changed = mechanism.changed(&changes);
         if let Some(sample) = changed.and_then(|changed| read(&*changed, &columns)) {
             built += 1;

@@ -80,14 +80,14 @@ pub fn tune(
     let at = at.ok_or_else(unmoved)?;
     let tuned = problem.moved(&at).ok_or_else(unmoved)?;
     let after = problem.deviations(&*tuned).ok_or_else(unmoved)?;
-    let [unaffected, idle] = problem.without_effect(&boxes);
+    let [unaffected, idle] = problem.find_without_effect(&boxes);
     Ok(Tuned {
         unaffected,
         idle,
         moved: at.iter().copied().collect(),
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
-        drives: tuned.given(&tuned.first_drives()),
+        drives: tuned.drives_in_file(&tuned.first_drives()),
         held: held(mechanism, problem.changes(&at).points),
         interrupted: is_cut,
     })
@@ -112,7 +112,7 @@ impl Problem<'_> {
     /// The changes of all moves together, each of size `moved`.
     fn changes(&self, moved: &DVector<f64>) -> Changes {
         let each = self.moves.iter().zip(moved.iter());
-        Changes::together(each.map(|(each, by)| each.per_unit.times(*by)))
+        Changes::sum(each.map(|(each, by)| each.per_unit.times(*by)))
     }
 
     /// The mechanism with the moves; `None` if it cannot be assembled.
@@ -135,7 +135,7 @@ impl Problem<'_> {
     }
 
     /// Targets that no move changes, and moves that change no target, near the start of the moves.
-    fn without_effect(&self, boxes: &[Bounds]) -> [Vec<usize>; 2] {
+    fn find_without_effect(&self, boxes: &[Bounds]) -> [Vec<usize>; 2] {
         let Some(changed) = self.changed(boxes) else {
             return Default::default();
         };

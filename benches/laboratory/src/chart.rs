@@ -168,7 +168,7 @@ struct Measuring<'a> {
 impl Measuring<'_> {
     /// Measures the linkage that a file names.
     fn survey_of(self, source: &Source, loaded: &Loaded<'_>) -> Result<Survey, Failure> {
-        match loaded.of_catalogue() {
+        match loaded.catalogue_name() {
             Some("five_link") => self.survey::<five_link::Model<f64>, 15>(loaded),
             Some("attia2003") => self.survey::<attia2003::Model<f64>, 15>(loaded),
             _ => Err(Failure::Input(format!(

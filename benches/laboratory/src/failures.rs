@@ -76,7 +76,7 @@ pub fn failures(wanted: &Wanted, interrupted: &AtomicBool) -> Result<(), Failure
         effort: &wanted.effort,
         interrupted,
     };
-    let counted = match loaded.of_catalogue() {
+    let counted = match loaded.catalogue_name() {
         Some("five_link") => trying.compiled::<five_link::Model<f64>, 15>(&loaded),
         Some("attia2003") => trying.compiled::<attia2003::Model<f64>, 15>(&loaded),
         _ => Err(Failure::Input(format!(
@@ -224,7 +224,7 @@ impl Followed<'_> {
 
     fn no_motion(&self, model: &impl Parts, stopped: &Stopped<f64>) -> Failure {
         let cause = stopped.refused.map_or_else(String::new, |(_, error)| {
-            format!(": {}", Names::of(model).cause(&error))
+            format!(": {}", Names::new(model).cause(&error))
         });
         let reached = number(stopped.reached);
         Failure::Solver(format!("no motion beyond t = {reached} s{cause}"))

@@ -4,7 +4,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{DriveAtDesign, from_design};
+use crate::mechanism::{DriveAtDesign, describe_change_from_design};
 use crate::reach::{DriveRange, Limit, RangeEnd};
 
 /// Locks within this distance are noted: a part of the suspension's size, or an angle in radians.
@@ -29,7 +29,7 @@ pub(super) fn notes(
     near.map(move |(range, end)| {
         let dimension = Dimension::from(range.kind);
         let change = (end.value - range.start) * dimension.in_file(unit);
-        let change = from_design(change, &dimension.symbol(unit));
+        let change = describe_change_from_design(change, &dimension.symbol(unit));
         format!(
             "`{}` reaches a lock {change}, which tolerances of hardpoints alone may use up; move hardpoints so that it is further away",
             range.name

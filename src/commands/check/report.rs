@@ -3,7 +3,7 @@
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
 use crate::file::Dimension;
-use crate::mechanism::{Axes, Names, Unit, from_design};
+use crate::mechanism::{Axes, Names, Unit, describe_change_from_design};
 use crate::number::rounded;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
@@ -105,7 +105,7 @@ impl Report<'_> {
             unknowns,
             ..
         } = self.names;
-        let drives = self.names.of_drives();
+        let drives = self.names.drive_names();
         let of_drives = equations
             .iter()
             .filter(|name| drives.contains(&name.as_str()));
@@ -122,7 +122,7 @@ impl Report<'_> {
     }
 
     fn freedom(&self) -> String {
-        let drives = self.names.of_drives();
+        let drives = self.names.drive_names();
         let left = self.names.unknowns.len() - self.condition.rank;
         let left = match left {
             0 => String::new(),
@@ -194,7 +194,7 @@ impl Report<'_> {
         let dimension = Dimension::from(range.kind);
         let (symbol, scale) = (dimension.symbol(self.unit), dimension.in_file(self.unit));
         let end = |what: &str, end: &RangeEnd| {
-            let change = from_design((end.value - range.start) * scale, &symbol);
+            let change = describe_change_from_design((end.value - range.start) * scale, &symbol);
             let value = rounded(end.value * scale, DIGITS_OF_END);
             let limit = end.limit.in_words(self.unit);
             let end = format!("ends at {value} {symbol}, {change}: {limit}");

@@ -43,7 +43,7 @@ impl<'a> CurvePair<'a> {
         Part {
             of: self.of.clone(),
             moved: None,
-            across: Some(a.across(unit)),
+            across: Some(a.axis_label(unit)),
             differences: differences.collect(),
         }
     }

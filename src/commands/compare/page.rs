@@ -41,7 +41,7 @@ fn both(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
     };
     let chart = |[of_a, of_b]: [&Line; 2]| Chart {
         title: title_of_both([&of_a.title, &of_b.title]),
-        across: a.across(sides[0].unit),
+        across: a.axis_label(sides[0].unit),
         quantity: of_a.symbol.clone(),
         curves: vec![curve("A", a, of_a), curve("B", b, of_b)],
     };

@@ -62,7 +62,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let unit = sides[0].unit;
     let unlike = same_ways(sides).into_iter();
     let unlike = unlike.filter_map(|both| unlike_drives(both, unit));
-    let across = across(sides);
+    let across = opposite_sides_note(sides);
     let [a, b] = sides;
     let lacks = |side, other, name| {
         let curves = unmatched(side, other).into_iter();
@@ -93,7 +93,7 @@ fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
 /// Notes that the drives of steering have opposite signs.
 fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
     let [(a, to_a), (b, to_b)] = [sides[0].steering()?, sides[1].steering()?];
-    (to_a * to_b < 0.0 && across(sides).is_none()).then(|| {
+    (to_a * to_b < 0.0 && opposite_sides_note(sides).is_none()).then(|| {
         format!(
             "where `{a}` of A and `{b}` of B grow they turn the wheels opposite ways: most of what differs per steer and over steer is the \
              opposite direction"
@@ -102,7 +102,7 @@ fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
 }
 
 /// Notes that a wheel on the left is compared with one on the right.
-fn across([a, b]: [&Side; 2]) -> Option<String> {
+fn opposite_sides_note([a, b]: [&Side; 2]) -> Option<String> {
     let centres = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
     let across = centres.into_iter().filter(|[a, b]| {
         let is_across = |parameter: &Parameter| parameter.is(&CENTRE, Axis::Y);

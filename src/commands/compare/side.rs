@@ -68,7 +68,7 @@ impl Side {
             converted,
             unit,
             missing: missing.collect(),
-            rises: Rises::of(mechanism, &parameters),
+            rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),
             ways: does,

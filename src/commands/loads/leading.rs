@@ -30,7 +30,7 @@ impl Leading {
 
     /// Returns the numbers of a state in the file's units.
     pub(super) fn read(&self, state: &State) -> Vec<f64> {
-        let reader = Reader::of(state);
+        let reader = Reader::new(state);
         let read =
             |column: &Column| column.read(&reader).value * column.dimension.in_file(self.unit);
         self.columns.iter().map(read).collect()

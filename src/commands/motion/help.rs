@@ -52,7 +52,7 @@ fn names_on(axle: Axle, linkage: &Listing) -> Names {
             .into(),
             masses: [Mass::At(0, 0.0)].into(),
         },
-        ..Names::of(linkage)
+        ..Names::new(linkage)
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
-use crate::mechanism::{Description, Unit, from_design};
+use crate::mechanism::{Description, Unit, describe_change_from_design};
 use crate::number::{counted, rounded};
 use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, meeting, moves_alone};
 
@@ -20,7 +20,7 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
         mechanism.axes.in_words()
     );
     let unit = mechanism.unit;
-    let start = if mechanism.given(&mechanism.first_drives()) == mechanism.design {
+    let start = if mechanism.drives_in_file(&mechanism.first_drives()) == mechanism.design {
         "the design position"
     } else {
         "the first instant"
@@ -50,7 +50,7 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
 fn change(mechanism: &Description, range: &DriveRange, end: &RangeEnd) -> String {
     let (unit, dimension) = (mechanism.unit, Dimension::from(range.kind));
     let change = end.value - mechanism.design[range.index];
-    from_design(change * dimension.in_file(unit), &dimension.symbol(unit))
+    describe_change_from_design(change * dimension.in_file(unit), &dimension.symbol(unit))
 }
 
 fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {

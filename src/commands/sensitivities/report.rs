@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::characteristics::{not_of_this, of_wheels, zero_at_design};
+use crate::characteristics::{not_of_this, suggest_for_wheels, zero_at_design};
 use crate::commands::sensitivities::number::{DIGITS, Number};
 use crate::commands::sensitivities::scatter::Scatter;
 use crate::mechanism::{Description, Length};
@@ -79,7 +79,7 @@ impl Report<'_> {
         if let Some(zero) = zero_at_design(wanted, self.mechanism) {
             return Err(zero);
         }
-        let of_wheels = of_wheels(wanted, titles.iter().map(String::as_str));
+        let of_wheels = suggest_for_wheels(wanted, titles.iter().map(String::as_str));
         if let Some(message) = not_of_this(wanted, self.mechanism).filter(|_| of_wheels.is_none()) {
             return Err(message);
         }

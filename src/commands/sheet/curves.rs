@@ -28,7 +28,7 @@ fn each(curves: &Curves, unit: Unit) -> Vec<Chart> {
     };
     let chart = |lines: Vec<&Line>| Chart {
         title: title_over(curves.way.does, &lines[0].title.of_wheel),
-        across: curves.across(unit),
+        across: curves.axis_label(unit),
         quantity: lines[0].symbol.clone(),
         curves: lines.iter().map(curve).collect(),
     };

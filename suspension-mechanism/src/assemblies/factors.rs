@@ -22,7 +22,7 @@ pub(crate) struct Solved {
 impl Solved {
     /// A part's `own` equations, together with equation `and` of the `others`, in which the value of a given unknown is
     /// not alone; all with their unknowns.
-    pub(crate) fn of(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Self {
+    pub(crate) fn new(own: &[[usize; 2]], others: &[[usize; 2]], and: Option<usize>) -> Self {
         let others = others.iter().copied();
         let (with_others, given): (Vec<_>, Vec<_>) = others.partition(|[row, _]| Some(*row) == and);
         let together = own.iter().chain(&with_others);
@@ -36,7 +36,10 @@ impl Solved {
 
     /// The non-zero entries of given unknowns in the equations that are solved together: place of the equation,
     /// unknown, entry.
-    fn of_given<const N: usize>(&self, jacobian: &Matrix<N>) -> Vec<(usize, usize, Complex<f64>)> {
+    fn given_entries<const N: usize>(
+        &self,
+        jacobian: &Matrix<N>,
+    ) -> Vec<(usize, usize, Complex<f64>)> {
         let given = self.given.iter().flat_map(|[_, column]| {
             let rows = self.rows.iter().enumerate();
             rows.map(|(place, row)| (place, *column, jacobian[(*row, *column)]))
@@ -51,7 +54,7 @@ impl Solved {
 /// entries are zero, as are those of the matrix.
 pub(crate) struct Factors<'s> {
     solved: &'s Solved,
-    of_given: Vec<(usize, usize, Complex<f64>)>,
+    given_entries: Vec<(usize, usize, Complex<f64>)>,
     /// The row with which each row was swapped.
     swaps: Vec<usize>,
     /// The inverses of the non-zero pivots.
@@ -67,7 +70,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn with_room(columns: usize) -> Self {
+    fn with_capacity(columns: usize) -> Self {
         Self {
             entries: Vec::with_capacity(columns * columns),
             ends: Vec::with_capacity(columns),
@@ -93,7 +96,7 @@ impl Columns {
 
 impl<'s> Factors<'s> {
     /// Factors the rows of `jacobian` that are solved together, with partial pivoting.
-    pub(crate) fn of<const N: usize>(jacobian: &Matrix<N>, solved: &'s Solved) -> Self {
+    pub(crate) fn compute<const N: usize>(jacobian: &Matrix<N>, solved: &'s Solved) -> Self {
         let Solved { rows, columns, .. } = solved;
         let count = rows.len();
         let mut matrix = Vec::with_capacity(count * count);
@@ -102,7 +105,7 @@ impl<'s> Factors<'s> {
             matrix.extend(rows.iter().map(|row| entries[*row]));
         }
         let swaps = eliminate(&mut matrix, count);
-        let (mut below, mut above) = (Columns::with_room(count), Columns::with_room(count));
+        let (mut below, mut above) = (Columns::with_capacity(count), Columns::with_capacity(count));
         let mut inverses = Vec::with_capacity(count);
         for (place, column) in matrix.chunks_exact(count).enumerate() {
             above.push(column, 0..place);
@@ -111,7 +114,7 @@ impl<'s> Factors<'s> {
         }
         Self {
             solved,
-            of_given: solved.of_given(jacobian),
+            given_entries: solved.given_entries(jacobian),
             swaps,
             inverses,
             below,
@@ -132,7 +135,7 @@ impl<'s> Factors<'s> {
         for (x, row) in x.iter_mut().zip(&self.solved.rows) {
             *x = right[*row];
         }
-        for (place, column, entry) in &self.of_given {
+        for (place, column, entry) in &self.given_entries {
             x[*place] -= entry * solution[*column];
         }
         for (k, swap) in self.swaps.iter().enumerate() {
@@ -203,13 +206,15 @@ mod tests {
     fn what_is_solved_is_met() {
         let x = SVector::from_fn(|row, _| Complex::new(row as f64 - 1.5, 2.0 - row as f64));
         let right = matrix() * x;
-        let all = Solved::of(&ALL, &[], None);
-        let found = Factors::of(&matrix(), &all).solve(&right).expect("regular");
+        let all = Solved::new(&ALL, &[], None);
+        let found = Factors::compute(&matrix(), &all)
+            .solve(&right)
+            .expect("regular");
         assert!((found - x).camax() < 1e-13, "{found}");
         // Equations 1 and 3 give unknowns 2 and 0, equation 3 among the others.
-        let some = Solved::of(&[[0, 3], [2, 1]], &[[1, 2], [3, 0]], Some(3));
+        let some = Solved::new(&[[0, 3], [2, 1]], &[[1, 2], [3, 0]], Some(3));
         let given = Vector::from([right[0], x[2], right[2], right[3]]);
-        let found = Factors::of(&matrix(), &some)
+        let found = Factors::compute(&matrix(), &some)
             .solve(&given)
             .expect("regular");
         assert!((found - x).camax() < 1e-13, "{found}");
@@ -220,9 +225,9 @@ mod tests {
         let mut singular = matrix();
         singular.set_row(2, &singular.row(0).into_owned());
         singular.set_column(1, &SVector::zeros());
-        let all = Solved::of(&ALL, &[], None);
+        let all = Solved::new(&ALL, &[], None);
         assert!(
-            Factors::of(&singular, &all)
+            Factors::compute(&singular, &all)
                 .solve(&Vector::<4>::zeros())
                 .is_none()
         );

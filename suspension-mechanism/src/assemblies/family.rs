@@ -6,7 +6,7 @@ use nalgebra::{Complex, SMatrix, Vector3};
 use suspension_core::{Inputs, Linkage, Listing, Still, Values};
 
 use crate::assemblies::factors::{Solved, Vector};
-use crate::assemblies::parts::{Part, in_order};
+use crate::assemblies::parts::{Part, parts_in_order};
 use crate::assemblies::random::Random;
 use crate::assemblies::tilt::{Plane, Tilt};
 
@@ -67,7 +67,7 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
         Self {
             model: model_of_complex,
             size: model.size(),
-            solved: Solved::of(&part.own, &part.others, tilted),
+            solved: Solved::new(&part.own, &part.others, tilted),
             part,
             tilt,
         }
@@ -81,12 +81,12 @@ impl<G: Listing<N>, const N: usize> Family<G, N> {
     /// Random chassis points nearby. Those of the linkage are special if axes are parallel; if axes are nearly
     /// parallel, some of the roots are so far away that rounding hides how many there are.
     pub(crate) fn general_fixed(&self, random: &mut Random) -> Fixed<G, N> {
-        let of = |point: Vector3<Complex<f64>>| point + random.vector::<3>(self.size);
-        Values::from_values(self.own_fixed().values().map(of))
+        let general = |point: Vector3<Complex<f64>>| point + random.vector::<3>(self.size);
+        Values::from_values(self.own_fixed().values().map(general))
     }
 
     /// The member of which `q` is a root, otherwise equal to `other`.
-    pub(crate) fn of_root(&self, q: &Vector<N>, other: MemberOf<G, N>) -> MemberOf<G, N> {
+    pub(crate) fn with_root(&self, q: &Vector<N>, other: MemberOf<G, N>) -> MemberOf<G, N> {
         let MemberOf::<G, N> { drives, plane, .. } = other;
         let fixed = self.model.drive_anchors(other.fixed, &drives);
         Member {
@@ -149,7 +149,7 @@ pub(crate) fn parts<G: Listing<N>, const N: usize>(
         let curvature = model.curvature(&change, &still, &change, &still);
         part.rows().all(|row| curvature[row] == Complex::ZERO)
     };
-    in_order(&model.jacobian(&anywhere, &fixed), is_linear)
+    parts_in_order(&model.jacobian(&anywhere, &fixed), is_linear)
 }
 
 /// The equation of a part's first drive.

@@ -98,7 +98,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             plane: tilted,
         };
         let mut generic = Self {
-            member: family.of_root(&root, member),
+            member: family.with_root(&root, member),
             family,
             roots: vec![root],
             evidence: Evidence::default(),
@@ -126,7 +126,7 @@ impl<'a, G: Listing<N>, const N: usize> Generic<'a, G, N> {
             .collect();
         self.evidence.starts = starts.len();
         let ends = self.each(Stage::Search, &starts, |start| {
-            let from = self.family.of_root(start, self.member);
+            let from = self.family.with_root(start, self.member);
             follow(&[self.family.line(from, self.member)], start)
         });
         self.add(ends);

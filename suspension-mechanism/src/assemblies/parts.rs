@@ -29,7 +29,7 @@ type Pattern<const N: usize> = [[bool; N]; N];
 /// The parts in an order in which each needs only those before it. Linear parts that need nothing else come first;
 /// later ones belong to the part that they follow from, which might otherwise have too few coordinates to be cut by a
 /// general plane.
-pub(crate) fn in_order<const N: usize>(
+pub(crate) fn parts_in_order<const N: usize>(
     jacobian: &SMatrix<Complex<f64>, N, N>,
     is_linear: impl Fn(&Part) -> bool,
 ) -> Vec<Part> {
@@ -38,9 +38,9 @@ pub(crate) fn in_order<const N: usize>(
     let Some(matched) = matching(&pattern) else {
         // Singular whatever the position: no order is possible.
         let all = array::from_fn(|row| [row, row]);
-        return vec![Part::of(&pattern, &all, |_| true)];
+        return vec![Part::new(&pattern, &all, |_| true)];
     };
-    let part = |rows: Vec<usize>| Part::of(&pattern, &matched, |row| rows.contains(&row));
+    let part = |rows: Vec<usize>| Part::new(&pattern, &matched, |row| rows.contains(&row));
     let mut pending = Pending::new(&pattern, &matched, is_linear);
     let mut ordered = Vec::new();
     while let Some(rows) = pending.take_linear() {
@@ -70,7 +70,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
         let needs = reachable(pattern, matched);
         let together = |a: usize, b: usize| a == b || needs[a][b] && needs[b][a];
         let firsts = (0..N).filter(|row| (0..*row).all(|before| !together(*row, before)));
-        let part = |first| Part::of(pattern, matched, |row| together(first, row));
+        let part = |first| Part::new(pattern, matched, |row| together(first, row));
         Self {
             parts: firsts.map(part).collect(),
             found: [false; N],
@@ -102,7 +102,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
 
 impl Part {
     /// The part that consists of these rows.
-    fn of<const N: usize>(
+    fn new<const N: usize>(
         pattern: &Pattern<N>,
         matched: &[[usize; 2]; N],
         is_own: impl Fn(usize) -> bool,
@@ -122,7 +122,7 @@ impl Part {
     }
 
     /// The right-hand sides that give all other unknowns the values of an assembly.
-    pub(crate) fn given<const N: usize>(&self, assembly: &Vector<N>) -> Vector<N> {
+    pub(crate) fn right_hand_side<const N: usize>(&self, assembly: &Vector<N>) -> Vector<N> {
         let mut right = Vector::zeros();
         for &[row, column] in &self.others {
             right[row] = assembly[column];
@@ -131,9 +131,13 @@ impl Part {
     }
 
     /// An assembly with the part's unknowns taken from another.
-    pub(crate) fn put<const N: usize>(&self, of: &Vector<N>, mut assembly: Vector<N>) -> Vector<N> {
+    pub(crate) fn put<const N: usize>(
+        &self,
+        source: &Vector<N>,
+        mut assembly: Vector<N>,
+    ) -> Vector<N> {
         for column in self.columns() {
-            assembly[column] = of[column];
+            assembly[column] = source[column];
         }
         assembly
     }
@@ -194,7 +198,7 @@ mod tests {
     /// The unknowns of each part.
     fn parts(rows: [[u8; 5]; 5], is_linear: impl Fn(&Part) -> bool) -> Vec<Vec<usize>> {
         let entry = |row: usize, column: usize| Complex::from(f64::from(rows[row][column]));
-        let parts = in_order::<5>(&SMatrix::from_fn(entry), is_linear);
+        let parts = parts_in_order::<5>(&SMatrix::from_fn(entry), is_linear);
         let columns = parts.iter().map(|part| {
             let mut columns: Vec<usize> = part.columns().collect();
             columns.sort_unstable();

@@ -98,7 +98,7 @@ impl<'a, G: Listing<N>, const N: usize> Searched<'a, G, N> {
         let target = Member {
             fixed: self.family().own_fixed(),
             drives,
-            right: self.family().part.given(before),
+            right: self.family().part.right_hand_side(before),
             plane: Plane::default(),
         };
         match self {

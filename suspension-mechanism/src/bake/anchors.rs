@@ -31,7 +31,7 @@ impl<S: Copy> Anchors<S> {
         for part in 0..COUNT {
             let next = from + (to - from) * f64::from(part) / f64::from(COUNT - 1);
             let followed = follow([at, next], &mut configuration);
-            followed.map_err(|stop| OutOfReach::on_the_way(at, stop))?;
+            followed.map_err(|stop| OutOfReach::from_stop(at, stop))?;
             anchors.push((next, configuration));
             at = next;
         }
@@ -51,7 +51,7 @@ impl<S: Copy> Anchors<S> {
             return Ok(None);
         };
         let followed = follow([from, at], &mut configuration);
-        followed.map_err(|stop| OutOfReach::on_the_way(from, stop))?;
+        followed.map_err(|stop| OutOfReach::from_stop(from, stop))?;
         Ok(Some(configuration))
     }
 }

@@ -86,22 +86,22 @@ pub fn bound(coefficients: &[[f64; 3]], length: f64, exact: &[Derivatives]) -> R
 
 /// A bound of the length of a vector over the whole segment, from its samples.
 fn largest(samples: &[Vector3<f64>]) -> f64 {
-    over_all(seen(samples), beyond(samples))
+    largest_between(largest_sample(samples), truncated_part(samples))
 }
 
 /// The largest length between samples, from the largest sample and the part beyond [`DEGREE`].
-fn over_all(seen: f64, beyond: f64) -> f64 {
+fn largest_between(seen: f64, beyond: f64) -> f64 {
     let between_samples = (PI * DEGREE as f64 / (2.0 * SAMPLES as f64)).cos().recip();
     (seen + beyond) * between_samples + beyond
 }
 
 /// The largest sample.
-fn seen(samples: &[Vector3<f64>]) -> f64 {
+fn largest_sample(samples: &[Vector3<f64>]) -> f64 {
     samples.iter().map(Vector3::norm).fold(0.0, f64::max)
 }
 
 /// The sum of the Chebyshev coefficients beyond [`DEGREE`].
-fn beyond(samples: &[Vector3<f64>]) -> f64 {
+fn truncated_part(samples: &[Vector3<f64>]) -> f64 {
     let count = samples.len() as f64;
     let coefficient = |degree: usize| {
         let terms = samples.iter().enumerate().map(|(index, sample)| {
@@ -126,7 +126,7 @@ pub fn bound_over_square<E>(
         let along: Vec<_> = (0..SAMPLES).map(|free| at(fixed, free)).collect();
         let across: Vec<_> = (0..SAMPLES).map(|free| at(free, fixed)).collect();
         on_lines = on_lines.max(largest(&along));
-        beyond_across = beyond_across.max(beyond(&across));
+        beyond_across = beyond_across.max(truncated_part(&across));
     }
-    over_all(on_lines, beyond_across)
+    largest_between(on_lines, beyond_across)
 }

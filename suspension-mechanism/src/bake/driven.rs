@@ -84,7 +84,7 @@ impl<'a, L> Driven<'a, L> {
     where
         L: Suspension<N>,
     {
-        let reading = Reading::new(&Names::of(model), wish);
+        let reading = Reading::new(&Names::new(model), wish);
         Self { model, reading }
     }
 

@@ -31,7 +31,7 @@ impl std::error::Error for OutOfReach {}
 
 impl OutOfReach {
     /// The failure on a way that began at a value.
-    pub(super) fn on_the_way(from: f64, (reached, cause): Stop) -> Self {
+    pub(super) fn from_stop(from: f64, (reached, cause): Stop) -> Self {
         Self {
             reached: [from, reached],
             cause,

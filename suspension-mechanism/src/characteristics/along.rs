@@ -62,9 +62,9 @@ pub fn ways(
     }
     let mut ways: Vec<Along> = Vec::new();
     for course in Course::all(mechanism, interrupted) {
-        let of = usize::from(course.does == Does::Steer);
+        let option = usize::from(course.does == Does::Steer);
         let kind = names.drives[course.drives[0].0].kind;
-        let (span, metres) = (spans[of], USUAL[of]);
+        let (span, metres) = (spans[option], USUAL[option]);
         let metre = mechanism.unit.metre();
         let span = match (span, kind) {
             (Some(span), DriveKind::Coordinate) => {
@@ -79,7 +79,13 @@ pub fn ways(
         };
         let is_same = |along: &&Along| along.way.does == course.does;
         let number = 1 + ways.iter().filter(is_same).count();
-        ways.push(along(mechanism, course, number, (kind, span), interrupted));
+        ways.push(compute_along(
+            mechanism,
+            course,
+            number,
+            (kind, span),
+            interrupted,
+        ));
     }
     Ok(ways)
 }
@@ -97,7 +103,7 @@ fn no_travel(names: &Names) -> String {
             )
         }
         _ => {
-            let known = names.of_drives().join(", ");
+            let known = names.drive_names().join(", ");
             let travel = names.travel_in_file(&names.wheels);
             format!(
                 "which drive moves the wheel up and down? Write [vehicle] with travel = {travel}; the drives are {known}"
@@ -124,7 +130,7 @@ fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
     }
 }
 
-fn along(
+fn compute_along(
     mechanism: &dyn Kinematics,
     course: Course,
     number: usize,

@@ -21,7 +21,7 @@ pub(super) struct Course {
 
 impl Course {
     /// `way` is the sign of the drive's fraction.
-    fn of_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
+    fn for_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
         let name = &names.drives[drive].name;
         let (title, moved) = if way < 0.0 {
             (
@@ -43,7 +43,7 @@ impl Course {
     /// steering.
     pub(super) fn all(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<Self> {
         let names = &mechanism.names;
-        let rises = Rises::of(mechanism, interrupted);
+        let rises = Rises::compute(mechanism, interrupted);
         let mut of_axles = Vec::new();
         let mut courses = Vec::new();
         for pair in Pair::all(&names.wheels) {
@@ -80,10 +80,10 @@ impl Course {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
-            Self::of_drive(names, *drive, Does::Travel, way)
+            Self::for_drive(names, *drive, Does::Travel, way)
         }));
         let steer = vehicle.steer.iter();
-        courses.extend(steer.map(|drive| Self::of_drive(names, *drive, Does::Steer, 1.0)));
+        courses.extend(steer.map(|drive| Self::for_drive(names, *drive, Does::Steer, 1.0)));
         courses
     }
 }
@@ -105,7 +105,7 @@ fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
 struct Rises(Vec<Vec<Option<f64>>>);
 
 impl Rises {
-    fn of(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Self {
+    fn compute(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Self {
         let wheels = &mechanism.names.wheels;
         let mut read = |place: &dyn Place| {
             let state = place.state();
@@ -121,24 +121,29 @@ impl Rises {
         rises.unwrap_or(Self(Vec::new()))
     }
 
-    fn per(&self, wheel: usize, drive_of: usize) -> Option<f64> {
+    fn rise_per_drive(&self, wheel: usize, drive_of: usize) -> Option<f64> {
         *self.0.get(wheel)?.get(drive_of)?
     }
 
     /// The sign of the change of a wheel's drive of travel that raises it.
     fn upwards(&self, wheel: usize) -> f64 {
-        self.per(wheel, wheel).map_or(1.0, f64::signum)
+        self.rise_per_drive(wheel, wheel).map_or(1.0, f64::signum)
     }
 
     /// The fractions of both wheels' drives that make the wheels rise as given; the larger is 1.
     fn parts(&self, [left, right]: [usize; 2], rise: [f64; 2]) -> [f64; 2] {
-        let rises = |of: usize| Some(Vector2::new(self.per(left, of)?, self.per(right, of)?));
+        let rises = |of: usize| {
+            Some(Vector2::new(
+                self.rise_per_drive(left, of)?,
+                self.rise_per_drive(right, of)?,
+            ))
+        };
         let solved = || {
             let rises = Matrix2::from_columns(&[rises(left)?, rises(right)?]);
             let parts = rises.try_inverse()? * Vector2::from(rise);
             let scaled = parts / parts.amax();
             let finite = scaled.iter().all(|part| part.is_finite());
-            finite.then(|| scaled.map(whole).into())
+            finite.then(|| scaled.map(round_to_whole).into())
         };
         let [up_left, up_right] = [left, right].map(|wheel| self.upwards(wheel));
         solved().unwrap_or([up_left * rise[0], up_right * rise[1]])
@@ -146,7 +151,7 @@ impl Rises {
 }
 
 /// A fraction rounded to a whole number if it differs from it only by rounding, so that drives go to round values.
-fn whole(part: f64) -> f64 {
+fn round_to_whole(part: f64) -> f64 {
     let whole = part.round();
     if (part - whole).abs() < 1e-9 {
         whole

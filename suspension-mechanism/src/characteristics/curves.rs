@@ -2,7 +2,7 @@
 
 use crate::characteristics::along::Along;
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
-use crate::characteristics::poles::{has_poles, jumps, without_far};
+use crate::characteristics::poles::{has_poles, jumps, remove_far};
 use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
 use crate::file::Dimension;
@@ -59,7 +59,7 @@ pub enum Sort {
 
 impl Curves {
     /// The label of an axis of the drive.
-    pub fn across(&self, unit: Unit) -> String {
+    pub fn axis_label(&self, unit: Unit) -> String {
         let (_, symbol) = self.dimension.for_people(unit);
         format!("{} ({symbol})", self.moved)
     }
@@ -95,7 +95,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     if Pair::all(&mechanism.names.wheels).len() > 1 {
         lines.retain(varies);
     }
-    let dimension = read.of_drive();
+    let dimension = read.drive_dimension();
     let (per_change, _) = read.converted(dimension);
     let changes = along.changes.iter().map(|change| change * per_change);
     Curves {
@@ -118,7 +118,7 @@ struct Read<'a> {
 
 impl Read<'_> {
     /// The dimension of the drive.
-    fn of_drive(&self) -> Dimension {
+    fn drive_dimension(&self) -> Dimension {
         Dimension::from(self.along.kind)
     }
 
@@ -143,7 +143,7 @@ impl Read<'_> {
 
     /// The derivatives of a number, in units for people, with respect to the drive in the file's unit.
     fn rates(&self, column: &Column, scale: f64) -> Vec<Option<f64>> {
-        let of_drive = self.of_drive();
+        let of_drive = self.drive_dimension();
         let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
         let per = scale / (of_change * of_drive.in_file(self.unit));
         self.values(&|_, states| Some(rate(column, self.along, states)? * per))
@@ -152,7 +152,7 @@ impl Read<'_> {
     /// The curve of a number; for a measure, preceded by its motion ratio.
     fn lines(&self, column: &Column) -> Vec<Line> {
         let (scale, symbol) = self.converted(column.dimension);
-        let title = Title::of(column);
+        let title = Title::new(column);
         let rates = self.rates(column, scale);
         let is_measure = column.is(&MEASURES);
         let motion_ratio = is_measure.then(|| Line {
@@ -160,7 +160,7 @@ impl Read<'_> {
                 wheel: None,
                 of_wheel: format!("motion ratio: {title} per {}", self.along.title),
             },
-            symbol: symbol_per(&symbol, self.of_drive(), self.unit),
+            symbol: symbol_per(&symbol, self.drive_dimension(), self.unit),
             rates: vec![None; rates.len()],
             values: rates.clone(),
             is_cut: false,
@@ -169,7 +169,7 @@ impl Read<'_> {
         let values = self.values(&|state, _| Some(column.value(state) * scale));
         let may_be_far = has_poles(column);
         let drawn = match may_be_far {
-            true => without_far(&values, self.unit.metre()),
+            true => remove_far(&values, self.unit.metre()),
             false => values.clone(),
         };
         let curve = Line {

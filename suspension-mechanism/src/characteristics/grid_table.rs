@@ -29,7 +29,7 @@ pub struct GridTable {
 
 impl GridTable {
     /// The table of a mechanism: without derivatives, with the first ones, or with the second ones too.
-    pub fn of(mechanism: &Description, derivatives: usize) -> Self {
+    pub fn new(mechanism: &Description, derivatives: usize) -> Self {
         let Description { names, unit, .. } = mechanism;
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
         let drives: Vec<f64> = of_drives
@@ -39,7 +39,7 @@ impl GridTable {
             let scale = column.dimension.in_file(*unit);
             (column, scale)
         };
-        let quantities: Vec<_> = of_positions(mechanism).map(scaled).collect();
+        let quantities: Vec<_> = columns_of_positions(mechanism).map(scaled).collect();
         let driven_angles = quantities.iter().enumerate();
         let driven_angles = driven_angles.filter(|(_, (column, _))| is_driven_angle(column));
         let driven_angles = driven_angles.map(|(index, _)| index).collect();
@@ -50,7 +50,7 @@ impl GridTable {
             (column, start)
         };
         Self {
-            gradients: of_positions(mechanism).map(behind).collect(),
+            gradients: columns_of_positions(mechanism).map(behind).collect(),
             quantities,
             width,
             driven_angles,
@@ -67,7 +67,7 @@ impl GridTable {
             .quantities
             .iter()
             .map(|(column, _)| column.csv_name(*unit));
-        let derivatives = self.with_derivatives().flat_map(|(_, column)| {
+        let derivatives = self.columns_with_derivatives().flat_map(|(_, column)| {
             let name = column.csv_name(*unit);
             let drives = names.drives.iter();
             drives.flat_map(move |drive| {
@@ -82,9 +82,9 @@ impl GridTable {
     /// The numbers of a place; derivatives are NaN if the mechanism locks.
     pub fn row(&self, place: &dyn Place) -> Vec<f64> {
         let mut row = if self.derivatives == 1 {
-            self.with_gradients(place)
+            self.row_from_gradients(place)
         } else {
-            self.with_signals(place)
+            self.row_from_signals(place)
         };
         for drive in &self.driven_angles {
             row[*drive] = self.angle.as_stated(row[*drive]);
@@ -92,12 +92,12 @@ impl GridTable {
         row
     }
 
-    fn with_gradients(&self, place: &dyn Place) -> Vec<f64> {
+    fn row_from_gradients(&self, place: &dyn Place) -> Vec<f64> {
         let state = place.state();
         let mut row = vec![f64::NAN; self.width];
         for first in (0..self.drives.len()).step_by(DRIVES_AT_ONCE) {
             let at = place.gradient(&state, first);
-            let reader = Reader::with(&state, &*at);
+            let reader = Reader::with_numbers(&state, &*at);
             let columns = self.gradients.iter().zip(&self.quantities).enumerate();
             for (index, ((column, derivatives), (_, scale))) in columns {
                 let number = column.read(&reader);
@@ -114,9 +114,9 @@ impl GridTable {
         row
     }
 
-    fn with_signals(&self, place: &dyn Place) -> Vec<f64> {
+    fn row_from_signals(&self, place: &dyn Place) -> Vec<f64> {
         let read = |state: State| -> Vec<Signal<f64>> {
-            let reader = Reader::of(&state);
+            let reader = Reader::new(&state);
             let quantities = self.quantities.iter();
             let numbers = quantities.map(|(column, scale)| (column.read(&reader), scale));
             let scaled = |(number, scale): (Signal<f64>, &f64)| number.map(|number| number * scale);
@@ -130,7 +130,7 @@ impl GridTable {
         let values = values.into_iter().flatten().map(|number| number.value);
         let mut row = Vec::with_capacity(self.width);
         row.extend(values);
-        for (index, _) in self.with_derivatives() {
+        for (index, _) in self.columns_with_derivatives() {
             for (numbers, scale) in per.iter().zip(&self.drives) {
                 let number = numbers.as_ref().map(|numbers| numbers[index]);
                 let both = number.map_or([f64::NAN; 2], |number| {
@@ -143,7 +143,7 @@ impl GridTable {
     }
 
     /// The columns with derivatives, by number.
-    fn with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
+    fn columns_with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
         let columns = self.quantities.iter().map(|(column, _)| column).enumerate();
         columns.filter(|(_, column)| has_derivatives(column))
     }
@@ -154,7 +154,7 @@ fn has_derivatives<N: Compiled>(column: &Column<N>) -> bool {
 }
 
 /// The columns of all quantities that positions determine.
-fn of_positions<N: Compiled>(mechanism: &Description) -> impl Iterator<Item = Column<N>> {
+fn columns_of_positions<N: Compiled>(mechanism: &Description) -> impl Iterator<Item = Column<N>> {
     let all = columns_in(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {
         column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries

@@ -36,15 +36,15 @@ pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
 /// A sentence about a quantity that mechanisms may have and this one lacks: what it needs, by the line of `[vehicle]`
 /// if it is one; or about a derivative that has a name of its own. `None` for any other name.
 pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
-    if let Some((_, of)) = DERIVATIVES.iter().find(|(name, _)| *name == wanted) {
+    if let Some((_, quantity)) = DERIVATIVES.iter().find(|(name, _)| *name == wanted) {
         let columns = columns(mechanism).into_iter();
-        let columns = columns.filter(|column| column.quantity.name == *of);
+        let columns = columns.filter(|column| column.quantity.name == *quantity);
         let names = listed(columns.map(|column: Column| column.title()))?;
         return Some(format!(
             "`{wanted}` is the derivative of {names} with respect to a drive of travel; name {names} in its place"
         ));
     }
-    let of_wheel = without_wheel(wanted, &mechanism.names);
+    let of_wheel = remove_wheel(wanted, &mechanism.names);
     let quantity = catalogue().find(|quantity| quantity.name == of_wheel)?;
     let is_known = |column: &Column| column.title() == wanted;
     if columns(mechanism).iter().any(is_known) {
@@ -65,7 +65,7 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
 
 /// The name of a quantity without that of a wheel of the mechanism: `camber` for `left_camber`; any other name
 /// unchanged.
-fn without_wheel<'a>(wanted: &'a str, names: &Names) -> &'a str {
+fn remove_wheel<'a>(wanted: &'a str, names: &Names) -> &'a str {
     let mut wheels = names.wheels.iter();
     let of_wheel = wheels.find_map(|wheel| wanted.strip_prefix(&*wheel.name)?.strip_prefix('_'));
     of_wheel.unwrap_or(wanted)
@@ -98,7 +98,10 @@ const DERIVATIVES: [(&str, &str); 3] = [
 ];
 
 /// A list of known quantities of wheels or of the axle whose names end with the wanted one.
-pub fn of_wheels<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+pub fn suggest_for_wheels<'a>(
+    wanted: &str,
+    known: impl IntoIterator<Item = &'a str>,
+) -> Option<String> {
     let ending = format!("_{wanted}");
     let known = known.into_iter().filter(|name| name.ends_with(&ending));
     listed(known.map(str::to_owned))

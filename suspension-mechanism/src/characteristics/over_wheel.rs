@@ -32,8 +32,8 @@ impl Curves {
     /// wheel.
     pub fn over_travel_of(&self, wheel: &Line, travels: Vec<f64>, unit: Unit) -> Self {
         let lines = self.lines.iter();
-        let over = lines.flat_map(|line| lines_over(line, wheel, unit));
-        let lines = over.map(|line| Line {
+        let scaled = lines.flat_map(|line| lines_over(line, wheel, unit));
+        let lines = scaled.map(|line| Line {
             values: read_at(&wheel.values, &line.values, &travels),
             rates: vec![None; travels.len()],
             ..line

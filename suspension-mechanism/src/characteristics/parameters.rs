@@ -117,7 +117,7 @@ fn parameter(
         })
     };
     Parameter {
-        title: Title::of(column),
+        title: Title::new(column),
         value: column.value(state) * scale,
         per: per.iter().map(along).collect(),
         symbol,

@@ -22,7 +22,7 @@ pub struct Rises {
 impl Rises {
     /// Computes the rises from parameters; `None` if the drives do not move the wheels independently, for example if
     /// two are alike, or if derivatives are missing.
-    pub fn of(mechanism: &Description, parameters: &[Parameter]) -> Option<Self> {
+    pub fn compute(mechanism: &Description, parameters: &[Parameter]) -> Option<Self> {
         let [.., up] = mechanism.axes.signs();
         let travel = &mechanism.names.vehicle.travel;
         let mut heights = DMatrix::zeros(travel.len(), travel.len());

@@ -20,7 +20,7 @@ pub(super) fn has_poles(column: &Column) -> bool {
 /// The values without those that are at infinity but for rounding, and without those that are farther than 20 m and
 /// several times as far as usual on the curve: beside them an axis would not show the others. `metre` is the length of
 /// one.
-pub(super) fn without_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>> {
+pub(super) fn remove_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>> {
     const FAR: f64 = 20.0;
     const USUAL: f64 = 3.0;
     const INFINITE: f64 = 1e6;
@@ -60,7 +60,7 @@ mod tests {
         let places = (0..61).map(|place| f64::from(place) - 10.5);
         let arm: Vec<_> = places.map(|place| Some(200.0 / place)).collect();
         assert!(jumps(&arm));
-        let near = without_far(&arm, 1.0);
+        let near = remove_far(&arm, 1.0);
         assert_eq!([near[10], near[11]], [None; 2]);
         assert_eq!([near[0], near[60]], [arm[0], arm[60]]);
         assert!(!jumps(&near), "{near:?}");
@@ -69,6 +69,6 @@ mod tests {
     #[test]
     fn what_is_far_all_along_is_shown() {
         let values: Vec<_> = (30..90).map(|value| Some(f64::from(value))).collect();
-        assert_eq!(without_far(&values, 1.0), values);
+        assert_eq!(remove_far(&values, 1.0), values);
     }
 }

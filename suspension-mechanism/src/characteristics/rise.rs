@@ -32,12 +32,12 @@ impl Rise {
         let rise = |(way, (_, drive)): (usize, (Way, usize))| {
             let height = height_of(mechanism, parameters, drive)?;
             let per = height.per[way].as_ref()?;
-            Some(Self::of(per, drive, up, unit))
+            Some(Self::new(per, drive, up, unit))
         };
         ways.map(rise).collect()
     }
 
-    fn of(height: &Derivative, drive: usize, up: f64, unit: Unit) -> Self {
+    fn new(height: &Derivative, drive: usize, up: f64, unit: Unit) -> Self {
         const ROUNDING: f64 = 1e-9;
         let Derivative { value, symbol } = height;
         let is_length = *symbol == symbol_per(unit.symbol(), Dimension::Length, unit);
@@ -59,8 +59,8 @@ pub(super) fn height_of<'a>(
     let mut wheels = mechanism.names.wheels.iter();
     let wheel = wheels.find(|wheel| wheel.travel == Some(drive))?;
     let is_height = |parameter: &&Parameter| {
-        let of = parameter.title.wheel.as_deref().unwrap_or_default();
-        parameter.is(&CENTRE, Axis::Z) && of == wheel.name
+        let wheel_name = parameter.title.wheel.as_deref().unwrap_or_default();
+        parameter.is(&CENTRE, Axis::Z) && wheel_name == wheel.name
     };
     parameters.iter().find(is_height)
 }

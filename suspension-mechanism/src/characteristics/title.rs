@@ -15,7 +15,7 @@ pub struct Title {
 
 impl Title {
     /// The title of a column, with its axis.
-    pub(super) fn of<N: Compiled>(column: &Column<N>) -> Self {
+    pub(super) fn new<N: Compiled>(column: &Column<N>) -> Self {
         let axis = column
             .axis
             .map_or_else(String::new, |axis| format!(" {axis}"));

@@ -143,6 +143,6 @@ fn assembly<L: Suspension<N>, const N: usize>(
         mirrored: mirrored
             .map(|(point, _)| mechanism.names.points[point].clone())
             .collect(),
-        state: mechanism.at_rest(first, &inputs.drives.value, points),
+        state: mechanism.state_at_rest(first, &inputs.drives.value, points),
     }
 }

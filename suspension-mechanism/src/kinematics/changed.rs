@@ -29,7 +29,7 @@ impl Changes {
     }
 
     /// The sum of all changes.
-    pub fn together(all: impl Iterator<Item = Self>) -> Self {
+    pub fn sum(all: impl Iterator<Item = Self>) -> Self {
         all.fold(Self::default(), |mut together, each| {
             together.points.extend(each.points);
             together.lengths.extend(each.lengths);
@@ -84,7 +84,7 @@ pub(super) fn changed<L: Suspension<N>, const N: usize>(
         points,
         drives,
     } = build(mechanism, points(mechanism), changes)?;
-    at_rest(mechanism, *model, &points, drives)
+    assemble_nearest(mechanism, *model, &points, drives)
 }
 
 /// All points at the start of the mechanism.
@@ -95,7 +95,7 @@ pub(super) fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, 
 }
 
 /// The configuration nearest to some points.
-fn at_rest<L: Suspension<N>, const N: usize>(
+fn assemble_nearest<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     model: L,
     points: &L::Points,
@@ -112,14 +112,14 @@ fn at_rest<L: Suspension<N>, const N: usize>(
     let places: Vec<_> = there.value.values().collect();
     let mut names = mechanism.names.clone().designed(&places);
     let measures: Vec<f64> = model.measures(&there).value.values().collect();
-    let design_measures = mechanism.given_measures(&measures);
+    let design_measures = mechanism.measures_in_file(&measures);
     let springs = names.vehicle.springs.iter().map(|spring| Spring {
         design: design_measures[spring.measure],
         ..spring.clone()
     });
     names.vehicle.springs = springs.collect();
     if let Some(wheel) = &mut names.vehicle.steering_wheel {
-        wheel.design = mechanism.given_of(&drives)[wheel.drive];
+        wheel.design = mechanism.named_drives_in_file(&drives)[wheel.drive];
     }
     let masses = names.vehicle.masses.iter();
     let metre = mechanism.unit.metre();

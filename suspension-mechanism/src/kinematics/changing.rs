@@ -62,7 +62,7 @@ where
 }
 
 /// A change of a drive by one.
-fn of_one<D: Values<f64>>(drive: usize) -> D {
+fn unit_change<D: Values<f64>>(drive: usize) -> D {
     D::from_values([]).with(drive, 1.0)
 }
 
@@ -80,7 +80,7 @@ where
     let points = Directions::at(model, start.drives, position, |directions| {
         let mut all: Vec<_> = start.points.values().take(count).collect();
         let drives = 0..names.drives.len();
-        let along = drives.map(|drive| directions.first(of_one(drive)));
+        let along = drives.map(|drive| directions.first(unit_change(drive)));
         let along: Vec<_> = along.collect::<Result<_, _>>()?;
         for direction in &along {
             all.extend(direction.points.values().take(count));
@@ -138,7 +138,7 @@ where
             ..
         } = &self.start;
         let inputs: Inputs<Still, _> = Inputs::still(Signal {
-            rate: of_one(drive),
+            rate: unit_change(drive),
             ..Signal::still(*drives)
         });
         let Prescribed { fixed, drives } = Prescribed::new(*model, &inputs);

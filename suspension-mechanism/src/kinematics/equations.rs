@@ -20,7 +20,7 @@ pub struct Equations {
 
 impl Equations {
     /// The equations of a mechanism at its first instant.
-    pub(super) fn of<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
+    pub(super) fn evaluate<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> Self {
         let Mechanism { model, start, .. } = mechanism;
         let q = &start.position;
         let [first, _] = mechanism.instants.ends();

@@ -13,7 +13,7 @@ use crate::load::flat_body;
 use crate::load::outlier::Outlier;
 use crate::load::request::Request;
 use crate::load::task::Task;
-use crate::load::vehicle::with_vehicle;
+use crate::load::vehicle::names_with_vehicle;
 use crate::mechanism::{Names, Suspension};
 
 /// A mechanism at its design position, and the file that it comes from.
@@ -40,25 +40,25 @@ pub(super) struct Measured {
 
 impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     /// The mechanism of a file, and of a listing.
-    pub(super) fn of(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
+    pub(super) fn new(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
         let mut task = Task::new(request, names(request, &listing));
         let stand_in = check_names(&task, request.listing)?;
         task.file = task.file.in_radians(task.names.angles());
-        let points: L::Points = given(&task);
+        let points: L::Points = stated_points(&task);
         let stated = || points.values().take(task.names.points.len());
         parts::finite(stated()).map_err(|error| task.refuse_geometry(&error))?;
         let outlier = Outlier::find(&task, &points);
-        let outlier_first = |failure| before(outlier.as_ref(), failure, request.source);
+        let outlier_first = |failure| prepend_outlier(outlier.as_ref(), failure, request.source);
         let origin = LocalOrigin::among(stated());
         task.file = task.file.seen_from(origin.position().into());
         task.middle = origin.position().y;
-        let given = given(&task);
+        let given = stated_points(&task);
         let model: L = model(&task, (listing, request.listing), &given).map_err(outlier_first)?;
         let placed: Vec<_> = given.values().take(task.names.points.len()).collect();
         task.names = task.names.designed(&placed);
-        task.names = with_vehicle(&task)?;
+        task.names = names_with_vehicle(&task)?;
         let drive_offsets = origin.of_drives(&model);
-        let offsets = task.names.of_drives().into_iter();
+        let offsets = task.names.drive_names().into_iter();
         task.file = task.file.driven_from(offsets.zip(drive_offsets.values()));
         let design = at_design(&task, model, origin, &given).map_err(outlier_first)?;
         Ok(Self {
@@ -72,7 +72,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     }
 
     /// All points, in the file's coordinates.
-    pub(super) fn in_file(&self) -> Vec<Vector3<f64>> {
+    pub(super) fn points_in_file(&self) -> Vec<Vector3<f64>> {
         let origin = self.design.origin.position();
         let points = self
             .design
@@ -97,20 +97,20 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
 
     /// A failure, preceded by the point that lies far from all others, of which it may be a consequence.
     pub(super) fn outlier_first(&self, failure: Failure) -> Failure {
-        before(self.outlier.as_ref(), failure, self.task.source)
+        prepend_outlier(self.outlier.as_ref(), failure, self.task.source)
     }
 }
 
-fn before(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failure {
+fn prepend_outlier(outlier: Option<&Outlier>, failure: Failure, source: &Source) -> Failure {
     match outlier {
-        Some(outlier) => outlier.before(failure, source),
+        Some(outlier) => outlier.prepend_to(failure, source),
         None => failure,
     }
 }
 
 /// The names of all parts, with the parts of a listing that was read at run time.
 fn names(request: &Request<'_>, listing: &impl Parts) -> Names {
-    let names = Names::of(listing);
+    let names = Names::new(listing);
     match request.listing {
         Some(statements) => names.with_parts_of(statements),
         None => names,
@@ -131,18 +131,18 @@ fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<Stan
         check::names(source, lengths, "length", &names.lengths)?;
         check::lengths(source, lengths)?;
     }
-    let drives = names.of_drives();
+    let drives = names.drive_names();
     if let Some(design) = &file.design {
         check::names(source, design, "drive", &drives)?;
         check::finite_values(source, design, "drive")?;
     }
-    let stand_in = stand_in(source, &file.drives, &drives, &names.of_measures())?;
+    let stand_in = stand_in(source, &file.drives, &drives, &names.measure_names())?;
     check::drives(source, &file.drives)?;
     Ok(stand_in)
 }
 
 /// The points as the file has them; relative ones are placed off the others as given.
-fn given<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
+fn stated_points<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
     let points = task.file.points.get_ref();
     let each = task
         .names

@@ -193,7 +193,7 @@ impl Reader<'_> {
             let known = contacts.iter().chain(&names.points[names.chassis..]);
             let known: Vec<&str> = known
                 .map(String::as_str)
-                .chain(names.of_measures())
+                .chain(names.measure_names())
                 .collect();
             let hint = did_you_mean(name, known.iter().copied());
             let known = known.join(", ");

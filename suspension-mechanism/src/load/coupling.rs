@@ -20,7 +20,9 @@ pub(super) fn couplings<L: Suspension<N>, const N: usize>(
         pairs: Pair::all(wheels),
         per: per.collect(),
     };
-    let all: Vec<Option<Travel>> = (0..wheels.len()).map(|wheel| travels.of(wheel)).collect();
+    let all: Vec<Option<Travel>> = (0..wheels.len())
+        .map(|wheel| travels.wheel_travel(wheel))
+        .collect();
     let moves = |mover: usize, moved: usize| {
         let rates = all[mover].as_ref().map(|travel| &travel.rates);
         let [one, other] = [mover, moved].map(|wheel| &wheels[wheel]);
@@ -55,7 +57,7 @@ struct Travel {
 
 impl Travels<'_> {
     /// The travel of a wheel, with the other wheel of its axle held at its height if that has a drive of its own.
-    fn of(&self, wheel: usize) -> Option<Travel> {
+    fn wheel_travel(&self, wheel: usize) -> Option<Travel> {
         let own = self.per[wheel].as_ref()?;
         let alone = Travel {
             rates: own.clone(),

@@ -30,8 +30,8 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
 
 impl<L: Suspension<N>, const N: usize> Design<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
-    pub(super) fn given(&self, local: &L::Drives) -> Vec<f64> {
-        given(&self.origin, &self.model, local)
+    pub(super) fn drives_in_file(&self, local: &L::Drives) -> Vec<f64> {
+        drives_in_file(&self.origin, &self.model, local)
     }
 
     /// The derivatives of the points with respect to a drive; `None` if the mechanism locks.
@@ -79,10 +79,10 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let off = unsatisfied(task, &model, guess);
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
-            let drives = given(&origin, &model, &drives);
+            let drives = drives_in_file(&origin, &model, &drives);
             let at = names.drives_in_words(&drives, file.unit(), None);
             let of_points = model.drives_at(guess);
-            let turned = on_another_turn(task, drives.into_iter().zip(of_points.values()));
+            let turned = describe_other_turn(task, drives.into_iter().zip(of_points.values()));
             unassembled(task, &at, &names.cause(&error), (off, turned))
         })?;
     }
@@ -164,7 +164,10 @@ fn unassembled(
 
 /// A sentence about the first angle about an axis that `[design]` states more than half a turn from the points'
 /// value, if there is one. `stated` has the stated value and that of the points for each drive.
-fn on_another_turn(task: &Task<'_>, stated: impl Iterator<Item = (f64, f64)>) -> Option<String> {
+fn describe_other_turn(
+    task: &Task<'_>,
+    stated: impl Iterator<Item = (f64, f64)>,
+) -> Option<String> {
     let Task { file, names, .. } = task;
     let mut drives = names.drives.iter().zip(stated);
     let (drive, (_, at)) = drives
@@ -220,7 +223,7 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
 }
 
 /// The drives' values in the file's coordinates, from local ones.
-fn given<L: Suspension<N>, const N: usize>(
+fn drives_in_file<L: Suspension<N>, const N: usize>(
     origin: &LocalOrigin<f64>,
     model: &L,
     local: &L::Drives,

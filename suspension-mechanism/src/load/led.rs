@@ -12,7 +12,7 @@ use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
 
 /// Leads the mechanism from its design to the first instant, with the measure and the remaining drives on a straight
 /// line.
-pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
+pub(super) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     drives: &DriveLaws,
@@ -45,7 +45,7 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
             let (names, unit) = (&task.names, task.file.unit());
             let [reached, first] = [stopped.reached, FROM_DESIGN_TO_FIRST[1]].map(|t| {
                 let drives = way.inputs::<L::Drives>(t).drives.value;
-                lead.in_words(names, &design.given(&drives), t, unit)
+                lead.in_words(names, &design.drives_in_file(&drives), t, unit)
             });
             let cause = stopped.refused;
             let cause = cause.map(|(_, error)| lead.cause(names, &error, unit));

@@ -26,7 +26,7 @@ pub(super) struct Chosen {
     /// Its statements.
     pub(super) listing: Listing,
     /// Remarks on points that the file does not state.
-    said: Vec<String>,
+    notes: Vec<String>,
 }
 
 impl Chosen {
@@ -42,21 +42,25 @@ impl Chosen {
             return Err(source.refuse(&place, message));
         };
         let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
-            (Some(name), ..) => (name.get_ref().clone(), of_catalogue(source, file, name)?),
-            (None, Some(path), _) => of_file(source, file, path)?,
-            (None, None, Some(text)) => {
-                (stem(Path::new(source.name())), of_text(source, file, text)?)
-            }
+            (Some(name), ..) => (
+                name.get_ref().clone(),
+                find_in_catalogue(source, file, name)?,
+            ),
+            (None, Some(path), _) => read_listing_file(source, file, path)?,
+            (None, None, Some(text)) => (
+                stem(Path::new(source.name())),
+                parse_statements(source, file, text)?,
+            ),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
         let axes = match file.linkage {
             Some(_) => file.axes,
             None => Axes::Iso,
         };
-        let said = listed_points::notes((&listing, &name), source, file, axes);
-        let listing = with_points(source, listing, file, place, axes);
+        let notes = listed_points::notes((&listing, &name), source, file, axes);
+        let listing = add_listed_points(source, listing, file, place, axes);
         Ok(Self {
-            said,
+            notes,
             name,
             listing,
         })
@@ -84,14 +88,14 @@ impl Chosen {
         Room<N>: Size,
     {
         let mut mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(request, &self.name, listing)?;
-        mechanism.description.notes.extend(self.said.clone());
+        mechanism.description.notes.extend(self.notes.clone());
         mechanism.changing = Some(changing);
         Ok(Box::new(mechanism))
     }
 }
 
 /// A name of the catalogue.
-fn of_catalogue(
+fn find_in_catalogue(
     source: &Source,
     file: &MotionFile,
     name: &Spanned<String>,
@@ -124,7 +128,7 @@ fn of_catalogue(
 }
 
 /// The statements of a file beside the motion file, under the file's stem.
-fn of_file(
+fn read_listing_file(
     source: &Source,
     file: &MotionFile,
     path: &Spanned<String>,
@@ -189,7 +193,11 @@ fn statement_of(text: &str, name: &str) -> Option<Range<usize>> {
 }
 
 /// The statements in the motion file itself; mistakes have its lines.
-fn of_text(source: &Source, file: &MotionFile, text: &Spanned<String>) -> Result<Listing, Failure> {
+fn parse_statements(
+    source: &Source,
+    file: &MotionFile,
+    text: &Spanned<String>,
+) -> Result<Listing, Failure> {
     let parsed = included::parsed(text.get_ref(), source.name()).map_err(|mut mistakes| {
         let before = source.text().get(..text.span().start).unwrap_or_default();
         let quoted = source.text().get(text.span()).unwrap_or_default();
@@ -224,7 +232,7 @@ fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
 /// Adds to the file the points that only the listing states (those of the catalogue turned to the file's axes), and
 /// orders the elimination by the file's points if the listing states none. The file names the listing, or contains
 /// it, at `place`.
-fn with_points(
+fn add_listed_points(
     source: &Source,
     listing: Listing,
     file: &mut MotionFile,

@@ -120,7 +120,7 @@ impl Loaded<'_> {
     }
 
     /// The name in the catalogue, if the listing is in it.
-    pub fn of_catalogue(&self) -> Option<&str> {
+    pub fn catalogue_name(&self) -> Option<&str> {
         let name = self.file.linkage.as_ref();
         name.map(|name| name.get_ref().as_str())
     }

@@ -34,7 +34,7 @@ pub(super) fn masses(
         design,
     };
     let each = table.get_ref().iter();
-    each.map(|(name, mass)| reader.of_part(name, mass))
+    each.map(|(name, mass)| reader.read_mass(name, mass))
         .collect()
 }
 
@@ -46,7 +46,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn of_part(
+    fn read_mass(
         &self,
         name: &Spanned<String>,
         stated: &Spanned<MassTable>,
@@ -69,7 +69,7 @@ impl Reader<'_> {
         }
         match (statement, stated.get_ref()) {
             (Some(body), MassTable::OfBody(stated)) if is_body(body) => {
-                self.of_body(&body.points, stated, part)
+                self.read_body(&body.points, stated, part)
             }
             (Some(body), MassTable::Alone(_)) if is_body(body) => refuse(format!(
                 "`{part}` is a body: write {{ mass = ..., centre = \"point\" or [x, y, z], inertia = [xx, yy, zz] }}"
@@ -112,7 +112,7 @@ impl Reader<'_> {
         self.task.source.refuse(&name.span(), message)
     }
 
-    fn of_body(&self, points: &[usize], stated: &BodyMass, name: &str) -> Result<Mass, Failure> {
+    fn read_body(&self, points: &[usize], stated: &BodyMass, name: &str) -> Result<Mass, Failure> {
         let metre = self.task.file.unit().metre();
         let local = |point: Vector3<f64>| (point - self.origin) / metre;
         let (centre, named) = match stated.centre.get_ref() {

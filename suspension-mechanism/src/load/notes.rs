@@ -6,8 +6,8 @@ pub(super) mod listed_points;
 pub(super) mod missing_travel;
 pub(super) mod neither_side;
 mod of_numbers;
-mod of_wheels;
 pub(super) mod one_sided;
+mod wheels;
 pub(super) mod wrong_side;
 
 use nalgebra::Vector3;
@@ -22,7 +22,7 @@ use crate::mechanism::{Length, Suspension};
 use crate::number::rounded;
 use of_numbers::lengths;
 pub(super) use of_numbers::{length, short_of_stop};
-use of_wheels::{named_side, of_wheel};
+use wheels::{named_side, notes_on_wheel};
 
 /// The limits of a suspension's size, in metres: the largest, and after it the smallest.
 const LARGEST: f64 = 10.0;
@@ -33,7 +33,7 @@ const SMALLEST: f64 = 0.03;
 const ROUGH: f64 = 0.025;
 
 /// The distance that assembling must move a point for a note, in metres.
-const TOLD: f64 = 1e-4;
+const LEAST_NOTED: f64 = 1e-4;
 
 /// Notes on points as given and as assembled; `off` is the equation that they did not satisfy.
 pub(super) fn notes<P: Values<Vector3<f64>>>(
@@ -53,7 +53,7 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
     let mut sides = wheels.clone();
     let of_side = sides.find_map(|wheel| named_side(task, wheel, &placed_points));
-    let of_wheels = wheels.flat_map(|wheel| of_wheel(task, wheel, &placed_points));
+    let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
     let name = task.source.name();
     let notes = of_points
         .into_iter()
@@ -159,10 +159,10 @@ fn assembled<P: Values<Vector3<f64>>>(
     let off = off?;
     let by = off.by;
     let off = task.unsatisfied_in_words(off);
-    let told = format!("the points do not satisfy {off}; results are of the assembled mechanism");
+    let note = format!("the points do not satisfy {off}; results are of the assembled mechanism");
     if task.file.design.is_some() {
-        return (by > TOLD * task.file.unit().metre()).then_some(told);
+        return (by > LEAST_NOTED * task.file.unit().metre()).then_some(note);
     }
-    let (point, moved) = furthest(task, [given, placed], TOLD)?;
-    Some(format!("{told}, in which `{point}` has moved by {moved}"))
+    let (point, moved) = furthest(task, [given, placed], LEAST_NOTED)?;
+    Some(format!("{note}, in which `{point}` has moved by {moved}"))
 }

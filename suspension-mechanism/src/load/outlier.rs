@@ -49,7 +49,7 @@ impl Outlier {
         let (points, places): (Vec<_>, Vec<_>) = by_coordinates.unzip();
         let mut points = points.into_iter().enumerate();
         points.find_map(|(index, (name, place))| {
-            let around = Around::of(&places, index)?;
+            let around = Around::new(&places, index)?;
             around.is_far().then(|| Self {
                 place,
                 in_words: around.in_words(name, task.file.length),
@@ -63,7 +63,7 @@ impl Outlier {
     }
 
     /// A failure that may be a consequence, preceded by this note.
-    pub(super) fn before(&self, failure: Failure, source: &Source) -> Failure {
+    pub(super) fn prepend_to(&self, failure: Failure, source: &Source) -> Failure {
         let first = source.refuse(&self.place, &self.in_words);
         let both = |text: String| format!("{first}\n{text}");
         match failure {
@@ -85,7 +85,7 @@ struct Around {
 }
 
 impl Around {
-    fn of(places: &[Vector3<f64>], index: usize) -> Option<Self> {
+    fn new(places: &[Vector3<f64>], index: usize) -> Option<Self> {
         let at = *places.get(index)?;
         let others = places.iter().enumerate();
         let others = others.filter(|(other, _)| *other != index);

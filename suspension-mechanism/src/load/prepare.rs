@@ -26,14 +26,14 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     linkage: &str,
     listing: L::Listing,
 ) -> Result<Mechanism<L, N>, Failure> {
-    let assembled = Assembled::<L, N>::of(&request, listing)?;
+    let assembled = Assembled::<L, N>::new(&request, listing)?;
     let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
     let springs = springs(task, request.listing, &measured.in_file)?;
     let masses = match request.listing {
         Some(listing) => {
             let origin = design.origin.position();
-            masses(task, listing, (origin, &assembled.in_file()))?
+            masses(task, listing, (origin, &assembled.points_in_file()))?
         }
         None => Vec::new(),
     };
@@ -47,7 +47,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &task.file.drives)?;
-    let begin = Begin::of(&assembled, request.to, drives, (&doubts, &mut notes))?;
+    let begin = Begin::find(&assembled, request.to, drives, (&doubts, &mut notes))?;
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
     let named = names
         .clone()
@@ -65,7 +65,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         drives: begin.drives,
         drive_offsets: drive_offsets.collect(),
         measure_offsets: measured.offsets,
-        design: design.given(&design.drives),
+        design: design.drives_in_file(&design.drives),
         design_measures: measured.in_file,
         out_of_reach: begin.out_of_reach,
         led_by: begin.lead.as_ref().map(|lead| lead.measure),
@@ -129,7 +129,7 @@ struct Begin<const N: usize> {
 impl<const N: usize> Begin<N> {
     /// The start of a motion by `drives`, which may be mistaken according to `doubts`; if it is out of reach and may
     /// be so, that is one more note.
-    fn of<L: Suspension<N>>(
+    fn find<L: Suspension<N>>(
         assembled: &Assembled<'_, L, N>,
         to: Start,
         drives: DriveLaws,
@@ -138,7 +138,7 @@ impl<const N: usize> Begin<N> {
         let (task, design) = (&assembled.task, &assembled.design);
         match &assembled.stand_in {
             _ if to == Start::Design => Ok(Self::at_design(design)),
-            None => match start::to_first_instant(task, design, &drives) {
+            None => match start::drive_to_first_instant(task, design, &drives) {
                 Ok(start) => Ok(Self {
                     start,
                     drives,
@@ -159,7 +159,7 @@ impl<const N: usize> Begin<N> {
                 }
             },
             Some(stand_in) => {
-                let lead = led::to_first_instant(task, design, &drives, stand_in);
+                let lead = led::lead_to_first_instant(task, design, &drives, stand_in);
                 // For starts other than the first instant, they become notes.
                 let doubts = if to == Start::FirstInstant {
                     doubts

@@ -25,11 +25,11 @@ pub(super) fn springs(
     let each = table.get_ref().iter().map(|(name, stated)| {
         let name = name.get_ref();
         let stated = stated.get_ref();
-        let known = task.names.of_measures();
+        let known = task.names.measure_names();
         let along = stated.along.get_ref().as_str();
         let measure = known.iter().position(|measure| *measure == along);
         let measure = measure.ok_or_else(|| {
-            let message = of_drive(task, listing, along);
+            let message = remedy_along_drive(task, listing, along);
             let message = message.unwrap_or_else(|| unknown("measure", along, &known));
             task.source.refuse(&stated.along.span(), message)
         })?;
@@ -57,7 +57,7 @@ pub(super) fn springs(
 }
 
 /// The remedy if a spring is stated along a drive.
-fn of_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
+fn remedy_along_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
     let mut drives = task.names.drives.iter();
     let drive = drives.position(|drive| drive.name == name)?;
     let line = listing.and_then(|listing| listing.driven_length(drive));

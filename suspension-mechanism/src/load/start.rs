@@ -22,7 +22,7 @@ pub(super) fn way<L: Suspension<N>, const N: usize>(
 pub(super) const FROM_DESIGN_TO_FIRST: [f64; 2] = [0.0, 1.0];
 
 /// Drives the mechanism from its design to the first instant.
-pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
+pub(super) fn drive_to_first_instant<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     drives: &DriveLaws,
@@ -34,10 +34,10 @@ pub(super) fn to_first_instant<L: Suspension<N>, const N: usize>(
         Err(stopped) => {
             let (names, unit) = (&task.names, task.file.unit());
             let [_, asked] = FROM_DESIGN_TO_FIRST;
-            let given = |drives: &L::Drives| design.given(drives);
+            let given = |drives: &L::Drives| design.drives_in_file(drives);
             let first = given(&way.inputs::<L::Drives>(asked).drives.value);
             let last = &motion.position;
-            let lock = Lock::of(&design.model, names, &way, &stopped, asked, last, given);
+            let lock = Lock::new(&design.model, names, &way, &stopped, asked, last, given);
             let lock = lock.in_words(names, unit, &given(&design.drives));
             let first = names.drives_in_words(&first, unit, None);
             let cause = format!("{lock}; {}", advice(task.source.name()));

@@ -43,7 +43,7 @@ pub(super) fn steering_wheel<L: Suspension<N>, const N: usize>(
     let about_z: f64 = turned.iter().map(|turned| turned.about_z).sum();
     // In SAE axes z points down, and a positive turn about it is to the right.
     let up = task.file.axes.turned(Vector3::<f64>::z()).z;
-    let drives = design.given(&design.drives);
+    let drives = design.drives_in_file(&design.drives);
     let wheels = gears.into_iter().map(|gear| {
         let drive = gear.drive(names, &turned);
         let drive = drive.map_err(|message| task.source.refuse(&gear.stated.span(), message))?;
@@ -115,7 +115,7 @@ impl Gear<'_> {
                  [vehicle] with the name of one that does, or leave {key} out"
             )),
             [drive] if names.drives[drive].kind.is_angle() != self.is_of_angle => {
-                Err(self.of_another_kind(&name(drive)))
+                Err(self.describe_wrong_kind(&name(drive)))
             }
             [drive] => Ok(drive),
             _ => {
@@ -127,7 +127,7 @@ impl Gear<'_> {
         }
     }
 
-    fn of_another_kind(&self, drive: &str) -> String {
+    fn describe_wrong_kind(&self, drive: &str) -> String {
         if self.is_of_angle {
             format!(
                 "{BOX} is for a drive that is an angle, but the drive that steers, {drive}, is not; leave {BOX} out and write {RACK}, the \

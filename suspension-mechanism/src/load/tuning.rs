@@ -35,9 +35,9 @@ pub(super) fn tuning(
     };
     let of_targets = Targets(naming);
     let TuneTable { moves, targets } = table.get_ref();
-    let moves = in_order(moves).map(|(name, each)| of_moves.of_move(name, each));
+    let moves = in_order(moves).map(|(name, each)| of_moves.read_move(name, each));
     let moves: Vec<Move> = moves.collect::<Result<_, _>>()?;
-    let targets = in_order(targets).map(|(name, each)| of_targets.of_target(name, each));
+    let targets = in_order(targets).map(|(name, each)| of_targets.read_target(name, each));
     let targets: Vec<Target> = targets.collect::<Result<_, _>>()?;
     match (moves.is_empty(), targets.is_empty()) {
         (false, false) => Ok((moves, targets)),

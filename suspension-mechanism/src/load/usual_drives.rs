@@ -68,8 +68,8 @@ fn drop_idle(names: &mut Names) {
     if wheels.is_empty() {
         return;
     }
-    let has = |of: fn(&Wheel) -> Option<usize>, drive: &usize| {
-        wheels.iter().any(|wheel| of(wheel) == Some(*drive))
+    let has = |drive_of: fn(&Wheel) -> Option<usize>, drive: &usize| {
+        wheels.iter().any(|wheel| drive_of(wheel) == Some(*drive))
     };
     vehicle
         .travel

@@ -12,7 +12,7 @@ use crate::load::task::Task;
 use crate::mechanism::{Names, Vehicle, Wheel, is_within};
 use forces::{car, torques};
 pub(super) use per_wheel::{checked, is_positive, length};
-use per_wheel::{checked_length, of_each, optional};
+use per_wheel::{checked_length, for_each_wheel, optional};
 
 /// The names of the drives of travel and of steering if the file does not name them.
 const TRAVEL: &str = "bump";
@@ -25,7 +25,7 @@ const STEER: &str = "steer";
 ///
 /// At a length that is not positive and finite, at a number that is not a share, at a name that is not that of a
 /// drive or a wheel, and if a car is described in part only.
-pub(super) fn with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
+pub(super) fn names_with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     let table = task.file.vehicle.clone();
     let table = table.unwrap_or_else(|| Spanned::new(0..0, VehicleTable::default()));
     let stated = table.get_ref();
@@ -78,26 +78,26 @@ fn drives(
     task: &Task<'_>,
     wheels: &mut [Wheel],
     (usual, stated): (&str, &Option<Spanned<PerWheel<String>>>),
-    of: fn(&mut Wheel) -> &mut Option<usize>,
+    drive_of: fn(&mut Wheel) -> &mut Option<usize>,
 ) -> Result<(), Failure> {
-    let known = task.names.of_drives();
+    let known = task.names.drive_names();
     let Some(stated) = stated else {
         for wheel in wheels {
-            *of(wheel) = usual_drive(&known, usual, &wheel.name);
+            *drive_of(wheel) = usual_drive(&known, usual, &wheel.name);
         }
         return Ok(());
     };
-    let stated = of_each(task, wheels, stated)?;
+    let stated = for_each_wheel(task, wheels, stated)?;
     for (wheel, stated) in wheels.iter_mut().zip(stated) {
         let Some((wanted, place)) = stated else {
-            *of(wheel) = usual_drive(&known, usual, &wheel.name);
+            *drive_of(wheel) = usual_drive(&known, usual, &wheel.name);
             continue;
         };
         let Some(drive) = known.iter().position(|drive| *drive == wanted) else {
             let message = unknown("drive", &wanted, &known);
             return Err(task.source.refuse(&place, message));
         };
-        *of(wheel) = Some(drive);
+        *drive_of(wheel) = Some(drive);
     }
     Ok(())
 }

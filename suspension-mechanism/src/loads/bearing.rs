@@ -31,7 +31,7 @@ pub(super) fn bearing(
         Some(DVector::from_iterator(borne_by.len(), relieved))
     };
     let of_unit = |measure: usize| {
-        let acting = here.in_measure(measure, 1.0);
+        let acting = here.forces_in_measure(measure, 1.0);
         let rounding = ROUNDING * acting.iter().map(|each| each.force.norm()).sum::<f64>();
         let borne = on_drives(&acting)?;
         Some(borne.map(|borne| if borne.abs() > rounding { borne } else { 0.0 }))

@@ -48,7 +48,7 @@ impl Force {
 }
 
 /// Forces at the points of a part that act on it.
-fn on<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<Force> {
+fn forces_on_part<const K: usize>(points: &[usize; K], forces: [Vector3<f64>; K]) -> Vec<Force> {
     let each = points.iter().zip(forces);
     each.map(|(point, force)| Force {
         point: *point,
@@ -80,7 +80,7 @@ pub(super) struct Here<'a> {
 impl Here<'_> {
     /// The effect of forces at the points, and the forces of parts on the points; `None` if the mechanism locks.
     pub(super) fn solve(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
-        self.mechanism.under(self.state, forces, parts)
+        self.mechanism.apply_forces(self.state, forces, parts)
     }
 
     /// All points, in local coordinates.
@@ -97,7 +97,7 @@ impl Here<'_> {
     }
 
     /// The forces of loads, N and N m, at places.
-    pub(super) fn at_sites(&self, loads: &[(Site, [Vector3<f64>; 2])]) -> Vec<Force> {
+    pub(super) fn forces_at_sites(&self, loads: &[(Site, [Vector3<f64>; 2])]) -> Vec<Force> {
         let each = loads.iter().map(|(site, [force, moment])| match *site {
             Site::Point(point) => vec![Force {
                 point,
@@ -114,15 +114,15 @@ impl Here<'_> {
     }
 
     /// The forces of loads in measures, by number: N, or N m for an angle.
-    pub(super) fn in_measures(&self, loads: &[(usize, f64)]) -> Vec<Force> {
+    pub(super) fn forces_in_measures(&self, loads: &[(usize, f64)]) -> Vec<Force> {
         let each = loads.iter();
-        each.flat_map(|(measure, along)| self.in_measure(*measure, *along))
+        each.flat_map(|(measure, along)| self.forces_in_measure(*measure, *along))
             .collect()
     }
 
     /// The forces of a load in one measure: along its derivative with respect to each point.
-    pub(super) fn in_measure(&self, measure: usize, along: f64) -> Vec<Force> {
-        let mut acting = self.at_points(measure, along);
+    pub(super) fn forces_in_measure(&self, measure: usize, along: f64) -> Vec<Force> {
+        let mut acting = self.forces_at_points(measure, along);
         let mut forces = Vec::new();
         // A load at a marker acts on its body in any case.
         let is_marker = |point: usize| self.carriers.iter().any(|(marker, _)| *marker == point);
@@ -149,12 +149,12 @@ impl Here<'_> {
         let rest = acting.into_iter().enumerate();
         let rest = rest.filter(|(_, force)| *force != Vector3::zeros());
         let rest = rest.map(|(point, force)| (self.site_of(point), [force, Vector3::zeros()]));
-        forces.extend(self.at_sites(&rest.collect::<Vec<_>>()));
+        forces.extend(self.forces_at_sites(&rest.collect::<Vec<_>>()));
         forces
     }
 
     /// The forces at the points of a load in a measure: along its derivative with respect to each.
-    fn at_points(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
+    fn forces_at_points(&self, measure: usize, along: f64) -> Vec<Vector3<f64>> {
         let along = match self.mechanism.names.measures[measure].kind {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
             MeasureKind::Length => along,
@@ -165,7 +165,7 @@ impl Here<'_> {
 
     /// The moments, N m, of a load in an angle on each part, by number, that carries a line of the angle or its axis.
     pub(super) fn moments_in(&self, angle: usize, along: f64) -> Vec<(usize, Vector3<f64>)> {
-        let acting = self.at_points(angle, along);
+        let acting = self.forces_at_points(angle, along);
         let at = |point: usize| self.points()[point];
         let mut moments: Vec<(usize, Vector3<f64>)> = Vec::new();
         for share in &self.measured[angle] {
@@ -182,13 +182,15 @@ impl Here<'_> {
 
     /// The forces of weight and inertia, in a field of gravity and acceleration, m/s^2; `None` if three points that
     /// hold a body are collinear.
-    pub(super) fn of_masses(&self, field: &Vector3<f64>) -> Option<Vec<Force>> {
+    pub(super) fn forces_of_masses(&self, field: &Vector3<f64>) -> Option<Vec<Force>> {
         let metre = self.mechanism.unit.metre();
         let mut all = Vec::new();
         for mass in self.state.masses.iter() {
             let forces = mass.forces(&self.state.points, metre, field)?;
             if let (Mass::At(point, _), [(_, force)]) = (mass, forces.as_slice()) {
-                all.extend(self.at_sites(&[(self.site_of(*point), [*force, Vector3::zeros()])]));
+                all.extend(
+                    self.forces_at_sites(&[(self.site_of(*point), [*force, Vector3::zeros()])]),
+                );
                 continue;
             }
             let part: Vec<usize> = forces.iter().map(|(point, _)| *point).collect();
@@ -216,7 +218,7 @@ impl Here<'_> {
     ) -> Vec<Force> {
         let points = body.map(|point| self.points()[point]);
         let moment = moment * self.mechanism.unit.metre();
-        on(&body, spread(points, force, place, moment))
+        forces_on_part(&body, spread(points, force, place, moment))
     }
 
     /// The point where a wheel touches the ground.

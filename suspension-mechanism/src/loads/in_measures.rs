@@ -18,7 +18,7 @@ impl Structure<'_> {
     }
 
     /// The forces of loads in measures, by number, on the points of each.
-    pub(super) fn at_ends(
+    pub(super) fn forces_at_ends(
         &self,
         here: &Here<'_>,
         acting: &[(usize, f64)],
@@ -54,7 +54,7 @@ impl Structure<'_> {
 }
 
 /// The loads that measures bear instead of drives, together with those that the case states in the same measures.
-pub(super) fn with_stated(
+pub(super) fn add_stated(
     in_measures: Vec<(usize, f64)>,
     stated: &[(usize, f64)],
 ) -> Vec<(usize, f64)> {

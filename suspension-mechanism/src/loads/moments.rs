@@ -11,7 +11,7 @@ use crate::mechanism::Names;
 type Moment = (By, usize, Vector3<f64>);
 
 /// The moments of angles that statements, by name, drive or hold.
-pub(super) fn of_statements(
+pub(super) fn moments_of_angles(
     on_parts: Vec<(usize, String, Vector3<f64>)>,
     parts: &[Statement<'_>],
     names: &Names,
@@ -27,7 +27,7 @@ pub(super) fn of_statements(
 }
 
 /// The moments of loads in measures, by number, that are angles.
-pub(super) fn in_measures(here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<Moment> {
+pub(super) fn moments_in_measures(here: &Here<'_>, acting: &[(usize, f64)]) -> Vec<Moment> {
     let moments = acting.iter().flat_map(|(measure, along)| {
         let on_parts = here.moments_in(*measure, *along).into_iter();
         on_parts.map(|(part, moment)| (By::Measure(*measure), part, moment))

@@ -43,7 +43,7 @@ impl Shared {
             let are_of = |part: &Statement<'_>| points.iter().all(|at| part.points.contains(at));
             bodies().filter(|(_, part)| are_of(part)).count()
         };
-        // Of three bodies on one line each pair may share in other ways.
+        // Three bodies on one line may share the force in other ways.
         let alone = pairs.filter(|shared| has_both(shared.points) == 2);
         bushes.chain(alone).collect()
     }

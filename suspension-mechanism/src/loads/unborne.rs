@@ -97,7 +97,7 @@ impl Structure<'_> {
         measure: usize,
     ) -> Option<Vec<f64>> {
         let here = self.here(mechanism, state);
-        let acting = here.in_measure(measure, 1.0);
+        let acting = here.forces_in_measure(measure, 1.0);
         Some(here.solve(&summed(&acting, here.points()), &[])?.on_drives)
     }
 }

@@ -25,19 +25,19 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         drives: L::Drives,
         position: &SVector<f64, N>,
     ) -> State {
-        let lists = Lists::of(&self.names);
+        let lists = Lists::new(&self.names);
         let known = Known {
             order: DerivativeOrder::First,
             lists: &lists,
             arrival: None,
         };
-        self.around(drives, position, known, |around| {
+        self.evaluate_around(drives, position, known, |around| {
             around.with_velocities(state.clone())
         })
     }
 
     /// Passes to `work` the mechanism about a place.
-    pub(crate) fn around<R>(
+    pub(crate) fn evaluate_around<R>(
         &self,
         drives: L::Drives,
         position: &SVector<f64, N>,
@@ -112,7 +112,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             })
         };
         State {
-            velocities: self.of_moving_drives(velocities),
+            velocities: self.for_each_moving_drive(velocities),
             moved: self.moved(),
             ..state
         }
@@ -134,7 +134,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     /// The states that springs and masses need: see [`State::moved`].
     fn moved(&self) -> Rc<[Moved]> {
         self.moved
-            .get_or_init(|| self.along_travel().into())
+            .get_or_init(|| self.travel_movements().into())
             .clone()
     }
 
@@ -153,7 +153,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         });
         let state = self.mechanism.state_of(0.0, &self.drives, points, measures);
         Some(State {
-            velocities: self.of_moving_drives(|of| self.velocities(of, drive)),
+            velocities: self.for_each_moving_drive(|of| self.velocities(of, drive)),
             moved: self.moved(),
             ..state
         })
@@ -173,14 +173,14 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
             points: drives
                 .map(|drive| known(self.derivatives.along(drive).map(|along| &along.points))),
             measures: drives.map(|drive| measures(drive).unwrap_or_else(unknown)),
-            velocities: self.of_moving_drives(|of| {
+            velocities: self.for_each_moving_drive(|of| {
                 Some(drives.map(|drive| known(self.derivatives.second(of, drive))))
             }),
         }
     }
 
     /// A value for each drive that moves or steers wheels.
-    fn of_moving_drives<V>(&self, velocities: impl Fn(usize) -> Option<V>) -> Vec<Option<V>> {
+    fn for_each_moving_drive<V>(&self, velocities: impl Fn(usize) -> Option<V>) -> Vec<Option<V>> {
         let vehicle = &self.mechanism.names.vehicle;
         let of_one = |drive| {
             vehicle

@@ -47,14 +47,14 @@ pub struct Description {
 
 impl Description {
     /// The drives' values in the file's coordinates, from local ones.
-    pub fn given(&self, local: &[f64]) -> Vec<f64> {
+    pub fn drives_in_file(&self, local: &[f64]) -> Vec<f64> {
         let each = local.iter().zip(&self.drive_offsets);
         each.map(|(local, offset)| local + offset).collect()
     }
 
     /// The measures' values in the file's coordinates, from local ones: each is as near as possible to that at the
     /// design position.
-    pub fn given_measures(&self, local: &[f64]) -> Vec<f64> {
+    pub fn measures_in_file(&self, local: &[f64]) -> Vec<f64> {
         let design = self.names.measures.iter().zip(&self.design_measures);
         let each = local.iter().zip(&self.measure_offsets).zip(design);
         let each = each.map(|((local, offset), (measure, design))| {
@@ -82,7 +82,7 @@ impl Description {
     /// The message that a driven angle is at the end of its range, with the remedy, if it is so at these values of
     /// the drives in the file's coordinates.
     pub fn end_of_angle(&self, drives: &[f64]) -> Option<String> {
-        let end = EndOfAngle::of(&self.names, None, drives);
+        let end = EndOfAngle::find(&self.names, None, drives);
         end.map(|end| end.in_words(&self.names, self.unit))
     }
 }

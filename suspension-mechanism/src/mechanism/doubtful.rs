@@ -44,8 +44,8 @@ impl DriveAtDesign<'_> {
         corners.map_or(0.0, |(low, high)| (high - low).norm())
     }
 
-    /// What is doubtful in the values between two that a drive is to take, counted `from`, with what to write
-    /// instead; `way` says how to write the other way of counting. An angle about a line may well begin at zero.
+    /// Describes what is doubtful in the values between two that a drive is to take, counted `from`, with what to
+    /// write instead; `way` says how to write the other way of counting. An angle about a line may well begin at zero.
     pub fn doubt(&self, ends: [f64; 2], from: CountedFrom, way: &str) -> Option<String> {
         match self.drive.kind {
             DriveKind::Coordinate => {
@@ -232,9 +232,9 @@ mod tests {
             (millimetres, [-80.0, 80.0], Start, ""),
             (millimetres, [220.0, 380.0], Zero, ""),
         ] {
-            let said = drive.doubt(ends, from, "").unwrap_or_default();
-            assert!(said.contains(expected), "{ends:?}: {said}");
-            assert_eq!(said.is_empty(), expected.is_empty(), "{ends:?}: {said}");
+            let doubt = drive.doubt(ends, from, "").unwrap_or_default();
+            assert!(doubt.contains(expected), "{ends:?}: {doubt}");
+            assert_eq!(doubt.is_empty(), expected.is_empty(), "{ends:?}: {doubt}");
         }
     }
 }

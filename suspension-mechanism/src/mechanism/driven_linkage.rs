@@ -39,7 +39,7 @@ impl<L, const N: usize> Deref for Mechanism<L, N> {
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
-    pub(crate) fn given_of(&self, local: &L::Drives) -> Vec<f64> {
+    pub(crate) fn named_drives_in_file(&self, local: &L::Drives) -> Vec<f64> {
         let each = local.values().zip(&self.drive_offsets);
         each.map(|(local, offset)| local + offset).collect()
     }

@@ -24,7 +24,7 @@ pub(super) struct EndOfAngle {
 
 impl EndOfAngle {
     /// The angle at its end where a motion has stopped, with the drives at `drives` in the file's coordinates.
-    pub(super) fn of(
+    pub(super) fn find(
         names: &Names,
         cause: Option<&SolveError<f64>>,
         drives: &[f64],

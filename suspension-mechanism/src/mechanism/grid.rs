@@ -28,7 +28,7 @@ pub struct Axis {
 
 impl Axis {
     /// An axis of one drive.
-    pub fn of(drive: usize, values: Vec<f64>) -> Self {
+    pub fn for_drive(drive: usize, values: Vec<f64>) -> Self {
         Self {
             drives: vec![(drive, 1.0)],
             values,
@@ -99,7 +99,7 @@ impl Grid {
     /// The drives at a place.
     pub(crate) fn drives_at(&self, place: usize) -> Vec<f64> {
         let mut drives = self.start.clone();
-        for (axis, at) in self.axes.iter().zip(self.along(place)) {
+        for (axis, at) in self.axes.iter().zip(self.axis_positions(place)) {
             for (drive, value) in &axis[at.number] {
                 drives[*drive] = *value;
             }
@@ -109,7 +109,7 @@ impl Grid {
 
     /// The places beside a place, along each axis.
     pub(super) fn neighbours(&self, place: usize) -> impl Iterator<Item = usize> {
-        let along = self.along(place).into_iter();
+        let along = self.axis_positions(place).into_iter();
         along.flat_map(
             move |At {
                       number,
@@ -124,7 +124,7 @@ impl Grid {
     }
 
     /// The position of a place along each axis.
-    fn along(&self, place: usize) -> Vec<At> {
+    fn axis_positions(&self, place: usize) -> Vec<At> {
         let mut stride = 1;
         let mut along: Vec<At> = Vec::new();
         for axis in self.axes.iter().rev() {

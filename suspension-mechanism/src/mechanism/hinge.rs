@@ -57,13 +57,16 @@ impl Hinge {
 
     /// The message that it keeps the mechanism from going on.
     pub(crate) fn fault(&self) -> String {
-        let on = match self.axis.as_slice() {
+        let joint_or_hinge = match self.axis.as_slice() {
             [_] => "joint",
             _ => "hinge",
         };
         let axis = self.axis.iter().map(|point| format!("`{point}`"));
         let axis = axis.collect::<Vec<_>>().join(", ");
-        format!("`{}` on its {on} {axis} reaches no further", self.name)
+        format!(
+            "`{}` on its {joint_or_hinge} {axis} reaches no further",
+            self.name
+        )
     }
 }
 

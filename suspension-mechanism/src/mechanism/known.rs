@@ -35,7 +35,7 @@ pub(crate) struct Arrival<const N: usize> {
 
 impl<const N: usize> Arrival<N> {
     /// The arrival by a motion in which some drives changed by these amounts per second, at constant rates.
-    pub(crate) fn of(motion: &Motion<f64, N>, changes: &[(usize, f64)]) -> Option<Self> {
+    pub(crate) fn new(motion: &Motion<f64, N>, changes: &[(usize, f64)]) -> Option<Self> {
         let [(drive, change)] = changes else {
             return None;
         };
@@ -57,7 +57,7 @@ pub(crate) struct Lists {
 
 impl Lists {
     /// The lists for a mechanism's points.
-    pub(crate) fn of(names: &Names) -> Self {
+    pub(crate) fn new(names: &Names) -> Self {
         let all = |number: f64| -> Points {
             let each = names.points.iter();
             each.map(|_| Vector3::repeat(number)).collect()

@@ -9,7 +9,7 @@ use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::end_of_angle::EndOfAngle;
 use crate::mechanism::hinge::Hinge;
-use crate::mechanism::misfit::{Misfit, hinge_at_lock};
+use crate::mechanism::misfit::{Misfit, find_hinge_at_lock};
 use crate::mechanism::names::Names;
 use crate::mechanism::suspension::Suspension;
 use crate::mechanism::zero_length::DrivenLength;
@@ -37,7 +37,7 @@ pub struct Lock {
 impl Lock {
     /// The lock at which a motion stopped on the way to the time `asked`, with `q` its last configuration. `given`
     /// contains the drives in the file's coordinates.
-    pub(crate) fn of<L: Suspension<N>, const N: usize>(
+    pub(crate) fn new<L: Suspension<N>, const N: usize>(
         model: &L,
         names: &Names,
         laws: &DriveLaws,
@@ -49,15 +49,15 @@ impl Lock {
         let there = laws.inputs::<L::Drives>(stopped.reached);
         let cause = stopped.refused.map(|(_, cause)| cause);
         let drives = given(&there.drives.value);
-        let end_of_angle = EndOfAngle::of(names, cause.as_ref(), &drives);
+        let end_of_angle = EndOfAngle::find(names, cause.as_ref(), &drives);
         let lengths = &names.driven_lengths;
         let at_zero = DrivenLength::at_zero(lengths, &drives, model.size()).cloned();
         let locks = end_of_angle.is_none() && at_zero.is_none();
         let reached = stopped.reached;
-        let misfit = |asked| Misfit::between(model, names, laws, [reached, asked], q);
+        let misfit = |asked| Misfit::find(model, names, laws, [reached, asked], q);
         let just_beyond = || {
             let link = misfit(reached + BEYOND * (asked - reached));
-            let hinge = || hinge_at_lock(model, names, laws, reached, q).map(Hinge::fault);
+            let hinge = || find_hinge_at_lock(model, names, laws, reached, q).map(Hinge::fault);
             link.map(|link| link.fault()).or_else(hinge)
         };
         let at_asked = locks.then(|| misfit(asked)).flatten();
@@ -93,7 +93,7 @@ impl Lock {
         let end = match self.turns {
             Some(turns) => {
                 let drive = &names.drives[turns];
-                let change = from_design(
+                let change = describe_change_from_design(
                     (self.drives[turns] - design[turns])
                         * Dimension::from(drive.kind).in_file(unit),
                     &Dimension::from(drive.kind).symbol(unit),
@@ -119,7 +119,7 @@ impl Lock {
 }
 
 /// A description of a drive's change from the design position, such as `at +0.0712 m from the design`.
-pub fn from_design(change: f64, symbol: &str) -> String {
+pub fn describe_change_from_design(change: f64, symbol: &str) -> String {
     const DIGITS: usize = 4;
     let sign = if change < 0.0 { "-" } else { "+" };
     format!(

@@ -49,15 +49,15 @@ const BESIDE: f64 = 0.5;
 impl Misfit {
     /// The link that ends a motion between two times, of which only the first has a configuration, `q`; `None` if no
     /// link's length is the cause.
-    pub(crate) fn between<L: Suspension<N>, const N: usize>(
+    pub(crate) fn find<L: Suspension<N>, const N: usize>(
         model: &L,
         names: &Names,
         drives: &DriveLaws,
         [reached, asked]: [f64; 2],
         q: &SVector<f64, N>,
     ) -> Option<Self> {
-        let place = Place::at(model, drives, reached);
-        let AtLock { shares, mut along } = place.at_lock(q)?;
+        let place = Place::new(model, drives, reached);
+        let AtLock { shares, mut along } = place.analyse_lock(q)?;
         // A line of a driven or held angle would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = || (0..names.equations.len()).filter(is_link);
@@ -65,10 +65,10 @@ impl Misfit {
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
-            let place = Place::at(model, drives, reached + (asked - reached) * part);
+            let place = Place::new(model, drives, reached + (asked - reached) * part);
             q = place.nearest(q, equation, &mut along)?;
         }
-        let off = Place::at(model, drives, asked).residual(&q);
+        let off = Place::new(model, drives, asked).residual(&q);
         let closed = CLOSED * model.size();
         if (0..N).any(|row| row != equation && off[row].abs() > closed) {
             return None;
@@ -118,14 +118,14 @@ impl Misfit {
 
 /// The hinge with the greatest share in the end of a motion, at the time `reached` and the configuration `q`; `None`
 /// if no share is large.
-pub(crate) fn hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
+pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     model: &L,
     names: &'n Names,
     drives: &DriveLaws,
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let AtLock { shares, along } = Place::at(model, drives, reached).at_lock(q)?;
+    let AtLock { shares, along } = Place::new(model, drives, reached).analyse_lock(q)?;
     let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
     let share = |hinge: &Hinge| {
         let rows = (0..N).filter(|row| hinge.has(*row));
@@ -161,7 +161,7 @@ struct Place<'a, L: Linkage<N>, const N: usize> {
 }
 
 impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
-    fn at(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
+    fn new(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
         let inputs = drives.inputs::<L::Drives>(t);
         let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
         Self {
@@ -176,7 +176,7 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
     }
 
     /// `f` and `v` by inverse iteration: they are the singular vectors of the smallest singular value.
-    fn at_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
+    fn analyse_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
         let still = L::Fixed::default();
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);

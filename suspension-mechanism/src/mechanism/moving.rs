@@ -63,7 +63,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// Where and why the motion stopped on the way to the instant `asked`.
     pub(crate) fn stop(&self, asked: f64, stopped: &Stopped<f64>, moving: &Moving<'_, N>) -> Stop {
         let (names, unit) = (&self.names, self.unit);
-        let at = |t: f64| self.given(&self.drives_at(t));
+        let at = |t: f64| self.drives_in_file(&self.drives_at(t));
         let (drives_asked, cause) = match moving {
             Moving::Driven(last) => {
                 let lock = self.lock(&self.drives, stopped, asked, last);
@@ -100,8 +100,8 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         asked: f64,
         last: &Motion<f64, N>,
     ) -> Lock {
-        let given = |drives: &L::Drives| self.given_of(drives);
-        Lock::of(
+        let given = |drives: &L::Drives| self.named_drives_in_file(drives);
+        Lock::new(
             &self.model,
             &self.names,
             laws,

@@ -66,7 +66,7 @@ pub struct Measure {
 
 impl Names {
     /// The names of a listing or a model.
-    pub fn of(parts: &impl Parts) -> Self {
+    pub fn new(parts: &impl Parts) -> Self {
         let named = |count: usize, part: fn(usize) -> Part| -> Vec<String> {
             let each = (0..count).map(|index| parts.name(part(index)).to_owned());
             each.collect()
@@ -188,13 +188,13 @@ impl Names {
     }
 
     /// The drives' names.
-    pub fn of_drives(&self) -> Vec<&str> {
+    pub fn drive_names(&self) -> Vec<&str> {
         let drives = self.drives.iter();
         drives.map(|drive| drive.name.as_str()).collect()
     }
 
     /// The measures' names.
-    pub fn of_measures(&self) -> Vec<&str> {
+    pub fn measure_names(&self) -> Vec<&str> {
         let measures = self.measures.iter();
         measures.map(|measure| measure.name.as_str()).collect()
     }
@@ -215,14 +215,14 @@ impl Names {
     ///
     /// A sentence that says what is wrong.
     pub fn chosen_drive(&self, wanted: Option<&str>) -> Result<usize, String> {
-        let names = self.of_drives();
+        let names = self.drive_names();
         let all = names.join(", ");
         match (wanted, names.as_slice()) {
             (None, [_]) => Ok(0),
             (None, _) => Err(format!("name one of the drives with --drive: {all}")),
             (Some(wanted), _) => {
                 let found = names.iter().position(|name| *name == wanted);
-                found.ok_or_else(|| match self.of_measures().contains(&wanted) {
+                found.ok_or_else(|| match self.measure_names().contains(&wanted) {
                     true => format!("`{wanted}` is a measure, not a drive; the drives are {all}"),
                     false => unknown("drive", wanted, &names),
                 })

@@ -39,10 +39,10 @@ pub struct InDesign<'a> {
 }
 
 impl InDesign<'_> {
-    fn number(&self, of: impl Fn(&Expansion) -> f64) -> Dual<f64, CHANGES_AT_ONCE> {
-        let along = |change: usize| self.changes.get(change)?.as_ref().map(&of);
+    fn number(&self, read: impl Fn(&Expansion) -> f64) -> Dual<f64, CHANGES_AT_ONCE> {
+        let along = |change: usize| self.changes.get(change)?.as_ref().map(&read);
         Dual {
-            value: of(self.start),
+            value: read(self.start),
             rates: from_fn(|change| along(change).unwrap_or_default()),
         }
     }
@@ -85,17 +85,18 @@ impl Positions<Sensitive> for InDesign<'_> {
 
     fn measure(&self, measure: usize) -> Sensitive {
         let count = self.names.measures.len();
-        let of = |row: usize| self.number(|expansion| expansion.measures[row * count + measure]);
+        let measure_row =
+            |row: usize| self.number(|expansion| expansion.measures[row * count + measure]);
         let per = |drive: usize| {
             let is_one = drive < self.names.drives.len();
             if is_one {
-                of(1 + drive)
+                measure_row(1 + drive)
             } else {
                 Dual::still(f64::NAN)
             }
         };
         Dual {
-            value: of(0),
+            value: measure_row(0),
             rates: from_fn(|drive| per(self.first + drive)),
         }
     }

@@ -102,7 +102,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     ) -> State {
         State {
             t,
-            drives: self.given_of(drives),
+            drives: self.named_drives_in_file(drives),
             points,
             origin: self.origin,
             axes: self.axes,
@@ -130,13 +130,13 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         let listed = |all: &L::Measures| all.values().take(count).collect::<Vec<f64>>();
         let measures = self.model.measures(points).map(listed);
         Signal {
-            value: self.given_measures(&measures.value),
+            value: self.measures_in_file(&measures.value),
             ..measures
         }
     }
 
     /// The same at rest.
-    pub(crate) fn at_rest(&self, t: f64, drives: &L::Drives, points: L::Points) -> State {
+    pub(crate) fn state_at_rest(&self, t: f64, drives: &L::Drives, points: L::Points) -> State {
         let still = L::Points::from_values([]);
         let points = Signal {
             value: points,

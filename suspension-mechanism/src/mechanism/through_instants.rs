@@ -33,7 +33,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             match self.follow([last, t], &mut moving) {
                 Ok(advanced) => {
                     let inputs = self.inputs(t, &moving);
-                    let state = self.at(t, &inputs, &moving.motion(), &advanced);
+                    let state = self.state_at(t, &inputs, &moving.motion(), &advanced);
                     if on_state(state)?.is_break() {
                         return Ok(End::Cut);
                     }
@@ -48,7 +48,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     }
 
     /// The state at an instant of its motion.
-    fn at(
+    fn state_at(
         &self,
         t: f64,
         inputs: &Inputs<Still, L::Drives>,

@@ -29,7 +29,7 @@ pub struct Borne {
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The effect of forces at chassis points and free points at a state, and the forces of parts on the points;
     /// `None` if the mechanism locks.
-    pub fn under(
+    pub fn apply_forces(
         &self,
         state: &State,
         forces: &[Vector3<f64>],
@@ -39,7 +39,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         let position = self.model.unknowns(&at);
         let given = state.drives.iter().zip(&self.drive_offsets);
         let drives = L::Drives::from_values(given.map(|(given, offset)| given - offset));
-        let drives = self.on_the_turn_of(&position, drives);
+        let drives = self.with_nearest_turns(&position, drives);
         let statics = Statics::new(&self.model, drives, &position).ok()?;
         let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
@@ -61,7 +61,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
 
     /// The drives, with angles about axes put on the turn on which unknowns read from the points are: within half a
     /// turn of the design.
-    fn on_the_turn_of(&self, position: &SVector<f64, N>, mut drives: L::Drives) -> L::Drives {
+    fn with_nearest_turns(&self, position: &SVector<f64, N>, mut drives: L::Drives) -> L::Drives {
         const TURNS: [f64; 3] = [0.0, TAU, -TAU];
         let named = self.names.drives.iter().enumerate();
         for (place, _) in named.filter(|(_, drive)| drive.kind == DriveKind::Turn) {

@@ -212,7 +212,7 @@ impl Pair {
         }
         let names: Vec<String> = wheels
             .iter()
-            .map(|wheel| without_side(&wheel.name))
+            .map(|wheel| remove_side(&wheel.name))
             .collect();
         let pair = |(first, name): (usize, &String)| {
             let others = names.iter().enumerate().skip(first + 1);
@@ -245,7 +245,7 @@ pub fn side_of(name: &str) -> Option<&'static str> {
 }
 
 /// The name with the other side instead of its own; `None` for a name without a side.
-pub fn on_other_side(name: &str) -> Option<String> {
+pub fn name_on_other_side(name: &str) -> Option<String> {
     let [left, right] = SIDES;
     let exchange = |word| match word {
         word if word == left => right,
@@ -257,7 +257,7 @@ pub fn on_other_side(name: &str) -> Option<String> {
     (other != name).then_some(other)
 }
 
-fn without_side(name: &str) -> String {
+fn remove_side(name: &str) -> String {
     let words = name.split('_').filter(|word| !SIDES.contains(word));
     words.collect::<Vec<_>>().join("_")
 }

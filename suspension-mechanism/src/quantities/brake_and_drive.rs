@@ -48,7 +48,7 @@ pub(super) enum Force {
 
 impl Force {
     /// The axle's share of it, and the part that bears its torque.
-    fn of(self, wheel: &Wheel) -> (Option<f64>, Torque) {
+    fn share_and_torque(self, wheel: &Wheel) -> (Option<f64>, Torque) {
         match self {
             Self::Brakes => (wheel.brake_share, wheel.brake_torque),
             Self::Drive => (wheel.drive_share, wheel.drive_torque),
@@ -74,7 +74,7 @@ pub(super) fn of_support<N: Number>(
     };
     of_each_wheel(names, &|rolling| {
         let wheel = &names.wheels[rolling.number];
-        let (share, torque) = force.of(wheel);
+        let (share, torque) = force.share_and_torque(wheel);
         let Some(share) = share.filter(|_| wheel.axle == Some(axle)) else {
             return Vec::new();
         };

@@ -15,8 +15,11 @@ pub(super) fn of_moved<N: Number>(
     moved: fn(&Wheel<N>, &Wheel<N>) -> N,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        let told = rolling.is_on_ground() || !on_ground;
-        told.then(|| length(rolling, moved)).into_iter().collect()
+        let has_value = rolling.is_on_ground() || !on_ground;
+        has_value
+            .then(|| length(rolling, moved))
+            .into_iter()
+            .collect()
     })
 }
 
@@ -28,13 +31,13 @@ pub(super) fn of_moved_from_other_axle<N: Number>(
     of_each_wheel(names, &|rolling| {
         let axle = names.wheels[rolling.number].axle;
         let axle = axle.filter(|_| rolling.is_on_ground());
-        let of = |axle| match axle {
+        let forward_reading = |axle| match axle {
             Axle::Front => length(rolling, forward),
             Axle::Rear => length(rolling, move |now: &Wheel<N>, design: &Wheel<N>| {
                 -forward(now, design)
             }),
         };
-        axle.map(of).into_iter().collect()
+        axle.map(forward_reading).into_iter().collect()
     })
 }
 

@@ -32,7 +32,7 @@ struct Moved<N> {
 }
 
 impl<N: Number> Moved<N> {
-    fn of(carrier: Carrier<N>, axis: &Vector3<N>, radius: f64) -> Self {
+    fn new(carrier: Carrier<N>, axis: &Vector3<N>, radius: f64) -> Self {
         let axis_rate = carrier.omega.cross(axis);
         let (velocity, radius) = (&carrier.velocity, N::still(radius));
         Self {
@@ -50,8 +50,8 @@ fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> 
     const ROUNDING: f64 = 1e-11;
     let values = |vector: &Vector3<N>| vector.map(N::value);
     let [left, right] = contacts.map(values);
-    let of = |wheel: usize| values(&carriers[wheel].velocity_of(contacts[wheel]));
-    let [of_left, of_right] = [of(0), of(1)];
+    let contact_velocity = |wheel: usize| values(&carriers[wheel].velocity_of(contacts[wheel]));
+    let [of_left, of_right] = [contact_velocity(0), contact_velocity(1)];
     let largest = |axis: usize| of_left[axis].abs().max(of_right[axis].abs());
     if largest(1) > ROUNDING * largest(2) {
         return roll_centre(carriers, contacts);
@@ -66,7 +66,7 @@ fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> 
 impl<N: Number> InRoll<N> {
     /// The axle in roll, from its left and right wheels and a function that gives the motion of a wheel's carrier by
     /// a drive; `None` if the mechanism locks, or a wheel has no drive of travel.
-    pub(super) fn of(
+    pub(super) fn compute(
         axle: [(Rolling, &Wheel<N>); 2],
         moved: impl Fn(Rolling, usize) -> Option<Moving<N>>,
     ) -> Option<Self> {
@@ -76,7 +76,7 @@ impl<N: Number> InRoll<N> {
         let of_right = [moved(right, drives[0])?, moved(right, drives[1])?];
         let rises = |by_drive: &[Moving<N>; 2], rolling: Rolling| {
             by_drive.each_ref().map(|moving| {
-                let moved = Moved::of(moving.carrier, &moving.axis, rolling.radius);
+                let moved = Moved::new(moving.carrier, &moving.axis, rolling.radius);
                 moved.contact_velocity.z
             })
         };
@@ -85,7 +85,7 @@ impl<N: Number> InRoll<N> {
         let [left_in_roll, right_in_roll] =
             [(&of_left, left), (&of_right, right)].map(|(by_drive, rolling)| {
                 let carrier = combined(by_drive, rates);
-                Moved::of(carrier, &by_drive[0].axis, rolling.radius)
+                Moved::new(carrier, &by_drive[0].axis, rolling.radius)
             });
         let contacts = [&of_left[0].contact, &of_right[0].contact];
         let velocities = [
@@ -110,7 +110,7 @@ impl<N: Number> InRoll<N> {
     }
 
     /// The values of a wheel of the axle per radian of roll.
-    pub(super) fn of_wheel(&self, number: usize) -> Option<PerRoll<N>> {
+    pub(super) fn per_roll(&self, number: usize) -> Option<PerRoll<N>> {
         let mut wheels = self.wheels.iter();
         wheels
             .find(|(other, _)| *other == number)

@@ -249,7 +249,7 @@ pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> V
             reading(Dimension::AnglePerAngle, move |reader: &Reader<'_, N>| {
                 let wheels = sided(reader, wheels);
                 let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-                let per_roll = in_roll.and_then(|in_roll| in_roll.of_wheel(rolling.number));
+                let per_roll = in_roll.and_then(|in_roll| in_roll.per_roll(rolling.number));
                 per_roll.map_or_else(N::unknown, value)
             })
         });

@@ -48,7 +48,7 @@ fn of_kingpin_at<N: Number>(
     of_each_wheel(names, &|rolling| {
         let ends = rolling.points.kingpin;
         let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
-        let of = |_| {
+        let kingpin_reading = |_| {
             reading(Dimension::Length, move |reader| {
                 let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
                 kingpin.map_or_else(N::unknown, |kingpin| {
@@ -56,7 +56,7 @@ fn of_kingpin_at<N: Number>(
                 })
             })
         };
-        ends.map(of).into_iter().collect()
+        ends.map(kingpin_reading).into_iter().collect()
     })
 }
 

@@ -65,7 +65,7 @@ impl Column {
 
     /// The value with its derivatives: see [`read`](Self::read).
     pub fn along(&self, state: &State) -> Signal<f64> {
-        self.read(&Reader::of(state))
+        self.read(&Reader::new(state))
     }
 }
 

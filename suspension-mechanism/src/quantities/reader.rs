@@ -51,14 +51,14 @@ impl<N> Default for Cells<N> {
 
 impl<'a> Reader<'a, Signal<f64>> {
     /// Reads a state, with the derivatives along its rates.
-    pub fn of(state: &'a State) -> Self {
-        Self::with(state, state)
+    pub fn new(state: &'a State) -> Self {
+        Self::with_numbers(state, state)
     }
 }
 
 impl<'a, N: Number> Reader<'a, N> {
     /// Reads a state with what its positions determine in numbers of this type.
-    pub fn with(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
+    pub fn with_numbers(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
         Self {
             places: Places { state, numbers },
             first: Cells::default(),
@@ -68,7 +68,7 @@ impl<'a, N: Number> Reader<'a, N> {
     /// A wheel.
     pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel<N> {
         let wheel = &self.cells(rolling).wheel;
-        wheel.get_or_init(|| Wheel::of(&self.places, rolling))
+        wheel.get_or_init(|| Wheel::read(&self.places, rolling))
     }
 
     /// The wheel at the design position, if that is known.
@@ -98,15 +98,15 @@ impl<'a, N: Number> Reader<'a, N> {
         };
         let moving = || match along {
             Along::Travel | Along::Steer => self.moved_by(rolling.drive(along)?, rolling),
-            Along::Held(other) => self.by_both([rolling, other], [1.0, 0.0]),
-            Along::Heave(other) => self.by_both([rolling, other], [1.0, 1.0]),
+            Along::Held(other) => self.moved_by_both([rolling, other], [1.0, 0.0]),
+            Along::Heave(other) => self.moved_by_both([rolling, other], [1.0, 1.0]),
         };
         cell.get_or_init(moving).as_ref()
     }
 
     /// The first wheel of an axle when the drives of both wheels move it, so that their centres rise at the rates
     /// `at`.
-    fn by_both(&self, [rolling, other]: [Rolling; 2], at: [f64; 2]) -> Option<Moving<N>> {
+    fn moved_by_both(&self, [rolling, other]: [Rolling; 2], at: [f64; 2]) -> Option<Moving<N>> {
         let drives = [rolling.travel?, other.travel?];
         let by_drives = |wheel| {
             Some([
@@ -123,14 +123,14 @@ impl<'a, N: Number> Reader<'a, N> {
 
     /// The wheel when any drive of travel or steering moves it, computed anew.
     pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving<N>> {
-        Moving::of(&self.places, drive, rolling.points, self.wheel(rolling))
+        Moving::compute(&self.places, drive, rolling.points, self.wheel(rolling))
     }
 
     /// An axle in roll, from its left wheel and its right one.
     pub(super) fn in_roll(&self, axle: [Rolling; 2]) -> Option<&InRoll<N>> {
         let [left, _] = axle;
         let wheels = axle.map(|rolling| (rolling, self.wheel(rolling)));
-        let in_roll = || InRoll::of(wheels, |rolling, drive| self.moved_by(drive, rolling));
+        let in_roll = || InRoll::compute(wheels, |rolling, drive| self.moved_by(drive, rolling));
         self.cells(left).in_roll.get_or_init(in_roll).as_ref()
     }
 

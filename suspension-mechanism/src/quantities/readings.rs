@@ -173,12 +173,17 @@ pub(super) fn of_kingpin_and_spin_axis<N: Number>(
     angle: impl Fn(&Vector3<N>, &Vector3<N>) -> N + Copy + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        let of = |_| {
+        let kingpin_reading = |_| {
             reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
                 let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
                 kingpin.map_or_else(N::unknown, |kingpin| angle(&kingpin.direction, &wheel.axis))
             })
         };
-        rolling.points.kingpin.map(of).into_iter().collect()
+        rolling
+            .points
+            .kingpin
+            .map(kingpin_reading)
+            .into_iter()
+            .collect()
     })
 }

@@ -109,8 +109,8 @@ pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Ve
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
-        let of = Reader::of(moved);
-        let [left, right] = wheels.map(|rolling| of.wheel(rolling).centre);
+        let reader = Reader::new(moved);
+        let [left, right] = wheels.map(|rolling| reader.wheel(rolling).centre);
         let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
         let sprung = Sprung::along(roll, moved);
         // Along an angle, a force is in newtons times the unit of length.
@@ -134,5 +134,5 @@ fn of_sprung_axles<N: Number>(
 }
 
 fn height(state: &State, rolling: Rolling) -> Signal<f64> {
-    Reader::of(state).wheel(rolling).centre.z
+    Reader::new(state).wheel(rolling).centre.z
 }

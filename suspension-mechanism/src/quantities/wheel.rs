@@ -96,18 +96,18 @@ pub(super) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rollin
 }
 
 impl<N: Number> Wheel<N> {
-    pub(super) fn of(places: &Places<'_, N>, Rolling { points, radius, .. }: Rolling) -> Self {
+    pub(super) fn read(places: &Places<'_, N>, Rolling { points, radius, .. }: Rolling) -> Self {
         let [inner, centre] = points.axis.map(|end| places.at(end));
-        Self::with(centre, centre - inner, radius)
+        Self::new(centre, centre - inner, radius)
     }
 
     /// The wheel at the design position, if that is known.
     pub(super) fn at_design(places: &Places<'_, N>, rolling: Rolling) -> Option<Self> {
         let [inner, centre] = rolling.design?.map(|end| places.still(end));
-        Some(Self::with(centre, centre - inner, rolling.radius))
+        Some(Self::new(centre, centre - inner, rolling.radius))
     }
 
-    fn with(centre: Vector3<N>, axis: Vector3<N>, radius: f64) -> Self {
+    fn new(centre: Vector3<N>, axis: Vector3<N>, radius: f64) -> Self {
         Self {
             contact: contact(&centre, &axis, N::still(radius)),
             heading: Heading::of(&axis),
@@ -143,7 +143,7 @@ pub(super) struct Moving<N> {
 
 impl<N: Number> Moving<N> {
     /// `None` if the mechanism locks.
-    pub(super) fn of(
+    pub(super) fn compute(
         places: &Places<'_, N>,
         drive: usize,
         points: WheelPoints,

@@ -81,7 +81,7 @@ pub fn range<L: Suspension<N>, const N: usize>(
         name: drive.name.clone(),
         index,
         kind: drive.kind,
-        start: mechanism.given(&mechanism.first_drives())[index],
+        start: mechanism.drives_in_file(&mechanism.first_drives())[index],
         ends,
         usable,
         curve,
@@ -143,7 +143,7 @@ fn station<L: Suspension<N>, const N: usize>(
     let drives = drives.with(index, place.value);
     let state = State {
         residual: place.residual,
-        ..mechanism.at_rest(first, &drives, curve.points(&place.configuration))
+        ..mechanism.state_at_rest(first, &drives, curve.points(&place.configuration))
     };
     Station {
         freed: index,
@@ -232,7 +232,7 @@ fn zero_length<L: Suspension<N>, const N: usize>(
     drive: usize,
     value: f64,
 ) -> Option<Limit> {
-    let mut drives = mechanism.given(&mechanism.first_drives());
+    let mut drives = mechanism.drives_in_file(&mechanism.first_drives());
     drives[drive] = value;
     let lengths = &mechanism.names.driven_lengths;
     let length = DrivenLength::at_zero(lengths, &drives, mechanism.model.size())?;

@@ -12,7 +12,7 @@ pub struct RangeEnd {
     pub limit: Limit,
 }
 
-/// What limits a drive.
+/// The reason why a drive reaches no further.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
     /// The drive turns: led by it, the mechanism locks.

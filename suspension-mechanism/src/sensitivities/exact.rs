@@ -51,7 +51,7 @@ impl<'a> Exact<'a> {
                 changes: &along,
                 first,
             };
-            let reader = Reader::with(&self.state, &at);
+            let reader = Reader::with_numbers(&self.state, &at);
             let columns = self.columns.iter().enumerate();
             for (place, column) in columns.filter(|(_, column)| column.has_derivatives) {
                 let number = column.read(&reader);

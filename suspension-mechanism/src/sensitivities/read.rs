@@ -10,12 +10,12 @@ use crate::quantities::{Column, Reader};
 pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
     let mut of_place = |place: &dyn Place| {
         let state = place.state();
-        let reader = Reader::of(&state);
+        let reader = Reader::new(&state);
         let drives = 0..mechanism.names.drives.len();
         let per: Vec<_> = drives.map(|drive| place.per(drive)).collect();
         let per: Vec<_> = per
             .iter()
-            .map(|state| state.as_ref().map(Reader::of))
+            .map(|state| state.as_ref().map(Reader::new))
             .collect();
         let of_column = |column: &Column| {
             let rates = per.iter().map(|reader| {

@@ -121,7 +121,7 @@ impl Here {
         let before = self.residuals.norm_squared();
         while self.damping < MOST_DAMPING {
             let step = damped_step(&normal, &gradient, &held, self.damping);
-            let at = within(boxes, &(&self.at + step));
+            let at = clamp_to_boxes(boxes, &(&self.at + step));
             let trial = residuals(&at).filter(|trial| trial.norm_squared() < before);
             if let Some(trial) = trial {
                 let gained = before - trial.norm_squared();
@@ -185,7 +185,7 @@ fn damped_step(
     solution.unwrap_or_else(|| DVector::zeros(gradient.len()))
 }
 
-fn within(boxes: &[Bounds], at: &DVector<f64>) -> DVector<f64> {
+fn clamp_to_boxes(boxes: &[Bounds], at: &DVector<f64>) -> DVector<f64> {
     let each = boxes.iter().zip(at.iter());
     let clamped = each.map(|(bounds, at)| at.clamp(bounds.least, bounds.greatest));
     DVector::from_vec(clamped.collect())
@@ -197,8 +197,8 @@ mod tests {
 
     fn found(boxes: &[Bounds], residuals: impl Fn(&DVector<f64>) -> Vec<f64>) -> DVector<f64> {
         let never = AtomicBool::new(false);
-        let of = |at: &DVector<f64>| Some(DVector::from_vec(residuals(at)));
-        fit(boxes, of, &never, || ()).at.expect("a fit")
+        let evaluate = |at: &DVector<f64>| Some(DVector::from_vec(residuals(at)));
+        fit(boxes, evaluate, &never, || ()).at.expect("a fit")
     }
 
     fn square(half: f64) -> [Bounds; 2] {
@@ -243,12 +243,13 @@ mod tests {
         assert!((at[0] - 0.25).abs() < 1e-6 && at[1] == 0.0, "{at}");
     }
 
-    /// Where there are no residuals beyond 0.7, as where a mechanism locks.
+    /// There are no residuals beyond 0.7, as beyond a lock of a mechanism.
     #[test]
     fn it_stays_where_residuals_are() {
         let never = AtomicBool::new(false);
-        let of = |at: &DVector<f64>| (at[0] < 0.7).then(|| DVector::from_vec(vec![at[0] - 0.6]));
-        let fit = fit(&square(1.0), of, &never, || ());
+        let evaluate =
+            |at: &DVector<f64>| (at[0] < 0.7).then(|| DVector::from_vec(vec![at[0] - 0.6]));
+        let fit = fit(&square(1.0), evaluate, &never, || ());
         let at = fit.at.expect("a fit");
         assert!((at[0] - 0.6).abs() < 1e-6, "{at}");
     }

@@ -68,10 +68,10 @@ impl Reading {
     /// The number at a place; NaN if there is none.
     fn at(&self, place: &dyn Place) -> f64 {
         match self.per {
-            None => self.column.read(&Reader::of(&place.state())).value,
-            Some(drive) => place
-                .per(drive)
-                .map_or(f64::NAN, |state| self.column.read(&Reader::of(&state)).rate),
+            None => self.column.read(&Reader::new(&place.state())).value,
+            Some(drive) => place.per(drive).map_or(f64::NAN, |state| {
+                self.column.read(&Reader::new(&state)).rate
+            }),
         }
     }
 }
@@ -117,13 +117,18 @@ impl Target {
             let out_of_reach = visited
                 .as_ref()
                 .and_then(|visited| visited.out_of_reach(source));
-            let why = out_of_reach.unwrap_or_else(|| self.has_no_value(mechanism, visited));
+            let why =
+                out_of_reach.unwrap_or_else(|| self.describe_missing_value(mechanism, visited));
             Failure::Solver(format!("{source}: target `{}`: {why}", self.name))
         })
     }
 
     /// The sentence about the first of the places where there is no such number, or about the design position, which changes count from.
-    fn has_no_value(&self, mechanism: &dyn Kinematics, visited: Option<Visited<f64>>) -> String {
+    fn describe_missing_value(
+        &self,
+        mechanism: &dyn Kinematics,
+        visited: Option<Visited<f64>>,
+    ) -> String {
         let places = visited.map_or_else(Vec::new, |visited| visited.places);
         let without = places
             .iter()
@@ -131,7 +136,7 @@ impl Target {
         let grid = Grid::new(mechanism, self.over.clone(), CountedFrom::Start).ok();
         let place = match without.zip(grid) {
             Some((place, grid)) => {
-                let drives = mechanism.given(&grid.drives_at(place));
+                let drives = mechanism.drives_in_file(&grid.drives_at(place));
                 let drives = mechanism
                     .names
                     .drives_in_words(&drives, mechanism.unit, None);

@@ -36,19 +36,23 @@ pub(super) struct AlongMeasure {
 impl Baking<'_> {
     pub(super) fn along_measure(&self, wished: &WishedMeasure) -> Result<AlongMeasure, Failure> {
         let names = &self.mechanism.names;
-        let (name, all) = (wished.name.as_str(), names.of_measures());
+        let (name, all) = (wished.name.as_str(), names.measure_names());
         let measure = all.iter().position(|other| *other == name);
         let measure = measure.ok_or_else(|| {
-            self.refuse(&match (names.of_drives().contains(&name), all.as_slice()) {
-                (true, _) => format!("`{name}` is a drive; --drive {name}=FROM:TO bakes along it"),
-                (false, []) => format!("the linkage has no measure `{name}`, nor any other"),
-                (false, all) => format!(
-                    "unknown measure `{name}`; the measures are {}",
-                    all.join(", ")
-                ),
-            })
+            self.refuse(
+                &match (names.drive_names().contains(&name), all.as_slice()) {
+                    (true, _) => {
+                        format!("`{name}` is a drive; --drive {name}=FROM:TO bakes along it")
+                    }
+                    (false, []) => format!("the linkage has no measure `{name}`, nor any other"),
+                    (false, all) => format!(
+                        "unknown measure `{name}`; the measures are {}",
+                        all.join(", ")
+                    ),
+                },
+            )
         })?;
-        let drive = match (&wished.drive, names.of_drives().as_slice()) {
+        let drive = match (&wished.drive, names.drive_names().as_slice()) {
             (None, several @ [_, _, ..]) => Err(format!(
                 "--drive must say in place of which drive `{name}` leads: {}",
                 several.join(", ")

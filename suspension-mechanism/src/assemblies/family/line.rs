@@ -71,7 +71,7 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
             self.family.give(tilt.row, &mut jacobian);
             tilt.add_gradient(self.plane(s), &mut jacobian);
         }
-        Factors::of(&jacobian, &self.family.solved)
+        Factors::compute(&jacobian, &self.family.solved)
     }
 
     /// Taylor coefficients of the root, order 1 first. `F` is quadratic in `q`, `u` and the tilt together, so one

@@ -63,9 +63,9 @@ impl<L: Suspension<N>, const N: usize> Plane<'_, L, N> {
         Ok(grid)
     }
 
-    fn drives(&self, of: L::Drives, [first, second]: [f64; 2]) -> L::Drives {
+    fn drives(&self, others: L::Drives, [first, second]: [f64; 2]) -> L::Drives {
         let [first_drive, second_drive] = self.wanted.drives;
-        of.with(first_drive, first).with(second_drive, second)
+        others.with(first_drive, first).with(second_drive, second)
     }
 
     /// The outputs with the mixed derivative, which is half of the difference between the second derivative along the

@@ -37,13 +37,13 @@ impl Reader<'_> {
     }
 
     pub(super) fn drive(&self, name: &str) -> Option<usize> {
-        let mut drives = self.mechanism.names.of_drives().into_iter();
+        let mut drives = self.mechanism.names.drive_names().into_iter();
         drives.position(|drive| drive == name)
     }
 
     /// The measure of this name, or the one along which a spring of this name acts.
     pub(super) fn measure(&self, name: &str) -> Option<usize> {
-        let mut measures = self.mechanism.names.of_measures().into_iter();
+        let mut measures = self.mechanism.names.measure_names().into_iter();
         let measure = measures.position(|measure| measure == name);
         let spring = || self.springs().find(|spring| spring.name == name);
         measure.or_else(|| Some(spring()?.measure))
@@ -51,7 +51,7 @@ impl Reader<'_> {
 
     /// Whether a name that has a measure is that of the measure or of a spring, as a word.
     pub(super) fn kind_of_measure(&self, name: &str) -> &'static str {
-        if self.mechanism.names.of_measures().contains(&name) {
+        if self.mechanism.names.measure_names().contains(&name) {
             "a measure"
         } else {
             "a spring"
@@ -84,7 +84,7 @@ impl Reader<'_> {
     /// not a drive.
     fn no_drive(&self, name: &str, by: &str) -> String {
         let names = &self.mechanism.names;
-        let known = names.of_drives();
+        let known = names.drive_names();
         if self.measure(name).is_some() && self.drive(by).is_some() {
             let kind = self.kind_of_measure(name);
             return format!(
@@ -109,7 +109,7 @@ impl Reader<'_> {
     /// The names of the parts that may bear loads.
     fn bearing(&self) -> Vec<&str> {
         let springs = self.springs().map(|spring| spring.name.as_str());
-        let measures = self.mechanism.names.of_measures().into_iter();
+        let measures = self.mechanism.names.measure_names().into_iter();
         measures.chain(springs).collect()
     }
 }

@@ -21,9 +21,9 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
     instants: &Instants,
 ) -> Vec<String> {
     let looks = evenly_spaced(instants.ends(), LOOKS).into_iter();
-    let values = looks.map(|t| design.given(&laws.inputs::<L::Drives>(t).drives.value));
+    let values = looks.map(|t| design.drives_in_file(&laws.inputs::<L::Drives>(t).drives.value));
     let values: Vec<Vec<f64>> = values.collect();
-    let designed = design.given(&design.drives);
+    let designed = design.drives_in_file(&design.drives);
     let size = DriveAtDesign::extent(design.points.values());
     let stated = task.file.drives.get_ref();
     let drives = task.names.drives.iter().enumerate();

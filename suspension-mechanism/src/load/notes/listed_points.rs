@@ -17,7 +17,7 @@ pub(in crate::load) fn notes(
     file: &MotionFile,
     axes: Axes,
 ) -> Vec<String> {
-    let points = Points::of(listing, file, axes);
+    let points = Points::new(listing, file, axes);
     let kept = unstated::kept(listing, file, &points);
     let unstated = unstated::note(&kept, &points, (listing, called), file);
     let notes = [unstated, unmirrored::note(&points, &kept)]

@@ -5,7 +5,7 @@ use suspension_core::Values;
 use suspension_runtime::{Listing, Statement};
 
 use crate::load::task::Task;
-use crate::mechanism::{on_other_side, side_of};
+use crate::mechanism::{name_on_other_side, side_of};
 use crate::number::rounded;
 
 /// The distance from the middle of the vehicle within which a point is in the middle, as a fraction of the farthest
@@ -26,7 +26,7 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     let points = task.names.points.iter().zip(y).enumerate();
     let notes = points.filter_map(|(point, (name, y))| {
         let is_of_neither = side_of(name).is_none() && y.abs() > off;
-        let [part, other] = is_of_neither.then(|| on_both_sides(&parts, point)).flatten()?;
+        let [part, other] = is_of_neither.then(|| parts_on_both_sides(&parts, point)).flatten()?;
         let side = side_of(part.name)?;
         let (part, other) = (part.name, other.name);
         let (file, unit, y) = (task.source.name(), task.file.unit().symbol(), rounded(y.abs(), 4));
@@ -39,13 +39,13 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
 }
 
 /// The parts that join a point and whose names differ only in their sides.
-fn on_both_sides<'a, 'l>(
+fn parts_on_both_sides<'a, 'l>(
     parts: &'a [Statement<'l>],
     point: usize,
 ) -> Option<[&'a Statement<'l>; 2]> {
     let joining = || parts.iter().filter(|part| part.points.contains(&point));
     joining().find_map(|part| {
-        let image = on_other_side(part.name)?;
+        let image = name_on_other_side(part.name)?;
         let other = joining().find(|other| other.name == image)?;
         Some([part, other])
     })

@@ -4,7 +4,7 @@ use suspension_runtime::Listing;
 
 use crate::file::in_order;
 use crate::load::task::Task;
-use crate::mechanism::{listed, on_other_side};
+use crate::mechanism::{listed, name_on_other_side};
 
 /// A note on parts with a mass whose counterparts on the other side have none.
 pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String> {
@@ -15,7 +15,7 @@ pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String
     };
     let has_mass = |name: &String| table.get_ref().keys().any(|key| key.get_ref() == name);
     let pairs = in_order(table).filter_map(|(name, _)| {
-        let other = on_other_side(name.get_ref())?;
+        let other = name_on_other_side(name.get_ref())?;
         (is_part(&other) && !has_mass(&other)).then(|| [name.get_ref().clone(), other])
     });
     let pairs: Vec<[String; 2]> = pairs.collect();

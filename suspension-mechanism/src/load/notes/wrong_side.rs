@@ -20,7 +20,7 @@ pub fn only_on_wrong_side<T>(
     points: impl IntoIterator<Item = (T, f64, bool)>,
     centre: f64,
 ) -> Option<T> {
-    let across = |y: f64, is_pick_up: bool| {
+    let is_across = |y: f64, is_pick_up: bool| {
         let middle = if is_pick_up {
             MIDDLE_OF_PICK_UPS
         } else {
@@ -29,7 +29,7 @@ pub fn only_on_wrong_side<T>(
         y * centre < 0.0 && y.abs() > middle * centre.abs()
     };
     let points = points.into_iter();
-    let mut points = points.filter(|(_, y, is_pick_up)| across(*y, *is_pick_up));
+    let mut points = points.filter(|(_, y, is_pick_up)| is_across(*y, *is_pick_up));
     let (point, ..) = points.next()?;
     points.next().is_none().then_some(point)
 }
@@ -38,13 +38,17 @@ pub fn only_on_wrong_side<T>(
 pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Vec<String> {
     let name = task.source.name();
     let wheels = task.names.wheels.iter();
-    let across = wheels.filter_map(|wheel| across(task, given, wheel));
+    let across = wheels.filter_map(|wheel| note_on_side(task, given, wheel));
     across.map(|note| format!("{name}: {note}")).collect()
 }
 
 /// A note on a point on the other side of the vehicle than its wheel, pick-up points included. The point belongs to a
 /// corner or, if there are several wheels, has the wheel's name in its own.
-fn across<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P, wheel: &Wheel) -> Option<String> {
+fn note_on_side<P: Values<Vector3<f64>>>(
+    task: &Task<'_>,
+    given: &P,
+    wheel: &Wheel,
+) -> Option<String> {
     let names = &task.names;
     if wheel.name.is_empty() && names.wheels.len() > 1 {
         return None;
@@ -77,14 +81,15 @@ mod tests {
             ([0.7, -1e-12, 0.1], None),
             ([-0.7, -0.6, 0.1], None),
         ] {
-            let of = |y: [f64; 3], pick_up| (0..).zip(y).map(move |(point, y)| (point, y, pick_up));
-            assert_eq!(only_on_wrong_side(of(others, false), 0.75), expected);
+            let points =
+                |y: [f64; 3], pick_up| (0..).zip(y).map(move |(point, y)| (point, y, pick_up));
+            assert_eq!(only_on_wrong_side(points(others, false), 0.75), expected);
             let right = others.map(|y| -y);
-            assert_eq!(only_on_wrong_side(of(right, false), -0.75), expected);
-            // Of pick-up points the same, but for what is near the middle.
-            assert_eq!(only_on_wrong_side(of(others, true), 0.75), expected);
+            assert_eq!(only_on_wrong_side(points(right, false), -0.75), expected);
+            // The same holds for pick-up points, except near the middle.
+            assert_eq!(only_on_wrong_side(points(others, true), 0.75), expected);
             let near = others.map(|y| y / 5.0);
-            assert_eq!(only_on_wrong_side(of(near, true), 0.75), None);
+            assert_eq!(only_on_wrong_side(points(near, true), 0.75), None);
         }
     }
 }

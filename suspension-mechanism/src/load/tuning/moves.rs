@@ -21,7 +21,7 @@ pub(super) struct Moves<'a> {
 
 impl Moves<'_> {
     /// The move that its table states.
-    pub(super) fn of_move(
+    pub(super) fn read_move(
         &self,
         name: &Spanned<String>,
         stated: &Spanned<MoveTable>,
@@ -41,8 +41,10 @@ impl Moves<'_> {
             return Err(self.naming.source.refuse(&along.span(), message));
         }
         let per_unit = match (&table.length, has_points) {
-            (Some(length), false) => self.of_lengths(length, &table.mirrored)?,
-            (None, _) if has_points || !table.mirrored.is_empty() => self.of_points(name, table)?,
+            (Some(length), false) => self.lengthen_links(length, &table.mirrored)?,
+            (None, _) if has_points || !table.mirrored.is_empty() => {
+                self.displace_points(name, table)?
+            }
             _ => {
                 let message = "a move has `points` with `along`, or `length`, the name of a link; `mirrored` names points beside `points` and links beside `length`";
                 return Err(self.naming.source.refuse(&name.span(), message));
@@ -56,7 +58,7 @@ impl Moves<'_> {
     }
 
     /// A link, and those of the other side that become longer by the same amount.
-    fn of_lengths(
+    fn lengthen_links(
         &self,
         length: &Spanned<String>,
         mirrored: &[Spanned<String>],
@@ -65,7 +67,7 @@ impl Moves<'_> {
         for name in [length].into_iter().chain(mirrored) {
             let link = self.length(name)?;
             if lengths.iter().any(|(other, _)| *other == link) {
-                return Err(self.twice(name));
+                return Err(self.refuse_repeated(name));
             }
             lengths.push((link, 1.0));
         }
@@ -75,7 +77,7 @@ impl Moves<'_> {
         })
     }
 
-    fn twice(&self, name: &Spanned<String>) -> Failure {
+    fn refuse_repeated(&self, name: &Spanned<String>) -> Failure {
         let message = format!(
             "`{}` is moved twice by one move; remove one",
             name.get_ref()
@@ -83,7 +85,11 @@ impl Moves<'_> {
         self.naming.source.refuse(&name.span(), message)
     }
 
-    fn of_points(&self, name: &Spanned<String>, table: &MoveTable) -> Result<Changes, Failure> {
+    fn displace_points(
+        &self,
+        name: &Spanned<String>,
+        table: &MoveTable,
+    ) -> Result<Changes, Failure> {
         let Some(along) = &table.along else {
             let message = "`along` is missing: write \"x\", \"y\", \"z\" or a direction [x, y, z]";
             return Err(self.naming.source.refuse(&name.span(), message));
@@ -98,7 +104,7 @@ impl Moves<'_> {
         for (name, along) in each {
             let point = self.naming.point(name)?;
             if points.iter().any(|(other, _)| *other == point) {
-                return Err(self.twice(name));
+                return Err(self.refuse_repeated(name));
             }
             points.push((point, along));
         }

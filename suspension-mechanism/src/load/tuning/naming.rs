@@ -22,7 +22,7 @@ impl Naming<'_> {
     }
 
     pub(super) fn drive(&self, name: &Spanned<String>) -> Result<usize, Failure> {
-        self.named("drive", name, &self.mechanism.names.of_drives())
+        self.named("drive", name, &self.mechanism.names.drive_names())
     }
 
     /// The index of a name among the known ones.

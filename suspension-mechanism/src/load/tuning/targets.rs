@@ -3,7 +3,7 @@
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
-use crate::characteristics::{columns, not_of_this, of_wheels, zero_at_design};
+use crate::characteristics::{columns, not_of_this, suggest_for_wheels, zero_at_design};
 use crate::failure::Failure;
 use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
@@ -19,7 +19,7 @@ pub(super) struct Targets<'a>(pub(super) Naming<'a>);
 
 impl Targets<'_> {
     /// The target that its table states.
-    pub(super) fn of_target(
+    pub(super) fn read_target(
         &self,
         name: &Spanned<String>,
         stated: &Spanned<TargetTable>,
@@ -64,7 +64,7 @@ impl Targets<'_> {
         if let Some(found) = names.iter().position(|name| name == wanted) {
             return Ok(columns.swap_remove(found));
         }
-        if let Some(meant) = of_wheels(wanted, names.iter().copied()) {
+        if let Some(meant) = suggest_for_wheels(wanted, names.iter().copied()) {
             return refuse(format!(
                 "unknown quantity `{wanted}`; did you mean {meant}?"
             ));
@@ -96,7 +96,10 @@ impl Targets<'_> {
         scale: f64,
     ) -> Result<(Vec<Axis>, tune::Wanted), Failure> {
         let refuse = |message: &str| Err(self.0.source.refuse(&name.span(), message));
-        let (stated, of): (_, fn(Vec<f64>) -> tune::Wanted) = match (&table.value, &table.change) {
+        let (stated, to_wanted): (_, fn(Vec<f64>) -> tune::Wanted) = match (
+            &table.value,
+            &table.change,
+        ) {
             (Some(value), None) => (value, tune::Wanted::Values),
             (None, Some(_)) if table.over.is_none() => {
                 return refuse(
@@ -131,7 +134,7 @@ impl Targets<'_> {
             return refuse(&too_many);
         }
         let wanted = wanted.iter().map(|wanted| wanted / scale);
-        Ok((axes, of(wanted.collect())))
+        Ok((axes, to_wanted(wanted.collect())))
     }
 
     /// The axis of a drive, with evenly spaced places.
@@ -144,7 +147,7 @@ impl Targets<'_> {
         let kind = self.0.mechanism.names.drives[number].kind;
         let per = Dimension::from(kind).in_file(self.0.mechanism.unit);
         let ends = self.ends(ends)?.map(|end| end / per);
-        Ok(Axis::of(number, evenly_spaced(ends, places)))
+        Ok(Axis::for_drive(number, evenly_spaced(ends, places)))
     }
 
     fn ends(&self, stated: &Spanned<NumberList<2>>) -> Result<[f64; 2], Failure> {

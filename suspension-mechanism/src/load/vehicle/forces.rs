@@ -29,9 +29,9 @@ pub(super) fn car(
     // A wheel between the axles of a longer vehicle belongs to neither.
     let tells_no_name = wheels.iter().all(|wheel| Axle::of(&wheel.name).is_none());
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
-        let told = Axle::of(&wheel.name);
-        if let (Some(_), Some(told)) = (stated.axle, told)
-            && stated.axle != Some(told)
+        let from_name = Axle::of(&wheel.name);
+        if let (Some(_), Some(from_name)) = (stated.axle, from_name)
+            && stated.axle != Some(from_name)
         {
             let message = format!(
                 "`axle` contradicts the name of the wheel `{}`; leave it out",
@@ -39,7 +39,7 @@ pub(super) fn car(
             );
             return Err(task.source.refuse(&table.span(), message));
         }
-        wheel.axle = stated.axle.or(told);
+        wheel.axle = stated.axle.or(from_name);
         if !is_described {
             continue;
         }

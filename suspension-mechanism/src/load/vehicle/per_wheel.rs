@@ -14,7 +14,7 @@ use crate::mechanism::{Wheel, is_within};
 pub(in crate::load) type Stated<T> = Option<(T, Range<usize>)>;
 
 /// The statement for each wheel.
-pub(super) fn of_each<T: Clone>(
+pub(super) fn for_each_wheel<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],
     stated: &Spanned<PerWheel<T>>,
@@ -51,7 +51,7 @@ pub(super) fn optional<T: Clone>(
     stated: &Option<Spanned<PerWheel<T>>>,
 ) -> Result<Vec<Stated<T>>, Failure> {
     match stated {
-        Some(stated) => of_each(task, wheels, stated),
+        Some(stated) => for_each_wheel(task, wheels, stated),
         None => Ok(vec![None; wheels.len()]),
     }
 }

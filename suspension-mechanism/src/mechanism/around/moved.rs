@@ -10,7 +10,7 @@ use crate::mechanism::vehicle::Pair;
 
 impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
     /// See [`State::moved`](crate::mechanism::State::moved).
-    pub(super) fn along_travel(&self) -> Vec<Moved> {
+    pub(super) fn travel_movements(&self) -> Vec<Moved> {
         let names = &self.mechanism.names;
         if names.vehicle.springs.is_empty() && names.vehicle.masses.is_empty() {
             return Vec::new();
@@ -18,12 +18,13 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
         let pairs = Pair::all(&names.wheels);
         let alone = names.vehicle.travel.iter().map(|drive| {
             let movement = Movement::Travel(*drive);
-            Some((movement, self.along_travel_of(*drive, &pairs)?))
+            Some((movement, self.single_wheel_motion(*drive, &pairs)?))
         });
         let together = pairs.iter().flat_map(|Pair { wheels, .. }| {
             let heave = (Movement::Heave(*wheels), [1.0, 1.0]);
             let roll = (Movement::Roll(*wheels), [1.0, -1.0]);
-            [heave, roll].map(|(movement, rise)| Some((movement, self.along_both(*wheels, rise)?)))
+            [heave, roll]
+                .map(|(movement, rise)| Some((movement, self.two_wheel_motion(*wheels, rise)?)))
         });
         let moved = alone.chain(together).flatten();
         let state = |(movement, points)| Moved {
@@ -35,26 +36,26 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
 
     /// The motion in which a wheel rises while the one beside it, which has a drive of its own, keeps its height;
     /// otherwise the motion of the drive alone.
-    fn along_travel_of(&self, drive: usize, pairs: &[Pair]) -> Option<Signal<L::Points>> {
-        let of = |wheel: usize| self.mechanism.names.wheels[wheel].travel;
+    fn single_wheel_motion(&self, drive: usize, pairs: &[Pair]) -> Option<Signal<L::Points>> {
+        let travel_drive = |wheel: usize| self.mechanism.names.wheels[wheel].travel;
         let alone = pairs.iter().find_map(|Pair { wheels, .. }| {
-            match wheels.map(|wheel| of(wheel) == Some(drive)) {
-                [true, false] => self.along_both(*wheels, [1.0, 0.0]),
-                [false, true] => self.along_both(*wheels, [0.0, 1.0]),
+            match wheels.map(|wheel| travel_drive(wheel) == Some(drive)) {
+                [true, false] => self.two_wheel_motion(*wheels, [1.0, 0.0]),
+                [false, true] => self.two_wheel_motion(*wheels, [0.0, 1.0]),
                 _ => None,
             }
         });
-        alone.or_else(|| self.along_drive(drive))
+        alone.or_else(|| self.drive_motion(drive))
     }
 
-    fn along_drive(&self, drive: usize) -> Option<Signal<L::Points>> {
+    fn drive_motion(&self, drive: usize) -> Option<Signal<L::Points>> {
         let change = L::Drives::from_values([]).with(drive, 1.0);
         self.directions?.points(change).ok()
     }
 
     /// The motion in which the drives of travel of two wheels raise their centres at given rates, without
     /// acceleration.
-    fn along_both(&self, wheels: [usize; 2], rise: [f64; 2]) -> Option<Signal<L::Points>> {
+    fn two_wheel_motion(&self, wheels: [usize; 2], rise: [f64; 2]) -> Option<Signal<L::Points>> {
         let wheels = wheels.map(|wheel| &self.mechanism.names.wheels[wheel]);
         let [Some(a), Some(b)] = wheels.map(|wheel| wheel.travel) else {
             return None;

@@ -54,7 +54,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
             order,
             interrupted,
             on_place,
-            lists: Lists::of(&mechanism.names),
+            lists: Lists::new(&mechanism.names),
             positions: vec![None; grid.places().unwrap_or_default()],
             end: VisitEnd::default(),
         }
@@ -69,7 +69,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
             residual: 0.0,
             arrival: None,
         };
-        self.along_axes(0, &start);
+        self.visit_axes(0, &start);
         if !self.end.locks.is_empty() {
             self.visit_neighbours();
         }
@@ -161,14 +161,14 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
         Some(Reached {
             index: to,
             drives,
-            arrival: Arrival::of(&motion, &changes),
+            arrival: Arrival::new(&motion, &changes),
             motion,
             residual: report.residual(),
         })
     }
 
     /// Visits the places along the axes from `level` on, in both directions from `here`.
-    fn along_axes(&mut self, level: usize, here: &Reached<N>) {
+    fn visit_axes(&mut self, level: usize, here: &Reached<N>) {
         let grid = self.grid;
         let Some(axis) = grid.axes.get(level) else {
             self.read_at(here);
@@ -207,12 +207,12 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
                 }
                 let change = |(drive, value): &(usize, f64)| (*drive, value - place.drives[*drive]);
                 let changes: Vec<_> = axis[index].iter().map(change).collect();
-                place.arrival = Arrival::of(&place.motion, &changes);
+                place.arrival = Arrival::new(&place.motion, &changes);
                 for (drive, value) in &axis[index] {
                     place.drives[*drive] = *value;
                 }
                 place.index = here.index * axis.len() + index;
-                self.along_axes(level + 1, &place);
+                self.visit_axes(level + 1, &place);
             }
         }
     }
@@ -234,7 +234,7 @@ impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
             lists: &self.lists,
             arrival: reached.arrival.as_ref(),
         };
-        mechanism.around(drives, position, known, on_place);
+        mechanism.evaluate_around(drives, position, known, on_place);
     }
 }
 

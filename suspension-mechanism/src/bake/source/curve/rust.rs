@@ -1,4 +1,4 @@
-//! As Rust.
+//! Baked curves as Rust.
 
 use crate::bake::source::curve::Sheet;
 use crate::bake::source::rust::module;

@@ -1,4 +1,4 @@
-//! As TOML.
+//! Baked curves as TOML.
 
 use std::fmt::Write;
 

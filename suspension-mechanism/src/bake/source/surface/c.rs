@@ -1,4 +1,4 @@
-//! As a header in C99.
+//! Baked surfaces as a header in C99.
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::c::header;

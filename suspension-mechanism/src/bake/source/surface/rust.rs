@@ -1,4 +1,4 @@
-//! As Rust.
+//! Baked surfaces as Rust.
 
 use crate::bake::source::rust::module;
 use crate::bake::source::surface::Sheet;

@@ -1,4 +1,4 @@
-//! As TOML.
+//! Baked surfaces as TOML.
 
 use std::fmt::Write;
 

@@ -27,7 +27,7 @@ pub(super) struct Points<'a> {
 
 impl<'a> Points<'a> {
     /// `axes` are those of the listing.
-    pub(super) fn of(listing: &'a Listing, file: &MotionFile, axes: Axes) -> Self {
+    pub(super) fn new(listing: &'a Listing, file: &MotionFile, axes: Axes) -> Self {
         let names: Vec<&str> = points(listing).collect();
         let mut listed = vec![None; names.len()];
         for (point, at) in listing.stated() {

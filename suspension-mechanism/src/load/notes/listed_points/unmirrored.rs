@@ -3,23 +3,23 @@
 use nalgebra::Vector3;
 
 use crate::load::notes::listed_points::moved_points::Points;
-use crate::mechanism::on_other_side;
+use crate::mechanism::name_on_other_side;
 use crate::number::rounded;
 
 /// The number of digits of a coordinate.
 const DIGITS: usize = 9;
 
-/// The note on such points. The first points of the pairs in `told` are already named in another note.
-pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
-    let is_told = |image: usize| told.iter().any(|[point, _]| *point == image);
+/// The note on such points. The first points of the pairs in `already_noted` are already named in another note.
+pub(super) fn note(points: &Points<'_>, already_noted: &[[usize; 2]]) -> Option<String> {
+    let is_noted = |image: usize| already_noted.iter().any(|[point, _]| *point == image);
     let all = 0..points.names.len();
     let alone = all.filter_map(|point| {
         let image = image(points, point)?;
-        (!is_told(image)).then_some((point, image))
+        (!is_noted(image)).then_some((point, image))
     });
     let (moved, images): (Vec<usize>, Vec<usize>) = alone.unzip();
     let (first, image) = (*moved.first()?, *images.first()?);
-    let at = in_mirror(points.moved[first]?).map(|part| rounded(part + 0.0, DIGITS)); // no -0
+    let at = mirrored(points.moved[first]?).map(|part| rounded(part + 0.0, DIGITS)); // no -0
     let line = format!("{} = [{}, {}, {}]", points.names[image], at.x, at.y, at.z);
     let (their, state) = match moved.len() {
         1 => ("its image", format!("state {line} too if they should be")),
@@ -28,8 +28,10 @@ pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
             format!("state them too, as {line}, if they should be"),
         ),
     };
-    let quoted = |of: &[usize]| {
-        let names = of.iter().map(|point| format!("`{}`", points.names[*point]));
+    let quoted = |numbers: &[usize]| {
+        let names = numbers
+            .iter()
+            .map(|point| format!("`{}`", points.names[*point]));
         names.collect::<Vec<_>>().join(", ")
     };
     let (moved, images) = (quoted(&moved), quoted(&images));
@@ -42,12 +44,12 @@ pub(super) fn note(points: &Points<'_>, told: &[[usize; 2]]) -> Option<String> {
 /// not images of each other.
 fn image(points: &Points<'_>, point: usize) -> Option<usize> {
     points.moved[point]?;
-    let name = on_other_side(points.names[point])?;
+    let name = name_on_other_side(points.names[point])?;
     let image = points.names.iter().position(|other| *other == name)?;
-    let places = [in_mirror(points.listed[point]?), points.unstated[image]?];
+    let places = [mirrored(points.listed[point]?), points.unstated[image]?];
     points.are_same(places).then_some(image)
 }
 
-fn in_mirror(at: Vector3<f64>) -> Vector3<f64> {
+fn mirrored(at: Vector3<f64>) -> Vector3<f64> {
     Vector3::new(at.x, -at.y, at.z)
 }

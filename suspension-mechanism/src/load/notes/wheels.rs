@@ -10,7 +10,7 @@ use crate::number::rounded;
 const OFF_AXIS: f64 = 30.0;
 
 /// Notes on a wheel, from all points at the design position.
-pub(super) fn of_wheel(
+pub(super) fn notes_on_wheel(
     task: &Task<'_>,
     wheel: &Wheel,
     placed: &[Vector3<f64>],
