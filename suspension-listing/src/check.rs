@@ -20,7 +20,7 @@ use crate::name::Name;
 
 pub(crate) use determined::determined;
 pub(crate) use generated::generated_names;
-pub(crate) use mirrored::told_of_one_side;
+pub(crate) use mirrored::report_one_side;
 use neither_side::same_again;
 use reserved::{constant, is_reserved};
 pub(crate) use uses::chassis_points;
@@ -195,7 +195,7 @@ impl<'a> Check<'a> {
     ) {
         let mut points = points.into_iter();
         if points.all(|point| self.is(point, Kind::CHASSIS_POINT)) {
-            self.report(errors::all_fixed(name, kind));
+            self.report(errors::joins_only_chassis(name, kind));
         }
     }
 }

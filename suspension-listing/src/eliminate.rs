@@ -48,7 +48,7 @@ pub fn order_for_most(n: usize, entries: &[Entry]) -> EliminationOrder {
 /// The cheapest of the orders that serve the most positions, from many attempts; `None` if no attempt finds a pivot
 /// for each step.
 fn cheapest(start: Partial, attempts: u64) -> Option<EliminationOrder> {
-    let start = start.without_carried()?;
+    let start = start.eliminate_carried()?;
     let orders = (0..attempts).filter_map(|attempt| start.clone().eliminate(attempt));
     orders.min_by(|a, b| {
         let served = b.served.cmp(&a.served);

@@ -57,7 +57,7 @@ pub(crate) fn lacks_semicolon(message: &str) -> bool {
 }
 
 /// The error that a statement does not end, at the last token that was read as part of it.
-pub(crate) fn at_its_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -> Error {
+pub(crate) fn at_statement_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -> Error {
     let message = error.to_string();
     if !lacks_semicolon(&message) {
         return error;
@@ -87,7 +87,7 @@ pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
     )
 }
 
-pub fn behind_the_listing(span: Span) -> Error {
+pub fn text_after_listing(span: Span) -> Error {
     Error::new(span, "nothing may follow the listing; remove it")
 }
 
@@ -200,7 +200,7 @@ pub(crate) fn points_of_one_body(token: &Ident, what: &str, body: &Body, remedy:
     at(token, message)
 }
 
-pub(crate) fn along_axis(from: &Ident, to: &Ident) -> Error {
+pub(crate) fn line_is_axis(from: &Ident, to: &Ident) -> Error {
     let message = format!(
         "the line `{from} -> {to}` is the axis of the angle itself; name a line off the axis"
     );
@@ -223,7 +223,7 @@ pub(crate) fn prescribed_by_image(name: &Ident, image: &Ident, kind: Kind) -> Er
     )
 }
 
-pub(crate) fn all_fixed(name: &Ident, kind: Kind) -> Error {
+pub(crate) fn joins_only_chassis(name: &Ident, kind: Kind) -> Error {
     at(
         name,
         format!("{kind} `{name}` joins chassis points only; give it a free point or remove it"),

@@ -22,7 +22,7 @@ fn has_places() -> bool {
 }
 
 /// Does work with the lexer that tells places in a text.
-pub(crate) fn with_places<T>(work: impl FnOnce() -> T) -> T {
+pub(crate) fn with_lexer_places<T>(work: impl FnOnce() -> T) -> T {
     if has_places() {
         return work();
     }

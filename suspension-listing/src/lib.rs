@@ -51,7 +51,7 @@ pub fn checked(listing: &Listing, mut errors: Errors) -> (System, syn::Result<()
         check::generated_names(listing, &system, &mut errors);
         check::determined(listing, &system, &mut errors);
     }
-    let errors = check::told_of_one_side(listing, errors);
+    let errors = check::report_one_side(listing, errors);
     (system, errors.into_result())
 }
 

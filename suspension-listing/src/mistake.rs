@@ -4,10 +4,10 @@ use syn::Error;
 
 use crate::errors;
 
-/// What is wrong at one place of a text.
+/// A mistake at one place of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
-    /// What is wrong, and what to write instead.
+    /// The message: what is wrong, and what to write instead.
     pub message: String,
     /// The line, counted from 1.
     pub line: usize,
@@ -20,7 +20,7 @@ pub struct Mistake {
 impl Mistake {
     /// The message of an error, at its place in a text.
     pub(crate) fn new(text: &str, error: &Error) -> Self {
-        let message = in_one_line(&error.to_string());
+        let message = escape_control(&error.to_string());
         let (start, end) = (error.span().start(), error.span().end());
         // The parser gives no place for something that is missing at the end.
         if errors::is_from_parser(&message) && error.span().byte_range() == (0..0) {
@@ -58,7 +58,7 @@ impl Mistake {
 }
 
 /// A message as a single line, whatever the name of a file in it contains.
-fn in_one_line(message: &str) -> String {
+fn escape_control(message: &str) -> String {
     let escaped = |character: char| {
         if character.is_control() {
             character.escape_default().to_string()

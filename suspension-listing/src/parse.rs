@@ -133,7 +133,7 @@ impl Reading<'_> {
         self.check_stated_once(&include.name)?;
         let file = include.source.path(&self.file);
         let text = self.text(include, &file)?;
-        let flat = lexed::with_places(|| self.flat(include, text, file))?;
+        let flat = lexed::with_lexer_places(|| self.flat(include, text, file))?;
         self.listing.included.extend(flat.included);
         self.listing.sides.extend(flat.sides);
         let images = flat.images.iter().map(|name| include.prefixed_name(name));

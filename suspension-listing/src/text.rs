@@ -13,7 +13,7 @@ use syn::parse::{ParseStream, Parser};
 
 use crate::include::{IncludeSource, mistakes};
 use crate::kind::Kind;
-use crate::lexed::{tokens, with_places};
+use crate::lexed::{tokens, with_lexer_places};
 use crate::name::Name;
 use crate::system::System;
 use crate::{checked, parse};
@@ -60,7 +60,7 @@ pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<Sys
     let read = limits::length(text).map_or_else(
         |mistake| Err(vec![mistake]),
         |()| {
-            let read = with_places(|| front(text, true, includes));
+            let read = with_lexer_places(|| front(text, true, includes));
             match read.system.filter(|_| read.mistakes.is_empty()) {
                 Some(system) => Ok(system),
                 None => Err(read.mistakes),
@@ -84,7 +84,7 @@ pub struct Read {
 
 /// Reads a text of any size, as the macro does.
 pub fn read(text: &str, includes: &dyn IncludeSource) -> Read {
-    with_places(|| front(text, false, includes))
+    with_lexer_places(|| front(text, false, includes))
 }
 
 fn front(text: &str, bounded: bool, includes: &dyn IncludeSource) -> Read {

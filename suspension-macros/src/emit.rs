@@ -49,7 +49,7 @@ pub(crate) fn module(module: &Module, system: &System, order: &EliminationOrder)
     } = module;
     let docs = &system.docs;
     let header = docs::header(system, order);
-    let types = types::all(module, system);
+    let types = types::types(module, system);
     let indices = indices::modules(system);
     let linkage = equations::linkage_impl(system, order);
     let factors = elimination::factors(system, order);

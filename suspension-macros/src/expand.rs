@@ -35,10 +35,10 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
             quote!(#watched #expansion)
         }
         Source::File(path) => {
-            let files = ListingFiles::of(path.span(), &path.value());
+            let files = ListingFiles::new(path.span(), &path.value());
             match files.listing() {
                 Ok(text) => {
-                    let expansion = of_text(&module, path, &text, &files);
+                    let expansion = expand_text(&module, path, &text, &files);
                     let watched = files.watched();
                     quote!(#watched #expansion)
                 }
@@ -49,7 +49,7 @@ pub(crate) fn expand(input: TokenStream) -> TokenStream {
 }
 
 /// The expansion of a module whose statements are the text of a file.
-pub(crate) fn of_text(
+pub(crate) fn expand_text(
     module: &Module,
     path: &LitStr,
     text: &str,
@@ -60,7 +60,7 @@ pub(crate) fn of_text(
         names,
         mistakes,
     } = text::read(text, includes);
-    let errors = mistakes.iter().map(|mistake| in_file(path, mistake));
+    let errors = mistakes.iter().map(|mistake| error_in_file(path, mistake));
     let error = errors.reduce(|mut all, error| {
         all.combine(error);
         all
@@ -71,7 +71,7 @@ pub(crate) fn of_text(
     }
 }
 
-fn in_file(path: &LitStr, mistake: &Mistake) -> Error {
+fn error_in_file(path: &LitStr, mistake: &Mistake) -> Error {
     let Mistake {
         message,
         line,

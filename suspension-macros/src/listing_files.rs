@@ -21,7 +21,7 @@ pub(crate) struct ListingFiles {
 
 impl ListingFiles {
     /// The files in the folder of a token's source file, for a listing in the file `listing` there, or in braces.
-    pub(crate) fn of(token: Span, listing: &str) -> Self {
+    pub(crate) fn new(token: Span, listing: &str) -> Self {
         Self {
             source: token.local_file(),
             listing: listing.into(),

@@ -1,4 +1,4 @@
-//! What stands around the statements of a listing: the module that they become. They stand in its
+//! The module that the statements of a listing become. They stand in its
 //! braces, or in a file.
 
 use proc_macro2::{Span, TokenStream};
@@ -55,7 +55,7 @@ fn parse_module(input: ParseStream<'_>) -> syn::Result<(Module, Errors)> {
     let name: Ident = input.parse()?;
     let (source, mut errors) = source(input, &name)?;
     if !input.is_empty() {
-        let error = errors::behind_the_listing(input.span());
+        let error = errors::text_after_listing(input.span());
         if let Source::File(_) = source {
             return Err(error);
         }
@@ -76,7 +76,7 @@ fn source(input: ParseStream<'_>, name: &Ident) -> syn::Result<(Source, Errors)>
     if input.peek(syn::token::Brace) {
         let content;
         braced!(content in input);
-        let files = ListingFiles::of(name.span(), "");
+        let files = ListingFiles::new(name.span(), "");
         let (listing, errors) = parse::statements(&content, name.span(), &files)?;
         return Ok((Source::Braces(Box::new(listing), files), errors));
     }

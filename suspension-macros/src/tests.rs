@@ -1,3 +1,3 @@
-//! What the catalogue expands to.
+//! The expansions of the catalogue's listings.
 
 mod expansion;

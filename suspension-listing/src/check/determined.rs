@@ -4,7 +4,7 @@ use proc_macro2::Span;
 use syn::{Error, Ident};
 
 use crate::check::held::turning;
-use crate::check::neither_side::{WithoutImage, in_both};
+use crate::check::neither_side::{WithoutImage, hint_shared_point};
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
 use crate::listing::Listing;
@@ -49,10 +49,10 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
         let excess = equations - unknowns;
         let mirrored = listing.sides.first();
         let remedy = mirrored
-            .and_then(|sides| in_both(listing, sides))
+            .and_then(|sides| hint_shared_point(listing, sides))
             .unwrap_or_else(|| {
-                let of_one_side = mirrored.map(of_one_side).unwrap_or_default();
-                format!("{}{of_one_side}", less(system))
+                let of_one_side = mirrored.map(describe_images).unwrap_or_default();
+                format!("{}{of_one_side}", remedy_for_too_many(system))
             });
         format!("{excess} too many: {remedy}")
     };
@@ -62,7 +62,7 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     } else {
         ""
     };
-    let (by_kind, points) = (by_kind(listing, system), system.free.len());
+    let (by_kind, points) = (count_by_kind(listing, system), system.free.len());
     let scalars = match system.scalars.len() {
         0 => String::new(),
         1 => " + 1 other unknown".to_owned(),
@@ -77,13 +77,13 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
     );
     let mut causes = WithoutImage::all(listing).filter(|_| equations < unknowns);
     match causes.find(WithoutImage::has_equations) {
-        Some(cause) => cause.before(&error),
+        Some(cause) => cause.prepend_to(&error),
         None => error,
     }
 }
 
 /// The remedy for too many equations.
-fn less(system: &System) -> &'static str {
+fn remedy_for_too_many(system: &System) -> &'static str {
     let has = |kind: Kind| {
         let mut equations = system.equations.iter();
         equations.any(|equation| equation.origin.kind == kind)
@@ -96,7 +96,7 @@ fn less(system: &System) -> &'static str {
 }
 
 /// How a statement with an image is named, and one without, if there is a mirror.
-fn of_one_side(sides: &Sides) -> String {
+fn describe_images(sides: &Sides) -> String {
     let [stated, _] = &sides.0;
     let named = sides.how_named();
     format!(
@@ -105,7 +105,7 @@ fn of_one_side(sides: &Sides) -> String {
 }
 
 /// The number of equations of the statements of each kind.
-fn by_kind(listing: &Listing, system: &System) -> String {
+fn count_by_kind(listing: &Listing, system: &System) -> String {
     let mut kinds: Vec<Kind> = Vec::new();
     for (_, kind) in listing.declared() {
         if !kinds.contains(&kind) {

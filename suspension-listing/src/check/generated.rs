@@ -22,7 +22,7 @@ pub(crate) fn generated_names(listing: &Listing, system: &System, errors: &mut E
         constants.extend(rates.into_iter().chain([frame]).map(|name| (name, at)));
     }
     let clusters = system.clusters.iter();
-    constants.extend(clusters.flat_map(|cluster| of_cluster(listing, cluster)));
+    constants.extend(clusters.flat_map(|cluster| names_of_cluster(listing, cluster)));
     let mut distances = Vec::new();
     for equation in &system.equations {
         let (name, at) = (&equation.named.name, place_of(listing, equation));
@@ -37,12 +37,12 @@ pub(crate) fn generated_names(listing: &Listing, system: &System, errors: &mut E
     constants.extend(markers.map(|name| (name.clone(), listing.place_of(name, None))));
     let bodies = system.bodies.iter();
     let lengths = bodies.flat_map(|body| lengths_of(listing, body));
-    distinct(constants.into_iter().chain(distances.clone()), errors);
-    distinct(lengths.chain(distances), errors);
-    distinct(unknowns(listing, system), errors);
+    check_distinct(constants.into_iter().chain(distances.clone()), errors);
+    check_distinct(lengths.chain(distances), errors);
+    check_distinct(unknowns(listing, system), errors);
 }
 
-fn distinct(names: impl Iterator<Item = Generated>, errors: &mut Errors) {
+fn check_distinct(names: impl Iterator<Item = Generated>, errors: &mut Errors) {
     let mut taken: Vec<String> = Vec::new();
     for (name, at) in names {
         let key = constant(name.as_str());
@@ -53,7 +53,7 @@ fn distinct(names: impl Iterator<Item = Generated>, errors: &mut Errors) {
     }
 }
 
-fn of_cluster(listing: &Listing, cluster: &Body) -> Vec<Generated> {
+fn names_of_cluster(listing: &Listing, cluster: &Body) -> Vec<Generated> {
     let at = |point: &Name| listing.place_of(&cluster.name, Some(point));
     let [.., third] = &cluster.frame;
     let frame = (frame_name(&cluster.name), at(&third.name));

@@ -9,16 +9,16 @@ use crate::vector::{Vector, are_in_line};
 pub(super) fn turning(system: &System) -> String {
     let mut bodies = system.bodies.iter();
     let hint = bodies.find_map(|body| {
-        in_line(system, body)
-            .or_else(|| on_one_slide(system, body))
-            .or_else(|| on_two(system, body))
+        hint_in_line(system, body)
+            .or_else(|| hint_on_one_slide(system, body))
+            .or_else(|| hint_on_two_points(system, body))
     });
     hint.unwrap_or_default()
 }
 
 /// A hint for a body whose stated points are all collinear; `None` for other bodies, and if a point has no stated
 /// position.
-fn in_line(system: &System, body: &Body) -> Option<String> {
+fn hint_in_line(system: &System, body: &Body) -> Option<String> {
     let stated = |site: &Site| {
         let points = if site.is_free() {
             &system.free
@@ -40,7 +40,7 @@ fn in_line(system: &System, body: &Body) -> Option<String> {
 }
 
 /// A hint for a body that only one slide holds, whatever drives it; `None` for others.
-fn on_one_slide(system: &System, body: &Body) -> Option<String> {
+fn hint_on_one_slide(system: &System, body: &Body) -> Option<String> {
     let has = |site: &Site| body.points().any(|point| point.name == site.name);
     let holds = |equation: &&Equation| {
         let mut sites = equation.form.equations().sites().into_iter();
@@ -64,7 +64,7 @@ fn on_one_slide(system: &System, body: &Body) -> Option<String> {
 
 /// A hint for a body that other statements or the chassis hold at only two points; `None` for others, and for a body
 /// on the chassis, where it is meant to turn.
-fn on_two(system: &System, body: &Body) -> Option<String> {
+fn hint_on_two_points(system: &System, body: &Body) -> Option<String> {
     let equations = system.equations.iter();
     let others = equations.filter(|equation| equation.origin.statement != body.name);
     let held: Vec<&Name> = others

@@ -50,8 +50,8 @@ impl Check<'_> {
     /// is at the other one.
     fn length_twice(&mut self, length: &Ident, other: &Ident) {
         let error = match (self.is_image(length), self.is_image(other)) {
-            (true, false) => beside_image(other, length),
-            (false, true) => beside_image(length, other),
+            (true, false) => kept_by_image(other, length),
+            (false, true) => kept_by_image(length, other),
             _ => stated_twice(length, other),
         };
         self.report(error);
@@ -72,7 +72,7 @@ fn stated_twice(name: &Ident, other: &Ident) -> Error {
     )
 }
 
-fn beside_image(name: &Ident, image: &Ident) -> Error {
+fn kept_by_image(name: &Ident, image: &Ident) -> Error {
     errors::at(
         name,
         format!(

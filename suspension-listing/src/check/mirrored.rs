@@ -10,31 +10,31 @@ use crate::sides::Sides;
 
 /// The errors without those of images whose originals have the same error. Of those that follow from a name for
 /// neither side only the first is kept, after that cause. The others say what the image is an image of.
-pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
+pub(crate) fn report_one_side(listing: &Listing, errors: Errors) -> Errors {
     let sides = &listing.sides;
-    let mut told: Vec<(Span, String)> = Vec::new();
+    let mut reported: Vec<(Span, String)> = Vec::new();
     let mut causes: Vec<Span> = Vec::new();
-    let is_told_at = |causes: &[Span], place| causes.iter().any(|cause| is_same(*cause, place));
+    let is_reported_at = |causes: &[Span], place| causes.iter().any(|cause| is_same(*cause, place));
     let mut of_one_side = Errors::default();
     for error in errors.all() {
         let (place, message) = (error.span(), error.to_string());
-        let is_told = |sides: &Sides| {
+        let is_reported = |sides: &Sides| {
             let of_original = sides.exchanged(&message);
-            let mut told = told.iter();
-            told.any(|(at, other)| is_same(*at, place) && *other == of_original)
+            let mut reported = reported.iter();
+            reported.any(|(at, other)| is_same(*at, place) && *other == of_original)
         };
-        if sides.iter().any(is_told) {
+        if sides.iter().any(is_reported) {
             continue;
         }
         if let Some(cause) = cause(listing, &message) {
-            if !is_told_at(&causes, cause.place()) {
+            if !is_reported_at(&causes, cause.place()) {
                 causes.push(cause.place());
-                of_one_side.push(cause.before(&error));
+                of_one_side.push(cause.prepend_to(&error));
             }
             continue;
         }
         // Missing equations name their cause themselves, and another error may have named it already.
-        if is_told_at(&causes, place) {
+        if is_reported_at(&causes, place) {
             continue;
         }
         let mut sides = sides.iter();
@@ -43,7 +43,7 @@ pub(crate) fn told_of_one_side(listing: &Listing, errors: Errors) -> Errors {
             let end = if message.ends_with('?') { "" } else { ";" };
             Error::new(place, format!("{message}{end} {image}"))
         }));
-        told.push((place, message));
+        reported.push((place, message));
     }
     of_one_side
 }

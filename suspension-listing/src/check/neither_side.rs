@@ -23,12 +23,12 @@ impl<'a> WithoutImage<'a> {
     pub(super) fn all(listing: &'a Listing) -> impl Iterator<Item = Self> {
         let of_sides = |sides: &'a Sides| {
             let statements = listing.statements.iter();
-            statements.filter_map(move |statement| Self::of(statement.as_ref(), sides))
+            statements.filter_map(move |statement| Self::find(statement.as_ref(), sides))
         };
         listing.sides.iter().flat_map(of_sides)
     }
 
-    fn of(statement: &'a dyn Statement, sides: &'a Sides) -> Option<Self> {
+    fn find(statement: &'a dyn Statement, sides: &'a Sides) -> Option<Self> {
         let (named, kind) = statement.named()?;
         let points = statement.operands();
         let is_stated = |point: &&Ident| sides.is_stated(&point.to_string());
@@ -61,7 +61,7 @@ impl<'a> WithoutImage<'a> {
     }
 
     /// Puts the cause before an error that follows from it.
-    pub(super) fn before(&self, error: &Error) -> Error {
+    pub(super) fn prepend_to(&self, error: &Error) -> Error {
         let ([stated, _], name, kind) = (&self.sides.0, self.name, self.kind);
         let beside = self.points.first();
         let beside = beside.map_or_else(String::new, |point| format!(", as `{point}` is"));
@@ -95,10 +95,15 @@ pub(super) fn same_again(listing: &Listing, image: &dyn Statement) -> Option<Err
     let same: Vec<&Ident> = points.iter().filter(is_same).copied().collect();
     let is_body = matches!(image.rigid(), Some(Rigid::Body(_)));
     let is_again = same.len() == points.len() || (is_body && same.len() >= 3);
-    is_again.then(|| of_both(kind, [of, &named.name], &same, sides))
+    is_again.then(|| shared_with_image(kind, [of, &named.name], &same, sides))
 }
 
-fn of_both(kind: Kind, [name, image]: [&Ident; 2], points: &[&Ident], sides: &Sides) -> Error {
+fn shared_with_image(
+    kind: Kind,
+    [name, image]: [&Ident; 2],
+    points: &[&Ident],
+    sides: &Sides,
+) -> Error {
     let [stated, _] = &sides.0;
     let listed: Vec<String> = points.iter().map(|point| format!("`{point}`")).collect();
     let listed = listed.join(", ");
@@ -123,7 +128,7 @@ fn of_both(kind: Kind, [name, image]: [&Ident; 2], points: &[&Ident], sides: &Si
 }
 
 /// A hint for a point that a body shares with its image.
-pub(super) fn in_both(listing: &Listing, sides: &Sides) -> Option<String> {
+pub(super) fn hint_shared_point(listing: &Listing, sides: &Sides) -> Option<String> {
     let [stated, _] = &sides.0;
     let bodies: Vec<(String, &[Ident])> = listing
         .bodies()

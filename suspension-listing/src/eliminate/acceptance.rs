@@ -22,14 +22,14 @@ pub(super) enum Positions {
 /// The positions in which all pivots so far are large enough.
 #[derive(Clone)]
 pub(super) struct Acceptance {
-    of: Positions,
+    judged_by: Positions,
     serves: Vec<bool>,
 }
 
 impl Acceptance {
-    pub(super) fn new(of: Positions, count: usize) -> Self {
+    pub(super) fn new(judged_by: Positions, count: usize) -> Self {
         let serves = vec![true; count];
-        Self { of, serves }
+        Self { judged_by, serves }
     }
 
     /// The smallest permitted pivot, in each position, given the other entries of its column.
@@ -37,7 +37,7 @@ impl Acceptance {
         let mut least = vec![TINY; self.serves.len()];
         for values in column {
             for (position, (least, value)) in least.iter_mut().zip(values).enumerate() {
-                let threshold = if position == 0 && self.of == Positions::OfMotion {
+                let threshold = if position == 0 && self.judged_by == Positions::OfMotion {
                     THRESHOLD
                 } else {
                     THRESHOLD_ELSEWHERE
@@ -50,18 +50,18 @@ impl Acceptance {
 
     /// The number of positions in which an order is no longer good with a pivot of these values; `None` if it must
     /// not be the pivot. A pivot whose values are not known counts as large enough because it is there.
-    pub(super) fn lost(&self, values: &[f64], least: &[f64]) -> Option<usize> {
+    pub(super) fn count_lost(&self, values: &[f64], least: &[f64]) -> Option<usize> {
         let lost = self.serves.iter().zip(values).zip(least);
         let lost = lost.filter(|((serves, value), least)| **serves && value.abs() < **least);
         let lost = lost.count();
-        match self.of {
+        match self.judged_by {
             Positions::OfMotion if lost > 0 || changes_sign(values) => None,
             _ => Some(lost),
         }
     }
 
     /// Accepts a pivot of these values; returns whether fewer positions are served.
-    pub(super) fn take(&mut self, values: &[f64], least: &[f64]) -> bool {
+    pub(super) fn accept(&mut self, values: &[f64], least: &[f64]) -> bool {
         let before = self.count();
         for ((serves, value), least) in self.serves.iter_mut().zip(values).zip(least) {
             *serves &= value.abs() >= *least;

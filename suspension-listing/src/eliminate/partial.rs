@@ -16,7 +16,7 @@ struct Cell {
     carried: bool,
     /// The time when it is ready, in operations from the start.
     ready: usize,
-    /// The positions that it loses as the pivot, see [`Acceptance::lost`]. It is stored because an attempt considers
+    /// The positions that it loses as the pivot, see [`Acceptance::count_lost`]. It is stored because an attempt considers
     /// each entry in each step, and few of them change.
     lost: Option<usize>,
 }
@@ -85,9 +85,9 @@ impl Partial {
     }
 
     /// The matrix after elimination of the pivots that come first in every attempt.
-    pub(super) fn without_carried(mut self) -> Option<Self> {
+    pub(super) fn eliminate_carried(mut self) -> Option<Self> {
         for (row, column) in self.carried() {
-            self.take(row, column)?;
+            self.eliminate_with(row, column)?;
         }
         Some(self)
     }
@@ -97,7 +97,7 @@ impl Partial {
         let mut preference = Preference::new(attempt);
         while self.order.steps.len() < self.cells.len() {
             let (row, column) = self.pivot(&mut preference)?;
-            self.take(row, column)?;
+            self.eliminate_with(row, column)?;
         }
         self.order.sort_substitution();
         self.order.served = self.acceptance.count();
@@ -105,9 +105,9 @@ impl Partial {
     }
 
     /// Eliminates with a pivot.
-    fn take(&mut self, row: usize, column: usize) -> Option<()> {
+    fn eliminate_with(&mut self, row: usize, column: usize) -> Option<()> {
         let pivot = self.cells[row][column].clone()?;
-        let narrowed = self.acceptance.take(&pivot.values, &self.least[column]);
+        let narrowed = self.acceptance.accept(&pivot.values, &self.least[column]);
         self.step(row, column, pivot);
         if narrowed {
             (0..self.cells.len()).for_each(|column| self.update_least(column));
@@ -158,7 +158,9 @@ impl Partial {
         self.least[column] = self.acceptance.least(values);
         for &row in &self.rows_of[column] {
             if let Some(cell) = &mut self.cells[row][column] {
-                cell.lost = self.acceptance.lost(&cell.values, &self.least[column]);
+                cell.lost = self
+                    .acceptance
+                    .count_lost(&cell.values, &self.least[column]);
             }
         }
     }

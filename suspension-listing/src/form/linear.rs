@@ -12,7 +12,7 @@ pub struct Linear {
     pub prescribed: Prescribed,
 }
 
-/// What prescribes the value of a sum.
+/// The source of the value of a sum.
 #[derive(Clone, Debug)]
 pub enum Prescribed {
     Drive(Name),

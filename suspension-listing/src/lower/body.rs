@@ -16,7 +16,7 @@ impl Lowering<'_> {
     /// chassis or another body keeps, and three equations for each carried point.
     pub(crate) fn body(&mut self, kind: Kind, stated: &listing::Named, points: &[Ident]) {
         let named = stated.plain();
-        let sites = self.in_frame_order(points);
+        let sites = self.sort_for_frame(points);
         if let [a, b] = sites.as_slice() {
             self.body_distance(kind, &named, a, b);
         }
@@ -46,7 +46,7 @@ impl Lowering<'_> {
 
     /// The points of a body with those of its frame first: chassis points, then points shared with another body, then
     /// in the order listed.
-    fn in_frame_order(&self, points: &[Ident]) -> Vec<Site> {
+    fn sort_for_frame(&self, points: &[Ident]) -> Vec<Site> {
         let sites: Vec<Site> = points.iter().map(|point| self.site(point)).collect();
         let is_shared = |site: &Site| {
             let mut others = sites.iter();

@@ -35,7 +35,7 @@ pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::R
     let begin = input.cursor();
     let read = (statement.read)(Head { docs, word }, input, listing);
     read.and_then(|()| input.parse::<Token![;]>().map(drop))
-        .map_err(|error| errors::at_its_end(error, begin, input.cursor()))
+        .map_err(|error| errors::at_statement_end(error, begin, input.cursor()))
         .map_err(|error| with_example(error, statement))
 }
 

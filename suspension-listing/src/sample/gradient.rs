@@ -19,7 +19,7 @@ pub fn gradients(system: &System, positions: &Positions) -> Option<Vec<Gradient>
 /// The gradient by central differences of the residual, which are exact to rounding for a quadratic.
 fn gradient(system: &System, form: &Form, positions: &Positions) -> Option<Gradient> {
     let form = form.equations();
-    let mut sites = positions.of_sites(form);
+    let mut sites = positions.at_sites(form);
     let constants = form.constants(&sites)?;
     let step = extent(&sites);
     let indices = form.scalars().into_iter();

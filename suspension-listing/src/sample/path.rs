@@ -57,7 +57,7 @@ fn longest(system: &System, design: &Positions) -> f64 {
     let equations = system.equations.iter();
     let kept = equations.filter_map(|equation| equation.form.equations().keeps());
     let lengths = kept.map(|[from, to]| {
-        let d = minus(design.of(to), design.of(from));
+        let d = minus(design.at(to), design.at(from));
         dot(d, d).sqrt()
     });
     lengths.fold(0.0, f64::max)

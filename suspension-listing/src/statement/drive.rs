@@ -48,12 +48,12 @@ impl Statement for Drive {
         self.quantity.check(check);
         check.sites(points.iter().copied());
         if let Quantity::Between { about: None, .. } = self.quantity {
-            check.report(turned::about_no_axis(name));
+            check.report(turned::missing_axis(name));
         }
         match self.moves() {
             Some(point) => {
-                self.bends_no_body(check, point);
-                self.moves_alone(check, point, earlier);
+                self.check_bends_no_body(check, point);
+                self.check_moves_alone(check, point, earlier);
             }
             None => check.not_all_fixed(name, KIND, points),
         }
@@ -157,7 +157,12 @@ impl Drive {
     }
 
     /// Checks that a point that one drive moves along a direction is not moved by another.
-    fn moves_alone(&self, check: &mut Check<'_>, point: &Ident, earlier: &[Box<dyn Statement>]) {
+    fn check_moves_alone(
+        &self,
+        check: &mut Check<'_>,
+        point: &Ident,
+        earlier: &[Box<dyn Statement>],
+    ) {
         // Drives that prescribe the same are reported as such.
         let others = earlier
             .iter()
@@ -176,7 +181,7 @@ impl Drive {
     }
 
     /// Checks that a driven chassis point is not one of two in a body, whose size it would change.
-    fn bends_no_body(&self, check: &mut Check<'_>, point: &Ident) {
+    fn check_bends_no_body(&self, check: &mut Check<'_>, point: &Ident) {
         let listing = check.listing;
         for (body, points) in listing.bodies() {
             let anchors = check.anchors(points);

@@ -85,7 +85,7 @@ impl Marker {
         let marker = &self.named.name;
         let message = match self.carriers.as_slice() {
             [one] => match listing.ends_of_link(one) {
-                Some(ends) => on_a_link(marker, one, ends),
+                Some(ends) => describe_point_on_link(marker, one, ends),
                 None => no_body(marker, one, listing),
             },
             carriers => format!(
@@ -104,8 +104,8 @@ fn no_body(marker: &Ident, name: &Ident, listing: &Listing) -> String {
     )
 }
 
-/// How to write a point on a link.
-fn on_a_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
+/// The remedy for a point on a link.
+fn describe_point_on_link(marker: &Ident, link: &Ident, [from, to]: &[Ident; 2]) -> String {
     format!(
         "`{link}` is a link, which carries no point; declare `{marker}` under `free:`, and write {}; the position of `{marker}` must lie on \
          the line of the link",

@@ -64,7 +64,7 @@ impl Quantity {
                 let axis = about.as_ref().map(undirected);
                 let along = lines.iter().find(|line| Some(undirected(line)) == axis);
                 if let Some([from, to]) = along {
-                    check.report(errors::along_axis(from, to));
+                    check.report(errors::line_is_axis(from, to));
                 }
             }
             Self::Length { .. } | Self::Along { .. } => {}

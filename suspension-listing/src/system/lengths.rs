@@ -22,7 +22,7 @@ impl System {
             let between = [from, to].map(|site| site.name.clone());
             Some(Length { named, between })
         });
-        let of_bodies: Vec<Length> = self.bodies.iter().flat_map(of_body).collect();
+        let of_bodies: Vec<Length> = self.bodies.iter().flat_map(lengths_of_body).collect();
         let of_links = kept.filter(|kept| {
             let mut others = of_bodies.iter();
             !others.any(|other| other.named.name == kept.named.name)
@@ -32,7 +32,7 @@ impl System {
     }
 }
 
-fn of_body(body: &Body) -> Vec<Length> {
+fn lengths_of_body(body: &Body) -> Vec<Length> {
     let edges = body.frame_pairs().into_iter();
     let edges = edges.filter(|[a, b]| a.is_free() || b.is_free());
     let carried = body.carried.iter();

@@ -14,11 +14,11 @@ pub struct Positions {
 
 impl Positions {
     /// The positions of the sites of an equation.
-    pub fn of_sites(&self, form: &dyn Equations) -> Vec<Vector> {
-        form.sites().into_iter().map(|site| self.of(site)).collect()
+    pub fn at_sites(&self, form: &dyn Equations) -> Vec<Vector> {
+        form.sites().into_iter().map(|site| self.at(site)).collect()
     }
 
-    pub fn of(&self, site: &Site) -> Vector {
+    pub fn at(&self, site: &Site) -> Vector {
         if site.is_free() {
             self.free[site.index]
         } else {
@@ -50,7 +50,7 @@ impl System {
                 .iter()
                 .map(|&index| positions.scalars[index])
                 .collect();
-            let values = form.scalars_at(&positions.of_sites(form), &known);
+            let values = form.scalars_at(&positions.at_sites(form), &known);
             for (index, value) in indices.into_iter().zip(values.into_iter().flatten()) {
                 positions.scalars[index] = value;
             }

@@ -66,10 +66,10 @@ pub(super) fn unknowns(listing: &Listing, count: usize) -> syn::Result<()> {
 }
 
 /// Refuses more unknowns than are allowed, with their count in words.
-fn few_unknowns(listing: &Listing, count: usize, told: &str) -> syn::Result<()> {
+fn few_unknowns(listing: &Listing, count: usize, counted: &str) -> syn::Result<()> {
     if count > MOST_UNKNOWNS {
         let savings = savings(listing);
-        let message = too_many(told, MOST_UNKNOWNS, "unknowns", &savings);
+        let message = too_many(counted, MOST_UNKNOWNS, "unknowns", &savings);
         return Err(refused(listing, &message));
     }
     Ok(())

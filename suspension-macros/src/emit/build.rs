@@ -81,14 +81,14 @@ fn new(system: &System) -> TokenStream {
         let name = frame_name(&body.name);
         let [.., third] = &body.frame;
         let third = point_index(system, &third.name);
-        let frame = frames::among_points(system, &body.frame, &quote!(at));
+        let frame = frames::frame_from_points(system, &body.frame, &quote!(at));
         quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let frame_names = system.bodies.iter().map(|body| frame_name(&body.name));
     let [stated, framed] = [false, true].map(|framed| {
         let constants = form::constants(system, framed);
         constants.map(|form::Constant { name, form, .. }| {
-            let value = form.of_points(name, system);
+            let value = form.constant_from_points(name, system);
             quote!(#name: #value)
         })
     });
@@ -117,7 +117,7 @@ fn new(system: &System) -> TokenStream {
 fn markers(system: &System) -> impl Iterator<Item = TokenStream> {
     system.markers.iter().map(|marker| {
         let name = &marker.named.name;
-        let frame = frames::among_points(system, &marker.frame, &quote!(at));
+        let frame = frames::frame_from_points(system, &marker.frame, &quote!(at));
         let index = point_index(system, name);
         quote!(#name: parts::carried(#index, at.#name, &#frame)?)
     })

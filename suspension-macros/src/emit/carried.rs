@@ -61,12 +61,12 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
                     quote!(T::zero())
                 }
             });
-            let by_frame = by_frame(&point);
+            let by_frame = gradient_pattern(&point);
             let vectors = columns_by_frame(&point);
             let entries = vectors.map(|(vector, columns)| {
                 let entries = columns.map(|column| unrolled.entry(row, column));
                 let new = columns.map(|column| unrolled.fills(row, column, filled));
-                of_vector(&ident(vector), &entries, new)
+                assign_vector(&ident(vector), &entries, new)
             });
             let entries: TokenStream = entries.collect();
             statements.extend(quote! {
@@ -80,7 +80,7 @@ pub(super) fn reduce(unrolled: &Unrolled<'_>, filled: &mut Vec<(usize, usize)>) 
 }
 
 /// Assigns the components of a vector to variables, or adds them to these.
-fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStream {
+fn assign_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStream {
     if new == [true; 3] {
         return quote!(let [#(#variables),*] = xyz(#vector););
     }
@@ -96,7 +96,7 @@ fn of_vector(vector: &Ident, variables: &[Ident; 3], new: [bool; 3]) -> TokenStr
 pub(super) const BLOCKS: [&str; 3] = ["origin", "second", "third"];
 
 /// The pattern for the result of `by_frame`.
-fn by_frame(point: &Substituted<'_>) -> TokenStream {
+fn gradient_pattern(point: &Substituted<'_>) -> TokenStream {
     let names = BLOCKS.map(ident).into_iter().zip(point.frame);
     let names = names.map(|(name, column)| match column {
         Some(_) => quote!(#name),
@@ -154,10 +154,10 @@ pub(super) fn transposed(unrolled: &Unrolled<'_>) -> TokenStream {
     let of_point = |point: Substituted<'_>| {
         let [constants, frame] = names(&point);
         let gradient = [0, 1, 2].map(|axis| unrolled.column(point.column + axis));
-        let by_frame = by_frame(&point);
+        let by_frame = gradient_pattern(&point);
         let sums = columns_by_frame(&point).map(|(vector, columns)| {
             let unknowns = columns.map(|column| unrolled.column(column).clone());
-            of_vector(&ident(vector), &unknowns, [false; 3])
+            assign_vector(&ident(vector), &unknowns, [false; 3])
         });
         quote! {
             let gradient = Vector3::new(#(#gradient),*);

@@ -31,7 +31,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let name = frame_name(&cluster.name);
         let third = point_index(system, &cluster.frame[2].name);
-        let frame = frames::among_points(system, &cluster.frame, &quote!(at));
+        let frame = frames::frame_from_points(system, &cluster.frame, &quote!(at));
         quote!(let #name = parts::frame(#third, #frame)?;)
     });
     let names = frame_names(system);
@@ -50,7 +50,7 @@ pub(super) fn designed(system: &System) -> [TokenStream; 2] {
 }
 
 /// The same code from lengths.
-pub(super) fn of_lengths(system: &System) -> [TokenStream; 2] {
+pub(super) fn build_from_lengths(system: &System) -> [TokenStream; 2] {
     let frames = system.clusters.iter().map(|cluster| {
         let (name, [a, b, c]) = (frame_name(&cluster.name), &cluster.frame);
         let third = point_index(system, &c.name);
@@ -108,7 +108,7 @@ pub(super) fn watched(system: &System) -> Option<TokenStream> {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let places = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
     let frames = system.clusters.iter().map(|cluster| {
-        let frame = frames::among_free(system, &cluster.frame, free, fixed);
+        let frame = frames::frame_from_free(system, &cluster.frame, free, fixed);
         Binding::new(&frame_name(&cluster.name), frame)
     });
     let values = clustered(system).map(

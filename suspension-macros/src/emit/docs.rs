@@ -15,7 +15,7 @@ fn evaluations(system: &System) -> [Operations; 3] {
     let frames = bodies.count();
     let mut totals = [(0, 6 * frames), (0, 6 * frames), (0, 12 * frames)].map(Operations::from);
     for equation in &system.equations {
-        for (total, cost) in totals.iter_mut().zip(form::of(equation).cost()) {
+        for (total, cost) in totals.iter_mut().zip(form::emitter(equation).cost()) {
             total.add(cost.multiplications, cost.additions);
         }
     }

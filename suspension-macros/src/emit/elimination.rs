@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
-use super::jacobian::{parameters, with_points};
+use super::jacobian::{bind_points, parameters};
 use super::unrolled::Unrolled;
 use super::written_out::written_out;
 use super::{carried, entries, indices, substitution};
@@ -94,7 +94,7 @@ pub(super) fn factor(system: &System, order: &EliminationOrder) -> TokenStream {
         .filter_map(|step| unrolled.inverse(step))
         .collect();
     let sign = order.is_odd().then(|| quote!(-));
-    let body = with_points(
+    let body = bind_points(
         system,
         quote! {
             #entries

@@ -10,14 +10,17 @@ use suspension_listing::system::Site;
 
 pub(super) fn entries(unrolled: &Unrolled<'_>) -> TokenStream {
     let equations = gradients(unrolled.system).map(|(row, _, Gradient { statements, by })| {
-        let entries: TokenStream = by.iter().map(|by| by_unknowns(unrolled, row, by)).collect();
+        let entries: TokenStream = by
+            .iter()
+            .map(|by| entries_by_unknowns(unrolled, row, by))
+            .collect();
         (!entries.is_empty()).then(|| quote!(#statements #entries))
     });
     quote!(#(#equations)*)
 }
 
 /// The derivatives of one row, or of three, with respect to a point or a scalar.
-fn by_unknowns(unrolled: &Unrolled<'_>, row: usize, by: &By<'_>) -> TokenStream {
+fn entries_by_unknowns(unrolled: &Unrolled<'_>, row: usize, by: &By<'_>) -> TokenStream {
     let column = |site: &Site| site.first_column().unwrap_or_default();
     let scalar = |name| unrolled.system.scalar_column(name).unwrap_or_default();
     match by {

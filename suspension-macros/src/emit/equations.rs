@@ -96,7 +96,7 @@ fn put_drives(system: &System) -> TokenStream {
 fn frames_first(system: &System) -> impl Iterator<Item = &Equation> {
     let of = |framed| {
         let equations = system.equations.iter();
-        equations.filter(move |equation| form::of(equation).is_framed() == framed)
+        equations.filter(move |equation| form::emitter(equation).is_framed() == framed)
     };
     of(true).chain(of(false))
 }
@@ -105,7 +105,7 @@ fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let rows =
-        frames_first(system).map(|equation| form::of(equation).residual(&equation.named.name));
+        frames_first(system).map(|equation| form::emitter(equation).residual(&equation.named.name));
     let bindings = [Binding::free(free, "q")];
     let bindings = bindings
         .into_iter()
@@ -125,7 +125,7 @@ fn curvature(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let [v, v_fixed, w, w_fixed] = &["v", "v_fixed", "w", "w_fixed"].map(ident);
     let rows = frames_first(system)
-        .filter_map(|equation| form::of(equation).curvature(&equation.named.name));
+        .filter_map(|equation| form::emitter(equation).curvature(&equation.named.name));
     let bindings = [Binding::free(v, "v"), Binding::free(w, "w")]
         .into_iter()
         .chain(frames::bindings(system, "_v", v, v_fixed))

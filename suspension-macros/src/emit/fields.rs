@@ -67,14 +67,14 @@ pub(super) fn fixed_fields(system: &System) -> Vec<Field> {
 pub(super) fn drive_fields(system: &System) -> Vec<Field> {
     let drives = system.drives.iter();
     drives
-        .map(|drive| Field::new(&drive.named, quantity::in_words(&drive.quantity)))
+        .map(|drive| Field::new(&drive.named, quantity::describe(&drive.quantity)))
         .collect()
 }
 
 pub(super) fn measure_fields(system: &System) -> Vec<Field> {
     let measures = system.measures.iter();
     measures
-        .map(|measure| Field::new(&measure.named, quantity::in_words(&measure.quantity)))
+        .map(|measure| Field::new(&measure.named, quantity::describe(&measure.quantity)))
         .collect()
 }
 

@@ -44,10 +44,10 @@ pub(super) trait Emit {
     }
 
     /// The constant from the points `at`.
-    fn of_points(&self, name: &Name, system: &System) -> TokenStream;
+    fn constant_from_points(&self, name: &Name, system: &System) -> TokenStream;
 
     /// The constant from `lengths`.
-    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream;
+    fn constant_from_lengths(&self, name: &Name, system: &System) -> TokenStream;
 
     /// The rows of `F`.
     fn residual(&self, name: &Name) -> TokenStream;
@@ -67,7 +67,7 @@ pub(super) trait Emit {
 }
 
 /// The code for the form of an equation.
-pub(super) fn of(equation: &Equation) -> &dyn Emit {
+pub(super) fn emitter(equation: &Equation) -> &dyn Emit {
     match &equation.form {
         Form::Distance(form) => form,
         Form::Carried(form) => form,
@@ -85,7 +85,7 @@ pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equati
     system.equations.iter().scan(0, |next, equation| {
         let first = *next;
         *next += equation.form.equations().rows();
-        let mut gradient = of(equation).gradient(&equation.named.name);
+        let mut gradient = emitter(equation).gradient(&equation.named.name);
         gradient.by.retain(By::is_free);
         Some((first, equation, gradient))
     })
@@ -95,7 +95,7 @@ pub(super) fn gradients(system: &System) -> impl Iterator<Item = (usize, &Equati
 pub(super) fn scalars(system: &System, place: &dyn Fn(&Site) -> TokenStream) -> Vec<TokenStream> {
     let equations = system.equations.iter();
     equations
-        .filter_map(|equation| of(equation).scalars(&equation.named.name, place))
+        .filter_map(|equation| emitter(equation).scalars(&equation.named.name, place))
         .collect()
 }
 
@@ -111,7 +111,7 @@ pub(super) fn constants(system: &System, framed: bool) -> impl Iterator<Item = C
     let forms = system
         .equations
         .iter()
-        .map(|equation| (equation, of(equation)));
+        .map(|equation| (equation, emitter(equation)));
     let forms = forms.filter(move |(_, form)| form.is_framed() == framed);
     forms.filter_map(|(equation, form)| {
         Some(Constant {

@@ -11,7 +11,7 @@ use suspension_listing::system::{Site, System, frame_name};
 type Frame = [Site; 3];
 
 /// Each frame once, under the name of the first body, cluster or marker that has it.
-fn all(system: &System) -> Vec<(Name, &Frame)> {
+fn distinct_frames(system: &System) -> Vec<(Name, &Frame)> {
     let bodies = system.bodies.iter().chain(&system.clusters);
     let bodies = bodies.map(|body| (&body.name, &body.frame));
     let markers = system.markers.iter();
@@ -31,8 +31,8 @@ fn is_same(a: &Frame, b: &Frame) -> bool {
 }
 
 /// The methods of `Points`.
-pub(super) fn of_points(system: &System) -> TokenStream {
-    let methods = all(system).into_iter().map(|(name, frame)| {
+pub(super) fn methods_of_points(system: &System) -> TokenStream {
+    let methods = distinct_frames(system).into_iter().map(|(name, frame)| {
         let points = frame.iter().map(|site| &site.name);
         method(&name, &quote!(), &quote!(#(self.#points),*))
     });
@@ -40,11 +40,11 @@ pub(super) fn of_points(system: &System) -> TokenStream {
 }
 
 /// The methods of `Free`, which take the chassis points if they need any.
-pub(super) fn of_free(system: &System) -> TokenStream {
-    let methods = all(system).into_iter().map(|(name, frame)| {
+pub(super) fn methods_of_free(system: &System) -> TokenStream {
+    let methods = distinct_frames(system).into_iter().map(|(name, frame)| {
         let (free, fixed) = (super::terms::ident("self"), super::terms::ident("fixed"));
         let points = frame.iter().map(|site| value_of(site, &free, &fixed));
-        let fixed = on_chassis(frame).then(|| quote!(fixed: &Fixed<T>));
+        let fixed = needs_chassis(frame).then(|| quote!(fixed: &Fixed<T>));
         method(&name, &quote!(#fixed), &quote!(#(#points),*))
     });
     quote!(#(#methods)*)
@@ -59,31 +59,35 @@ fn method(name: &Name, fixed: &TokenStream, points: &TokenStream) -> TokenStream
     }
 }
 
-fn on_chassis(frame: &Frame) -> bool {
+fn needs_chassis(frame: &Frame) -> bool {
     !frame.iter().all(Site::is_free)
 }
 
 fn name_of(system: &System, frame: &Frame) -> Name {
-    let mut all = all(system).into_iter();
+    let mut all = distinct_frames(system).into_iter();
     let found = all.find(|(_, other)| is_same(other, frame));
     found.map_or_else(|| Name::made(String::new()), |(name, _)| name)
 }
 
 /// A frame in the struct `points`.
-pub(super) fn among_points(system: &System, frame: &Frame, points: &TokenStream) -> TokenStream {
+pub(super) fn frame_from_points(
+    system: &System,
+    frame: &Frame,
+    points: &TokenStream,
+) -> TokenStream {
     let name = name_of(system, frame);
     quote!(#points.#name())
 }
 
 /// A frame in the structs `free` and `fixed`.
-pub(super) fn among_free(
+pub(super) fn frame_from_free(
     system: &System,
     frame: &Frame,
     free: &Ident,
     fixed: &Ident,
 ) -> TokenStream {
     let name = name_of(system, frame);
-    let fixed = on_chassis(frame).then_some(fixed);
+    let fixed = needs_chassis(frame).then_some(fixed);
     quote!(#free.#name(#fixed))
 }
 
@@ -97,6 +101,6 @@ pub(super) fn bindings<'a>(
     let bodies = system.bodies.iter().filter(|body| !body.carried.is_empty());
     bodies.map(move |body| {
         let name = Name::made(format!("{}{suffix}", frame_name(&body.name)));
-        Binding::new(&name, among_free(system, &body.frame, free, fixed))
+        Binding::new(&name, frame_from_free(system, &body.frame, free, fixed))
     })
 }

@@ -24,7 +24,7 @@ pub(super) fn jacobian(system: &System) -> TokenStream {
         #(#rows)*
         rows.matrix()
     };
-    let body = with_points(system, body);
+    let body = bind_points(system, body);
     let [q, fixed] = parameters(system, &body);
     written_out(&quote! {
         fn jacobian(&self, #q, #fixed) -> SMatrix<T, #n, #n> {
@@ -58,7 +58,7 @@ pub(super) fn parameters(system: &System, body: &TokenStream) -> [TokenStream; 2
 }
 
 /// `body` after the free points and frames that it reads.
-pub(super) fn with_points(system: &System, body: TokenStream) -> TokenStream {
+pub(super) fn bind_points(system: &System, body: TokenStream) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let bindings = [Binding::free(free, "q")]
         .into_iter()

@@ -39,7 +39,7 @@ pub(super) fn kept_length(system: &System, ends: [&Site; 2]) -> TokenStream {
     let is_given = distance_between(&system.equations, &a.name, &b.name).is_some();
     match system.bodies.iter().find(lists) {
         Some(body) if !is_given && (a.is_free() || b.is_free()) => {
-            let [a, b] = ends.map(|end| at_rest(system, body, end));
+            let [a, b] = ends.map(|end| point_at_rest(system, body, end));
             quote!((#b - #a).norm())
         }
         _ => clusters::length(system, ends),
@@ -47,7 +47,7 @@ pub(super) fn kept_length(system: &System, ends: [&Site; 2]) -> TokenStream {
 }
 
 /// A point of a body at rest whose frame has the given lengths.
-fn at_rest(system: &System, body: &Body, site: &Site) -> TokenStream {
+fn point_at_rest(system: &System, body: &Body, site: &Site) -> TokenStream {
     let frame = frame_name(&body.name);
     let mut points = body.frame.iter();
     if let Some(index) = points.position(|point| point.name == site.name) {
@@ -57,7 +57,7 @@ fn at_rest(system: &System, body: &Body, site: &Site) -> TokenStream {
     let name = carried_name(&body.name, &site.name);
     let mut constants = form::constants(system, true);
     let carried = constants.find(|constant| *constant.name == name);
-    let carried = carried.map(|constant| constant.form.of_lengths(&name, system));
+    let carried = carried.map(|constant| constant.form.constant_from_lengths(&name, system));
     quote!(#carried.position(&#frame))
 }
 
@@ -73,11 +73,11 @@ pub(super) fn with_lengths(system: &System) -> TokenStream {
     let [stated, framed] = [false, true].map(|framed| {
         let constants = form::constants(system, framed);
         constants.map(|form::Constant { name, form, .. }| {
-            let value = form.of_lengths(name, system);
+            let value = form.constant_from_lengths(name, system);
             quote!(#name: #value)
         })
     });
-    let [cluster_frames, clustered] = clusters::of_lengths(system);
+    let [cluster_frames, clustered] = clusters::build_from_lengths(system);
     quote! {
         fn with_lengths(self, lengths: &Lengths<T>) -> Result<Self, GeometryError> {
             parts::positive(lengths.values())?;

@@ -9,7 +9,7 @@ use suspension_listing::name::Name;
 use suspension_listing::system::{AXES, Drive, Quantity, Term};
 
 /// The documentation of a field if the user gives none.
-pub(super) fn in_words(quantity: &Quantity) -> String {
+pub(super) fn describe(quantity: &Quantity) -> String {
     match quantity {
         Quantity::Sum(terms) => format!(" `{}`.", sum_in_words(terms)),
         Quantity::Angle {

@@ -47,7 +47,7 @@ fn terms(system: &System, motion: SiteMotion) -> TokenStream {
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let equations = system.equations.iter();
     let rows = equations
-        .filter_map(|equation| form::of(equation).input_rate(&equation.named.name, motion));
+        .filter_map(|equation| form::emitter(equation).input_rate(&equation.named.name, motion));
     let bindings = [Binding::free(free, "q")];
     let bindings = bindings
         .into_iter()

@@ -28,7 +28,7 @@ pub(super) fn points_impl(system: &System) -> TokenStream {
         ("markers", quote!([Vector3<T>; #count])),
     ];
     let parameters = parameters.map(|(name, kind)| parameter(name, &kind, &points));
-    let frames = frames::of_points(system);
+    let frames = frames::methods_of_points(system);
     quote! {
         impl<T: Scalar> Points<T> {
             #[inline(always)]
@@ -98,9 +98,9 @@ fn markers(system: &System, method: &str, fixed: &str, before: &[&str]) -> Token
         let name = &marker.named.name;
         let before = before.iter().map(|points| {
             let points = ident(points);
-            frames::among_points(system, &marker.frame, &quote!(#points))
+            frames::frame_from_points(system, &marker.frame, &quote!(#points))
         });
-        let last = frames::among_free(system, &marker.frame, &free, &fixed);
+        let last = frames::frame_from_free(system, &marker.frame, &free, &fixed);
         quote!(self.#name.#method(#(&#before,)* &#last))
     });
     quote!([#(#markers),*])

@@ -47,7 +47,7 @@ pub(super) struct ShortNames {
 }
 
 impl ShortNames {
-    pub(super) fn of(system: &System) -> Self {
+    pub(super) fn new(system: &System) -> Self {
         let equations = system.equations.iter();
         let equations: Vec<&Name> = equations.map(|equation| &equation.named.name).collect();
         let points = system.free.iter().map(|point| &point.named.name);

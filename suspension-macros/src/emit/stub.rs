@@ -1,4 +1,4 @@
-//! What stands in for a linkage whose listing has mistakes: the errors, beside the same types
+//! The stand-in for a linkage whose listing has mistakes: the errors, beside the same types
 //! and implementations without bodies, so that code which uses them raises no further errors.
 
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ pub(crate) fn stub(
         ..
     } = module;
     let errors = error.to_compile_error();
-    let types = all(module, system, names);
+    let types = types_without_bodies(module, system, names);
     let indices = indices::modules(system);
     let listing = gather::listing_of(system, &quote!(loop {}));
     let is_stated = build::positions(system).all(|(_, at)| at.is_some());
@@ -51,7 +51,7 @@ pub(crate) fn stub(
     }
 }
 
-fn all(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream {
+fn types_without_bodies(module: &Module, system: &System, names: &[(Name, Kind)]) -> TokenStream {
     let fixed = system.fixed.iter().map(|point| point.named.name.clone());
     let kinds = [Kind::CHASSIS_POINT, Kind::FREE_POINT, Kind::MARKER];
     let points = names.iter().filter(|(_, kind)| kinds.contains(kind));

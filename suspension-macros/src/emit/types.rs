@@ -13,7 +13,7 @@ use crate::module::Module;
 use suspension_listing::name::Name;
 use suspension_listing::system::{System, frame_name};
 
-pub(super) fn all(module: &Module, system: &System) -> TokenStream {
+pub(super) fn types(module: &Module, system: &System) -> TokenStream {
     let points = named(
         "Points",
         " Every point, with a position, velocity or acceleration each.",
@@ -93,8 +93,8 @@ pub(super) fn named(
 fn free(system: &System) -> TokenStream {
     let n = proc_macro2::Literal::usize_unsuffixed(system.size());
     let names: Vec<&Name> = system.free.iter().map(|point| &point.named.name).collect();
-    let frames = frames::of_free(system);
-    let columns = ShortNames::of(system).columns;
+    let frames = frames::methods_of_free(system);
+    let columns = ShortNames::new(system).columns;
     let points = names.iter().zip(columns.chunks(3));
     let points = points.map(|(name, coordinates)| quote!(#name: Vector3::new(#(#coordinates),*)));
     let short = columns.iter().skip(3 * names.len());

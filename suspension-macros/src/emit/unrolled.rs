@@ -21,7 +21,7 @@ impl<'a> Unrolled<'a> {
         Self {
             system,
             order,
-            names: ShortNames::of(system),
+            names: ShortNames::new(system),
             stored: stored(order),
         }
     }

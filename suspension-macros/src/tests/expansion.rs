@@ -4,7 +4,7 @@ use quote::{format_ident, quote};
 
 use suspension_listing::include::NoIncludes;
 
-use crate::expand::of_text;
+use crate::expand::expand_text;
 use crate::module::{self, Source};
 
 /// The expansion of a catalogue file.
@@ -22,7 +22,7 @@ fn expansion(name: &str) -> proc_macro2::TokenStream {
     );
     let file = format!("{folder}/{}", path.value());
     let text = std::fs::read_to_string(&file).unwrap_or_else(|e| panic!("{file}: {e}"));
-    of_text(&module, path, &text, &NoIncludes)
+    expand_text(&module, path, &text, &NoIncludes)
 }
 
 /// Compares the expansion of a catalogue file with its snapshot, or rewrites the snapshot.

@@ -31,7 +31,11 @@ pub(super) fn lower(
         drive,
         lines: [d, e, n],
     };
-    for (name, form) in equations.of_lines().into_iter().chain(equations.of_angle()) {
+    for (name, form) in equations
+        .line_equations()
+        .into_iter()
+        .chain(equations.angle_equations())
+    {
         let scalars = match &form {
             Form::Bilinear(form) => form.defines.iter().cloned().collect(),
             Form::Turn(form) => vec![form.sine.clone(), form.cosine.clone()],
@@ -98,7 +102,7 @@ impl Equations<'_> {
     }
 
     /// Products over `|n|` that define an unknown with the equation's name.
-    fn about(&self, part: &str, products: Vec<Multiplied>) -> Stated {
+    fn defined_about_axis(&self, part: &str, products: Vec<Multiplied>) -> Stated {
         let [.., n] = self.lines.clone();
         self.stated(part, 0.0, products, vec![n])
     }
@@ -121,7 +125,7 @@ impl Equations<'_> {
     }
 
     /// The equations for the position of the lines relative to each other.
-    fn of_lines(&self) -> Vec<Stated> {
+    fn line_equations(&self) -> Vec<Stated> {
         let normal = |axis: usize| {
             let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
             let product = |by, [of_n, of_d]: [usize; 2]| Multiplied {
@@ -129,7 +133,7 @@ impl Equations<'_> {
                 factors: [self.edge(N, of_n), self.edge(D, of_d)],
             };
             let products = vec![product(-1.0, [next, last]), product(1.0, [last, next])];
-            self.about(&format!("normal_{}", AXES[axis]), products)
+            self.defined_about_axis(&format!("normal_{}", AXES[axis]), products)
         };
         let mut along = self.dot(-1.0, D, E);
         along.push(Multiplied {
@@ -145,8 +149,8 @@ impl Equations<'_> {
         });
         let mut stated: Vec<Stated> = [0, 1, 2].map(normal).to_vec();
         stated.extend([
-            self.about("first_along", self.dot(-1.0, D, N)),
-            self.about("second_along", self.dot(-1.0, E, N)),
+            self.defined_about_axis("first_along", self.dot(-1.0, D, N)),
+            self.defined_about_axis("second_along", self.dot(-1.0, E, N)),
             self.defined("along", 0.0, along),
             self.defined("across", 0.0, across.collect()),
         ]);
@@ -154,7 +158,7 @@ impl Equations<'_> {
     }
 
     /// The equations for the angle, and for the lines at this angle.
-    fn of_angle(&self) -> Vec<Stated> {
+    fn angle_equations(&self) -> Vec<Stated> {
         let product = |by, factors: [&str; 2]| Multiplied {
             by,
             factors: factors.map(|part| self.unknown(part)),
@@ -215,7 +219,7 @@ pub(super) fn check(
         .then(|| errors::distance_not_constant(from, to, "the axis of an angle"))
 }
 
-pub(super) fn about_no_axis(drive: &Ident) -> Error {
+pub(super) fn missing_axis(drive: &Ident) -> Error {
     errors::at(
         drive,
         "a driven angle between two lines needs the line about which it turns; \

@@ -12,7 +12,7 @@ use crate::vector::dot;
 
 pub(super) fn quantity(input: ParseStream<'_>) -> syn::Result<Quantity> {
     match function(input)? {
-        None if input.peek(Ident) && input.peek2(Ident) => along(input),
+        None if input.peek(Ident) && input.peek2(Ident) => parse_along(input),
         None if input.peek(Ident) && input.peek2(Token![->]) => Err(bare_line(&arrow(input)?)),
         None => Ok(Quantity::Sum(input.parse()?)),
         Some(function) if function == "angle" => operands(input, angle),
@@ -54,7 +54,7 @@ fn angle(content: ParseStream<'_>) -> syn::Result<Quantity> {
 }
 
 /// `point along [x, y, z]`.
-fn along(input: ParseStream<'_>) -> syn::Result<Quantity> {
+fn parse_along(input: ParseStream<'_>) -> syn::Result<Quantity> {
     let (point, word) = (name(input)?, input.parse::<Ident>()?);
     if word != "along" {
         return Err(not_along(&word));

@@ -25,7 +25,7 @@ impl Emit for Along {
         true
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let from = &self.from.name;
         let ends: Vec<&Name> = self.ends.iter().map(|end| &end.name).collect();
         let last = ends.last().map(|last| point_index(system, last));
@@ -36,7 +36,7 @@ impl Emit for Along {
     }
 
     /// For a plane the lengths are only units of the distances.
-    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, system: &System) -> TokenStream {
         let [to] = self.ends.as_slice() else {
             return quote!(self.#name);
         };

@@ -18,7 +18,7 @@ impl Emit for Bilinear {
         Some(quote!(Bilinear))
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let index = end(self, system);
         let lines = self.length.iter().map(|[from, to]| {
             let (from, to) = (&from.name, &to.name);
@@ -27,7 +27,7 @@ impl Emit for Bilinear {
         quote!(parts::bilinear(#index, [#(#lines),*])?)
     }
 
-    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, system: &System) -> TokenStream {
         match self.length.as_slice() {
             [[from, to]] => {
                 let (index, length) = (end(self, system), kept_length(system, [from, to]));
@@ -40,14 +40,14 @@ impl Emit for Bilinear {
     fn scalars(&self, name: &Name, place: &dyn Fn(&Site) -> TokenStream) -> Option<TokenStream> {
         let defined = self.defines.as_ref()?;
         let products = products(self, &|factor| value(factor, place));
-        let constant = beside(self, name).unwrap_or_else(|| quote!(T::zero()));
+        let constant = constant_term(self, name).unwrap_or_else(|| quote!(T::zero()));
         Some(quote!(free.#defined = -self.#name.residual(#constant, [#(#products),*]);))
     }
 
     fn residual(&self, name: &Name) -> TokenStream {
         let products = products(self, &|factor| value_in(factor, "free", "fixed"));
         let defined = self.defines.iter().map(|defined| quote!(free.#defined));
-        let linear = defined.chain(beside(self, name));
+        let linear = defined.chain(constant_term(self, name));
         let linear = linear.reduce(|sum, term| quote!(#sum + #term));
         let linear = linear.unwrap_or_else(|| quote!(T::zero()));
         assign(
@@ -131,7 +131,7 @@ fn end(form: &Bilinear, system: &System) -> TokenStream {
 }
 
 /// The constant beside the products.
-fn beside(form: &Bilinear, name: &Name) -> Option<TokenStream> {
+fn constant_term(form: &Bilinear, name: &Name) -> Option<TokenStream> {
     let of_length = |size: f64| match size {
         1.0 => quote!(self.#name.length()),
         -1.0 => quote!(-self.#name.length()),

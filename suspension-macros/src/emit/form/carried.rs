@@ -22,13 +22,13 @@ impl Emit for Carried {
         true
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let (point, frame) = (&self.point.name, frame_name(&self.body));
         let index = point_index(system, point);
         quote!(parts::carried(#index, at.#point, &#frame)?)
     }
 
-    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, system: &System) -> TokenStream {
         let (point, frame) = (&self.point.name, frame_name(&self.body));
         let index = point_index(system, point);
         let of_frame = self.frame.iter();

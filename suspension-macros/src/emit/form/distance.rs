@@ -21,13 +21,13 @@ impl Emit for Distance {
         true
     }
 
-    fn of_points(&self, name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, name: &Name, system: &System) -> TokenStream {
         let (from, to) = (&self.from.name, &self.to.name);
         let index = length_index(system, name);
         quote!(parts::distance(#index, at.#from, at.#to)?)
     }
 
-    fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(Distance::new(lengths.#name))
     }
 

@@ -16,7 +16,7 @@ impl Emit for Linear {
         matches!(self.prescribed, Prescribed::Design).then(|| quote!(Held))
     }
 
-    fn of_points(&self, _name: &Name, _system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, _system: &System) -> TokenStream {
         let terms = coordinates(self, |site| {
             let name = &site.name;
             quote!(at.#name)
@@ -26,7 +26,7 @@ impl Emit for Linear {
     }
 
     /// Lengths do not determine where points are.
-    fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }
 

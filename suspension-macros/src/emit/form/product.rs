@@ -18,7 +18,7 @@ impl Emit for Product {
         Some(quote!(Product))
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let [_, [_, end]] = &self.lines;
         let index = point_index(system, &end.name);
         let lines = self.lines.each_ref().map(|[from, to]| {
@@ -28,7 +28,7 @@ impl Emit for Product {
         quote!(parts::product(#index, [#(#lines),*])?)
     }
 
-    fn of_lengths(&self, name: &Name, system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, system: &System) -> TokenStream {
         let [_, [_, end]] = &self.lines;
         let index = point_index(system, &end.name);
         let lengths = self.lines.each_ref();

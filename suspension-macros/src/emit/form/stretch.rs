@@ -21,14 +21,14 @@ impl Emit for Stretch {
         true
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let (from, to) = (&self.from.name, &self.to.name);
         let index = point_index(system, to);
         quote!(parts::stretch(#index, (at.#to - at.#from).norm())?)
     }
 
     /// A driven length is not among the given lengths.
-    fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }
 

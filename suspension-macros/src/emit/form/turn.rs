@@ -17,7 +17,7 @@ impl Emit for Turn {
         Some(quote!(Turn))
     }
 
-    fn of_points(&self, _name: &Name, system: &System) -> TokenStream {
+    fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let [.., [_, end]] = &self.lines;
         let index = point_index(system, &end.name);
         let lines = self.lines.each_ref().map(|[from, to]| {
@@ -28,7 +28,7 @@ impl Emit for Turn {
     }
 
     /// Lengths do not determine the angle.
-    fn of_lengths(&self, name: &Name, _system: &System) -> TokenStream {
+    fn constant_from_lengths(&self, name: &Name, _system: &System) -> TokenStream {
         quote!(self.#name)
     }
 
