@@ -68,7 +68,7 @@ impl<'l> Structure<'l> {
     /// bear.
     pub fn new(listing: &'l Listing) -> Self {
         let actuators: Vec<Statement<'l>> = listing.actuators().collect();
-        let of_actuators = actuators.iter().map(PartForces::of_own);
+        let of_actuators = actuators.iter().map(PartForces::from_statement);
         let statements: Vec<Statement<'l>> = listing.parts().collect();
         let chassis = listing.count(listing::Kind::ChassisPoint);
         Self {
@@ -181,7 +181,7 @@ impl<'l> Structure<'l> {
         at: &[Vector3<f64>],
     ) {
         let (statement, forces) = (&self.statements[number], &self.part_forces[number]);
-        if forces.are_of_others() {
+        if forces.all_on_others() {
             return;
         }
         let (moments, own): (Vec<&Force>, Vec<_>) =

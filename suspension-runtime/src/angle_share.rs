@@ -1,8 +1,8 @@
 //! Moments about angles: the parts on which they act, and their forces.
 //!
-//! What drives, holds or measures an angle acts with a moment on the parts that carry the angle's lines. The angle's equations,
-//! or its derivatives, have forces at the lines' ends in its place: these count as forces on the parts, which pass them on to
-//! their joints.
+//! A statement that drives, holds or measures an angle acts with a moment on the parts that carry the angle's lines. The
+//! angle's equations, or its derivatives, have forces at the lines' ends in its place: these count as forces on the parts,
+//! which pass them on to their joints.
 
 use nalgebra::Vector3;
 use suspension_listing::Kind;
@@ -189,7 +189,7 @@ impl Listing {
         let [fixed, moving]: [Vec<_>; 2] =
             [true, false].map(|of| lines.iter().filter(|line| is_fixed(line) == of).collect());
         let of_parts: Vec<(usize, Line)> = moving.into_iter().filter_map(of_part).collect();
-        // What the chassis bears at an end that a line and the axis share is not left for the axis.
+        // The axis does not bear again the force that the chassis bears at an end shared by a line and the axis.
         let of_chassis = fixed.into_iter();
         let of_chassis = of_chassis.filter_map(|ends| line(ends, None));
         let of_all: Vec<Line> = of_parts

@@ -17,14 +17,14 @@ impl<'l, T: Real, const N: usize> Model<'l, T, N>
 where
     Room<N>: Size,
 {
-    pub(crate) fn of(
+    pub(crate) fn build(
         listing: Fitted<'l, N>,
         design: &Points<Vector3<T>, N>,
     ) -> Result<Self, GeometryError> {
         let plan = listing.plan();
         let chassis = design.as_slice().iter().take(plan.chassis.into());
         let fixed = Few::<_, N>::from_values(chassis.copied());
-        let model = Self::of_chassis(listing, fixed);
+        let model = Self::with_chassis(listing, fixed);
         parts::finite(model.points_of(design))?;
         let frames = model.frames_at(design)?;
         let cluster_frames = model.cluster_frames_at(design)?;

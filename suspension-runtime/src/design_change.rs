@@ -1,4 +1,4 @@
-//! What a change of hardpoints, then of lengths, does to a model's equations.
+//! The effect of a change of hardpoints, then of lengths, on a model's equations.
 //!
 //! A model made anew of moved hardpoints has its points where they were moved to: all constants change so that the equations
 //! stay met. Derivatives with respect to the drives change with the curvature of the equations, and with those constants that
@@ -92,7 +92,7 @@ where
     Room<N>: Size,
 {
     /// The unknowns alone; chassis points are zero.
-    pub fn of_free(free: SVector<T, N>) -> Self {
+    pub fn from_free(free: SVector<T, N>) -> Self {
         Self {
             free,
             chassis: Default::default(),
@@ -191,7 +191,7 @@ where
             let constant = model.scales.get(bilinear.constant);
             bilinear.curvature(&constant, [&at, &moved], rows);
             if let Some(off) = rows.get_mut(usize::from(bilinear.row)) {
-                *off += self.of_scale(bilinear, &at).unwrap_or_else(T::zero);
+                *off += self.scale_term(bilinear, &at).unwrap_or_else(T::zero);
             }
         }
         result
@@ -226,7 +226,7 @@ where
     fn moved(&self, points: &[(usize, Vector3<T>)]) -> Unknowns<T, N> {
         let plan = self.plan();
         let [chassis, free] = [plan.chassis, plan.free].map(usize::from);
-        let mut moved = Unknowns::of_free(SVector::from([T::zero(); N]));
+        let mut moved = Unknowns::from_free(SVector::from([T::zero(); N]));
         for (point, by) in points {
             if *point < chassis {
                 *moved.chassis.place(index(*point)) += by;

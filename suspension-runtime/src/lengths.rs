@@ -69,7 +69,7 @@ where
         [first, second, third]: [Option<u16>; 3],
     ) -> Result<Frame<T>, GeometryError> {
         let edges = [(first, [a, b]), (second, [a, c]), (third, [b, c])];
-        let edges = edges.map(|(length, ends)| self.given(lengths, length, ends));
+        let edges = edges.map(|(length, ends)| self.given_length(lengths, length, ends));
         parts::frame_of_lengths(self.point(c).into(), edges)
     }
 
@@ -133,7 +133,7 @@ where
         (length, ends): (LineLength, [Site; 2]),
     ) -> T {
         match length {
-            LineLength::Given(length) => self.given(lengths, length, ends),
+            LineLength::Given(length) => self.given_length(lengths, length, ends),
             LineLength::Body { body, ends } => {
                 let frame = frames.get(body);
                 let [from, to] = ends.map(|end| match end {
@@ -180,14 +180,14 @@ where
             let [a, b, c] = corners;
             let [first, second, third] = point.reaches;
             let reaches = [(first, a), (second, b), (third, c)];
-            let reaches =
-                reaches.map(|(length, corner)| self.given(lengths, length, [point.site, corner]));
+            let reaches = reaches
+                .map(|(length, corner)| self.given_length(lengths, length, [point.site, corner]));
             parts::linked_at(point.point.into(), now, frame, reaches)
         }))
     }
 
     /// The given length between two points or, if both are on the chassis, their present distance.
-    fn given(&self, lengths: &Lengths<T, N>, length: Option<u16>, [a, b]: [Site; 2]) -> T {
+    fn given_length(&self, lengths: &Lengths<T, N>, length: Option<u16>, [a, b]: [Site; 2]) -> T {
         let at_rest = |site| match site {
             Site::Chassis(point) => self.fixed.get(point),
             Site::Free(_) => Vector3::zeros(),

@@ -202,7 +202,7 @@ where
     type Lengths = Lengths<T, N>;
 
     fn of(listing: Fitted<'l, N>, design: &Self::Points) -> Result<Self, GeometryError> {
-        Self::of(listing, design)
+        Self::build(listing, design)
     }
 
     fn check_pivots(&self, points: &Self::Points) -> Result<(), GeometryError> {

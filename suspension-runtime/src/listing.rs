@@ -205,7 +205,7 @@ fn place(names: &[String], name: &str) -> Option<usize> {
 
 impl Parts for Listing {
     fn name(&self, part: Part) -> &str {
-        self.names.of(part)
+        self.names.name(part)
     }
 
     fn count(&self, kind: Kind) -> usize {

@@ -35,7 +35,7 @@ macro_rules! model {
             Room<N>: Size,
         {
             /// A model whose constants are yet to be found.
-            pub(crate) fn of_chassis(listing: Fitted<'l, N>, fixed: Few<Vector3<T>, N>) -> Self {
+            pub(crate) fn with_chassis(listing: Fitted<'l, N>, fixed: Few<Vector3<T>, N>) -> Self {
                 Self { listing, fixed, size: T::zero(), $($table: Default::default(),)* }
             }
 

@@ -33,7 +33,7 @@ impl Names {
     }
 
     /// The name of a part; `?` if there is none.
-    pub(crate) fn of(&self, part: Part) -> &str {
+    pub(crate) fn name(&self, part: Part) -> &str {
         let table = match part {
             Part::Equation(_) => &self.equations,
             Part::Unknown(_) => &self.unknowns,

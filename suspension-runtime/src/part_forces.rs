@@ -34,7 +34,7 @@ pub struct PartForces {
 
 impl PartForces {
     /// The forces of the equations of a statement alone.
-    pub fn of_own(statement: &Statement<'_>) -> Self {
+    pub fn from_statement(statement: &Statement<'_>) -> Self {
         Self {
             equations: statement.equations.clone(),
             moments: Vec::new(),
@@ -47,19 +47,19 @@ impl PartForces {
     }
 
     /// Whether the part is a held angle whose lines are both carried by other parts: all its forces are theirs.
-    pub fn are_of_others(&self) -> bool {
+    pub fn all_on_others(&self) -> bool {
         let shares = self.moments.iter().filter(|moment| !moment.acts);
         shares.filter(|moment| moment.share.is_of_line()).count() == LINES_OF_AN_ANGLE
     }
 
     /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads,
     /// for the positions `at` of the points.
-    pub fn under<L: Linkage<N, Scalar = f64>, const N: usize>(
+    pub fn forces_under<L: Linkage<N, Scalar = f64>, const N: usize>(
         &self,
         loads: &Loads<'_, L, N>,
         at: &L::Points,
     ) -> L::Points {
-        let mut forces = by(loads, &self.equations);
+        let mut forces = forces_of_equations(loads, &self.equations);
         for moment in &self.moments {
             for (point, force) in moment.forces(loads, at) {
                 let force = if moment.acts { force } else { -force };
@@ -97,14 +97,14 @@ impl Moment {
         loads: &Loads<'_, L, N>,
         at: &L::Points,
     ) -> impl Iterator<Item = (usize, Vector3<f64>)> {
-        let of_angle = by(loads, &self.equations);
+        let of_angle = forces_of_equations(loads, &self.equations);
         let force = move |point| nth(&of_angle, point);
         self.share.forces(force, |point| nth(at, point))
     }
 }
 
 /// The forces that equations exert on all points.
-fn by<L: Linkage<N, Scalar = f64>, const N: usize>(
+fn forces_of_equations<L: Linkage<N, Scalar = f64>, const N: usize>(
     loads: &Loads<'_, L, N>,
     equations: &[Range<usize>],
 ) -> L::Points {
@@ -123,7 +123,7 @@ impl Listing {
     /// The contributions to the forces of each of [`parts`](Self::parts).
     pub fn part_forces(&self) -> Vec<PartForces> {
         let parts: Vec<_> = self.parts().collect();
-        let mut forces: Vec<PartForces> = parts.iter().map(PartForces::of_own).collect();
+        let mut forces: Vec<PartForces> = parts.iter().map(PartForces::from_statement).collect();
         for statement in self.statements() {
             let itself = parts.iter().position(|part| part.name == statement.name);
             for share in self.shares_in(&statement, &parts) {

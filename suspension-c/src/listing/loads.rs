@@ -79,7 +79,7 @@ where
     let each = wanted.reactions.len() / structure.parts.len().max(1);
     let rows = wanted.reactions.chunks_exact_mut(each.max(1));
     for (row, part) in rows.zip(&structure.parts) {
-        let forces = part.forces.under(&loads, &at);
+        let forces = part.forces.forces_under(&loads, &at);
         write(forces.values().flat_map(<[f64; 3]>::from), row);
     }
     Ok(())
@@ -137,7 +137,7 @@ impl Part {
         let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
         self.ends.map_or(0.0, |[from, to]| {
             let along = (of(at, to) - of(at, from)).normalize();
-            of(&self.forces.under(loads, at), from).dot(&along)
+            of(&self.forces.forces_under(loads, at), from).dot(&along)
         })
     }
 }

@@ -153,7 +153,7 @@ where
         };
         let others = self.drives.iter();
         let mixed = others.map(|other| -self.solved(&bent(other)));
-        let mut seconds: Vec<_> = mixed.map(Unknowns::of_free).collect();
+        let mut seconds: Vec<_> = mixed.map(Unknowns::from_free).collect();
         let terms = terms(&fixed.second_rate, &drives.second_rate) - bent(&first);
         seconds.push(Unknowns {
             free: self.solved(&terms),
@@ -235,8 +235,10 @@ where
         }
         let firsts: Vec<Unknowns<f64, N>> = (0..)
             .zip(&self.drives)
-            .map(|(drive, unknowns)| self.solved(&change.of_first(&moved, drive, unknowns)))
-            .map(Unknowns::of_free)
+            .map(|(drive, unknowns)| {
+                self.solved(&change.first_right_hand_side(&moved, drive, unknowns))
+            })
+            .map(Unknowns::from_free)
             .collect();
         let per_drive = (0..).zip(self.drives.iter().zip(&firsts));
         let along: Vec<AlongDrive<'_, f64, N>> = per_drive
@@ -257,8 +259,8 @@ where
         for (index, other) in along.iter().enumerate() {
             for (one, both) in along.iter().take(index + 1).zip(&mut seconds) {
                 let pair = [one, other];
-                let changed = self.solved(&change.of_second(&moved, pair, both));
-                let changed = Unknowns::of_free(changed);
+                let changed = self.solved(&change.second_right_hand_side(&moved, pair, both));
+                let changed = Unknowns::from_free(changed);
                 points.extend(change.second(&moved, pair, [both, &changed]));
             }
         }

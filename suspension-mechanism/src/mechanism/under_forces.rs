@@ -44,7 +44,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
         let by = |part: &PartForces, loads: &Loads<'_, L, N>| {
-            let forces = part.under(loads, &at);
+            let forces = part.forces_under(loads, &at);
             forces.values().take(self.names.points.len()).collect()
         };
         let metre = self.unit.metre();

@@ -31,20 +31,20 @@ where
 {
     /// The right-hand side `J x`, where `x` is the change of the unknowns' derivative with respect to a drive and the
     /// change of the design moves the unknowns by `moved`.
-    pub fn of_first(
+    pub fn first_right_hand_side(
         &self,
         moved: &Unknowns<T, N>,
         drive: u16,
         unknowns: &Unknowns<T, N>,
     ) -> SVector<T, N> {
         let mut terms = -curvature(self.given.start.model, moved, unknowns);
-        self.add_of_constants(&mut terms, unknowns, None);
-        self.add_of_drive(&mut terms, drive, &self.coordinates.rate);
+        self.add_constants(&mut terms, unknowns, None);
+        self.add_drive(&mut terms, drive, &self.coordinates.rate);
         terms
     }
 
     /// The same for the second derivative `both` with respect to two drives, or twice to the same one.
-    pub fn of_second(
+    pub fn second_right_hand_side(
         &self,
         moved: &Unknowns<T, N>,
         [one, other]: [&AlongDrive<'_, T, N>; 2],
@@ -55,11 +55,11 @@ where
         let bent = curvature(model, one.changed, other.unknowns);
         if one.drive == other.drive {
             terms -= bent + bent;
-            self.add_of_drive(&mut terms, one.drive, &self.coordinates.second_rate);
+            self.add_drive(&mut terms, one.drive, &self.coordinates.second_rate);
         } else {
             terms -= bent + curvature(model, other.changed, one.unknowns);
         }
-        self.add_of_constants(&mut terms, both, Some([one.unknowns, other.unknowns]));
+        self.add_constants(&mut terms, both, Some([one.unknowns, other.unknowns]));
         terms
     }
 
@@ -124,7 +124,7 @@ where
 
     /// Adds the contribution of the constants' derivatives along a derivative of the unknowns; for a second
     /// derivative it takes both first ones too.
-    fn add_of_constants(
+    fn add_constants(
         &self,
         terms: &mut SVector<T, N>,
         along: &Unknowns<T, N>,
@@ -150,7 +150,7 @@ where
             }
         }
         for bilinear in plan.forms.bilinear.iter() {
-            if let Some(by) = self.of_scale(bilinear, &along) {
+            if let Some(by) = self.scale_term(bilinear, &along) {
                 add(terms, bilinear.row, -by);
             }
         }
@@ -158,7 +158,7 @@ where
 
     /// The contribution of the length by which a sum of products is divided: since the equation is met, the sum
     /// divided by the length is what it defines, with the opposite sign.
-    pub(super) fn of_scale(
+    pub(super) fn scale_term(
         &self,
         bilinear: &Bilinear,
         along: &Sites<'_, T, Few<Vector3<T>, N>>,
@@ -167,7 +167,7 @@ where
     }
 
     /// Adds the contribution of a drive whose coordinate changes.
-    fn add_of_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
+    fn add_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
         for linear in self.given.start.model.forms().linear.iter() {
             if let Prescribed::Drive(of) = linear.prescribed
                 && of == drive

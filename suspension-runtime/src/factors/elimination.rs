@@ -7,7 +7,7 @@ use crate::plan::Step;
 use crate::size::{Room, Size};
 use crate::table::Table;
 
-/// What remains for the steps to do.
+/// The remaining lists of the steps.
 struct Ahead<'a> {
     uppers: &'a [u16],
     multipliers: &'a [u16],

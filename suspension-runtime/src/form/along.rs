@@ -51,7 +51,7 @@ impl<const K: usize> Along<K> {
             from,
             ends,
             distances: columns.map(|column| column.map_or(SPARE, index)),
-            length: place.lengths.of_line([&form.from, form.ends.first()?]),
+            length: place.lengths.line_length([&form.from, form.ends.first()?]),
             entries,
         })
     }

@@ -109,7 +109,7 @@ fn multiple<T: Scalar>(by: f64, number: T) -> T {
 impl Scale {
     pub(super) fn new(form: &form::Bilinear, place: &Place<'_>) -> Self {
         let kept = match form.length.as_slice() {
-            [line] => Some(place.lengths.of_line(line.each_ref())),
+            [line] => Some(place.lengths.line_length(line.each_ref())),
             _ => None,
         };
         let lines = form.length.iter();
@@ -182,7 +182,7 @@ impl Bilinear {
     }
 
     #[inline(always)]
-    fn beside<T: Scalar>(&self, constant: &constraint::Bilinear<T>) -> Option<T> {
+    fn constant_term<T: Scalar>(&self, constant: &constraint::Bilinear<T>) -> Option<T> {
         (self.beside != 0.0).then(|| multiple(self.beside, constant.length()))
     }
 }
@@ -193,7 +193,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Bilinear {
     #[inline(always)]
     fn residual(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
         let defined = self.unknown().and_then(|unknown| at.scalar(unknown));
-        let linear = defined.into_iter().chain(self.beside(constant));
+        let linear = defined.into_iter().chain(self.constant_term(constant));
         let linear = linear.reduce(|sum, term| sum + term);
         let linear = linear.unwrap_or_else(T::zero);
         put(rows, self.row, constant.residual(linear, self.factors(at)));
@@ -231,7 +231,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Bilinear {
     }
 
     fn put_scalars(&self, constant: &Self::Constant, q: &mut [T], fixed: &F) {
-        let beside = self.beside(constant).unwrap_or_else(T::zero);
+        let beside = self.constant_term(constant).unwrap_or_else(T::zero);
         let defined = -constant.residual(beside, self.factors(&Sites::new(q, fixed)));
         if let Some(unknown) = self.unknown() {
             put(q, unknown, defined);

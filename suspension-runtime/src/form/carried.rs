@@ -40,7 +40,7 @@ impl Body {
     pub(crate) fn new(body: &system::Body, lengths: &LengthNames<'_>) -> Self {
         Self {
             frame: body.frame.each_ref().map(Site::from),
-            edges: (body.frame_pairs()).map(|ends| lengths.of_body(&body.name, ends)),
+            edges: (body.frame_pairs()).map(|ends| lengths.body_length(&body.name, ends)),
             carried: Vec::new(),
         }
     }
@@ -69,7 +69,7 @@ impl Body {
 
     /// The carried points, each with its constant.
     #[inline(always)]
-    fn with_constants<'a, C>(
+    fn carried_with_constants<'a, C>(
         &'a self,
         constants: &'a [C],
     ) -> impl Iterator<Item = (&'a Carried, &'a C)> {
@@ -133,7 +133,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Body {
         let Some(frame) = self.frame(at) else {
             return;
         };
-        for (carried, constant) in self.with_constants(constants) {
+        for (carried, constant) in self.carried_with_constants(constants) {
             if let Some(point) = at.get(carried.point) {
                 put_three(rows, carried.row, constant.residual(point, &frame));
             }
@@ -145,7 +145,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Body {
         let Some(frame) = self.frame(at) else {
             return;
         };
-        for (carried, constant) in self.with_constants(constants) {
+        for (carried, constant) in self.carried_with_constants(constants) {
             carried.gradient(constant, &frame, to);
         }
     }
@@ -155,7 +155,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Body {
         let (Some(v), Some(w)) = (self.frame(v), self.frame(w)) else {
             return;
         };
-        for (carried, constant) in self.with_constants(constants) {
+        for (carried, constant) in self.carried_with_constants(constants) {
             put_three(rows, carried.row, constant.curvature(&v, &w));
         }
     }
@@ -166,7 +166,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Body {
             return;
         };
         let rates = self.frame.map(|site| inputs.rate(site));
-        for (carried, constant) in self.with_constants(constants) {
+        for (carried, constant) in self.carried_with_constants(constants) {
             let gradient = constant.gradient(&frame);
             let blocks = [gradient.origin, gradient.second, gradient.third];
             let terms = blocks.into_iter().zip(rates);

@@ -24,7 +24,7 @@ pub(crate) struct Linear {
     by_scalar: u16,
 }
 
-/// What prescribes the value of a sum.
+/// The source of the value of a sum.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Prescribed {
     Drive(u16),

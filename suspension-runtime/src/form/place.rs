@@ -24,7 +24,7 @@ impl Place<'_> {
     }
 
     /// The places of the derivatives with respect to the coordinates of a site.
-    pub(super) fn by_site(&self, row: usize, site: Site) -> [u16; 3] {
+    pub(super) fn site_entries(&self, row: usize, site: Site) -> [u16; 3] {
         [0, 1, 2].map(|axis| self.entry(row, site.column(axis)))
     }
 }

@@ -29,8 +29,8 @@ impl Product {
         Self {
             row: index(place.row),
             lines: sites,
-            lengths: lines.map(|line| place.lengths.of_line(line)),
-            entries: sites.map(|line| line.map(|site| place.by_site(0, site))),
+            lengths: lines.map(|line| place.lengths.line_length(line)),
+            entries: sites.map(|line| line.map(|site| place.site_entries(0, site))),
         }
     }
 
@@ -49,7 +49,7 @@ impl Product {
 
     /// The derivatives with respect to each of the lines.
     #[inline(always)]
-    fn by_lines<T: Scalar>(
+    fn gradients_by_line<T: Scalar>(
         &self,
         constant: &constraint::Product<T>,
         sites: &Sites<'_, T, impl Table<Vector3<T>>>,
@@ -71,7 +71,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Product {
 
     #[inline(always)]
     fn gradient(&self, constant: &Self::Constant, at: &Sites<'_, T, F>, to: &mut impl Entries<T>) {
-        let by_lines = self.by_lines(constant, at).into_iter().flatten();
+        let by_lines = self.gradients_by_line(constant, at).into_iter().flatten();
         for ([by_from, by_to], by_line) in self.entries.into_iter().zip(by_lines) {
             put_vector(by_from, -by_line, to);
             put_vector(by_to, by_line, to);
@@ -87,7 +87,10 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Product {
 
     #[inline(never)]
     fn input_rate(&self, constant: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
-        let by_lines = self.by_lines(constant, &inputs.at).into_iter().flatten();
+        let by_lines = self
+            .gradients_by_line(constant, &inputs.at)
+            .into_iter()
+            .flatten();
         let terms = self.lines.iter().zip(by_lines).flat_map(|(line, by_line)| {
             let signed = line.iter().zip([T::one(), -T::one()]);
             signed.filter_map(move |(site, sign)| Some(sign * dot(by_line, inputs.rate(*site)?)))

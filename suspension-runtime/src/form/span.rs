@@ -26,7 +26,7 @@ impl Span {
             row: index(place.row),
             from,
             to,
-            entries: [to, from].map(|site| place.by_site(0, site)),
+            entries: [to, from].map(|site| place.site_entries(0, site)),
         }
     }
 

@@ -31,11 +31,11 @@ pub(super) fn clusters(system: &System, lengths: &LengthNames<'_>) -> Vec<Cluste
         let clustered = |site: &system::Site| Clustered {
             site: Site::from(site),
             point: point(system, &site.name),
-            reaches: (cluster.frame.each_ref()).map(|corner| lengths.between([site, corner])),
+            reaches: (cluster.frame.each_ref()).map(|corner| lengths.kept_length([site, corner])),
         };
         Cluster {
             frame: cluster.frame.each_ref().map(Site::from),
-            edges: cluster.frame_pairs().map(|ends| lengths.between(ends)),
+            edges: cluster.frame_pairs().map(|ends| lengths.kept_length(ends)),
             points: cluster.carried.iter().map(clustered).collect(),
         }
     };

@@ -61,22 +61,22 @@ impl<'a> LengthNames<'a> {
     }
 
     /// The index of the length between two points of a body; `None` if both are on the chassis.
-    pub(crate) fn of_body(&self, body: &Name, ends: [&system::Site; 2]) -> Option<u16> {
+    pub(crate) fn body_length(&self, body: &Name, ends: [&system::Site; 2]) -> Option<u16> {
         let [a, b] = ends;
         let is_kept = a.is_free() || b.is_free();
         is_kept.then(|| self.place(&pair_name(body, &a.name, &b.name)))
     }
 
     /// The index of the length that an equation keeps between two points.
-    pub(super) fn between(&self, [a, b]: [&system::Site; 2]) -> Option<u16> {
+    pub(super) fn kept_length(&self, [a, b]: [&system::Site; 2]) -> Option<u16> {
         let name = distance_between(&self.system.equations, &a.name, &b.name)?;
         Some(self.place(name))
     }
 
     /// The part that keeps the length between two points that nothing moves relative to each other.
-    pub(crate) fn of_line(&self, ends: [&system::Site; 2]) -> LineLength {
+    pub(crate) fn line_length(&self, ends: [&system::Site; 2]) -> LineLength {
         let [a, b] = ends;
-        let given = self.between(ends);
+        let given = self.kept_length(ends);
         if given.is_some() || !(a.is_free() || b.is_free()) {
             return LineLength::Given(given);
         }
