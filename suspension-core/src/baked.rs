@@ -81,7 +81,7 @@ pub struct Outside<T> {
 impl<T: Real> Outside<T> {
     /// `None` if a drive is inside its range.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of(drive: T, [first, last]: [T; 2]) -> Option<Self> {
+    fn check(drive: T, [first, last]: [T; 2]) -> Option<Self> {
         let nearest = if drive > last { last } else { first };
         let inside = first <= drive && drive <= last;
         (!inside).then_some(Self { drive, nearest })
@@ -120,7 +120,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Curve<'a, T, OUT, TERMS
         let [first, _] = self.range;
         let last_segment = self.segments.len().wrapping_sub(1);
         let (index, variable) = ((drive - first) * self.segments_per_unit).split(last_segment);
-        match (self.segments.get(index), Outside::of(drive, self.range)) {
+        match (self.segments.get(index), Outside::check(drive, self.range)) {
             (Some(segment), None) => Ok(Place {
                 segment,
                 variable,

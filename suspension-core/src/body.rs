@@ -69,11 +69,11 @@ pub fn angular_acceleration<T: Real>(
     omega: &Vector3<T>,
     accelerations: &Triple<T>,
 ) -> Option<Vector3<T>> {
-    fit_rotation(at, &without_centripetal(at, omega, accelerations))
+    fit_rotation(at, &subtract_centripetal(at, omega, accelerations))
 }
 
 /// Accelerations minus `omega x (omega x r)`, with `r` from the first point: Attia 2003, below eq. (10).
-fn without_centripetal<T: Real>(
+fn subtract_centripetal<T: Real>(
     at: &Triple<T>,
     omega: &Vector3<T>,
     accelerations: &Triple<T>,
@@ -141,7 +141,7 @@ pub fn angular_acceleration_eq10<T: Real>(
     omega: &Vector3<T>,
     accelerations: &Triple<T>,
 ) -> Result<Vector3<T>, Indeterminate<T>> {
-    quotient(at, &without_centripetal(at, omega, accelerations))
+    quotient(at, &subtract_centripetal(at, omega, accelerations))
 }
 
 /// The vector `w` with `w x a = a'` and `w x b = b'` for the edges `a`, `b` and their `rates`: `(a' x b') / (a' .

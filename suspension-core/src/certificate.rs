@@ -116,7 +116,7 @@ where
         let anywhere = Values::from_values(core::iter::repeat(Vector3::repeat(number)));
         // The Jacobian is affine in the positions, so an entry that is exactly zero or one here is so at all
         // positions.
-        let columns = Columns::of(&enclosing.jacobian(&any, &anywhere));
+        let columns = Columns::new(&enclosing.jacobian(&any, &anywhere));
         let [curvatures] = enclosing.curvature(&any, &at_rest, &any, &at_rest).data.0;
         Self {
             linkage: *linkage,
@@ -192,7 +192,7 @@ where
                     coordinate.widened(self.linkage.size() * T::constant(FORMULA_ERROR))
                 }
                 DriveKind::Turn if is_covered => {
-                    let length = Chart::of(&self.linkage, index).largest();
+                    let length = Chart::new(&self.linkage, index).largest();
                     let length = length.unwrap_or_else(T::zero);
                     coordinate.widened(length * T::constant(FORMULA_ERROR))
                 }

@@ -230,6 +230,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Directions<'_, L, N> {
             *first = change;
         }
         let inputs = InputSeries::still(drives);
-        Series::of(self.linkage, &inputs, self.position, self.factors).map(|series| series.unknowns)
+        Series::from_factors(self.linkage, &inputs, self.position, self.factors)
+            .map(|series| series.unknowns)
     }
 }

@@ -52,7 +52,7 @@ pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
         .minus_product(turns, second)
         .minus_product(turns, third)
         .minus_product(turns, last);
-    let (sine, cosine) = within_an_eighth(rest);
+    let (sine, cosine) = sine_and_cosine_near_zero(rest);
     // Sine and cosine of whole quarter turns, -1, 0 or 1, as polynomials of a count from -2 to 2.
     let count = turns.minus_product(
         (turns * T::constant(0.25)).nearest_integer(),
@@ -70,7 +70,7 @@ pub fn sine_cosine<T: Scalar>(angle: T) -> (T, T) {
 
 /// Sine and cosine between plus and minus a quarter of `pi`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn within_an_eighth<T: Scalar>(x: T) -> (T, T) {
+fn sine_and_cosine_near_zero<T: Scalar>(x: T) -> (T, T) {
     let square = x * x;
     let sine = x.plus_product(x * square, polynomial(SINE, square));
     let half = square * T::constant(0.5);

@@ -38,7 +38,7 @@ impl<'a, T: Split, const OUT: usize, const TERMS: usize> Surface<'a, T, OUT, TER
     pub fn at(&self, drives: [T; 2]) -> Result<SurfacePlace<'a, T, OUT, TERMS>, Outside<T>> {
         let [first, second] = drives;
         let [first_range, second_range] = self.ranges;
-        let outside = Outside::of(first, first_range).or(Outside::of(second, second_range));
+        let outside = Outside::check(first, first_range).or(Outside::check(second, second_range));
         let [first_scale, second_scale] = self.patches_per_unit;
         let along = self.patches.len().checked_div(self.across).unwrap_or(0);
         let [row, column] = [along, self.across].map(|count| count.wrapping_sub(1));

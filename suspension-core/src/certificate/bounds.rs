@@ -150,7 +150,7 @@ mod tests {
     use super::super::verdict::{Certificate, Unproved, judge};
     use super::{Bounds, Enclosed};
 
-    /// Of `F = (0.01, 0)`, `J = I`, `A = share I` and `C` up to 3.
+    /// The case `F = (0.01, 0)`, `J = I`, `A = share I` and `C` up to 3.
     fn certificate(share: f64) -> Certificate<f64> {
         let residual = SVector::from([0.01, 0.0].map(Enclosed::exact));
         let jacobian = SMatrix::<f64, 2, 2>::identity().map(Enclosed::exact);
@@ -159,7 +159,7 @@ mod tests {
         judge(&bounds.expect("finite"))
     }
 
-    /// What the bounds allow for rounding of two equations, several times over.
+    /// The allowance for rounding of two equations, several times over.
     const ROUNDING: f64 = 1e-13;
 
     #[test]

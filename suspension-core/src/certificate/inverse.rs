@@ -26,7 +26,7 @@ struct Derived {
 
 impl<const N: usize> Columns<N> {
     /// Chosen by the entries that are exactly zero or one in all enclosed Jacobians.
-    pub(super) fn of<T: Real>(jacobians: &SMatrix<Enclosed<T>, N, N>) -> Self {
+    pub(super) fn new<T: Real>(jacobians: &SMatrix<Enclosed<T>, N, N>) -> Self {
         let mut columns = Self([None; N]);
         for (unknown, column) in jacobians.data.0.iter().enumerate() {
             let mut entries = column.iter().enumerate().filter(|(_, x)| !x.is_zero());
@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn the_columns_of_carried_coordinates_are_derived() {
         let derived = |unknown, from| Some(Derived { unknown, from });
-        let Columns(columns) = Columns::of(&jacobians());
+        let Columns(columns) = Columns::new(&jacobians());
         assert_eq!(columns, [None, derived(2, 3), derived(1, 0), None]);
     }
 
@@ -129,7 +129,7 @@ mod tests {
     fn nothing_is_derived_from_what_is_derived() {
         let [zero, one] = [0.0, 1.0].map(Enclosed::exact);
         let ring = Matrix3::from([[one, any(), zero], [zero, one, any()], [any(), zero, one]]);
-        let Columns(columns) = Columns::of(&ring);
+        let Columns(columns) = Columns::new(&ring);
         for derived in columns.iter().flatten() {
             assert_eq!(columns[derived.from], None, "{columns:?}");
         }
@@ -144,10 +144,10 @@ mod tests {
             [0.0, 1.0, 0.0, 1.1],
             [-0.7, 0.0, 0.0, 0.4],
         ]);
-        let mut factors = Lu::of(jacobian);
+        let mut factors = Lu::unfactored(jacobian);
         factors.eliminate_jacobian(0.0).expect("regular");
         let mut inverse = [[f64::NAN; 4]; 4];
-        let columns = Columns::of(&jacobians());
+        let columns = Columns::new(&jacobians());
         columns.invert(&factors, &jacobian.map(Enclosed::exact), &mut inverse);
         let defect = Matrix4::from(inverse) * jacobian - Matrix4::identity();
         assert!(defect.amax() < 1e-15, "{defect}");

@@ -81,7 +81,7 @@ impl<T: Real> Explain for Unproved<T> {
                 relation,
                 bound: bound.to_subset_unchecked(),
             }),
-            ..Facts::of(cause, None)
+            ..Facts::new(cause, None)
         }
     }
 }

@@ -73,6 +73,6 @@ impl Explain for GeometryError {
             Self::NoLine { .. } => Cause::NoLine,
             Self::SmallPivot { .. } => Cause::SmallPivot,
         };
-        Facts::of(cause, Some(self.part()))
+        Facts::new(cause, Some(self.part()))
     }
 }

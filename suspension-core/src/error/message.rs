@@ -32,7 +32,7 @@ pub struct Compared {
 }
 
 impl Facts {
-    pub(crate) fn of(cause: Cause, part: Option<Part>) -> Self {
+    pub(crate) fn new(cause: Cause, part: Option<Part>) -> Self {
         Self {
             cause,
             part,

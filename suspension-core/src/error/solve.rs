@@ -183,7 +183,7 @@ impl<T: Real> Explain for SolveError<T> {
                 relation,
                 bound: bound.to_subset_unchecked(),
             }),
-            ..Facts::of(cause, Some(self.part()))
+            ..Facts::new(cause, Some(self.part()))
         }
     }
 }

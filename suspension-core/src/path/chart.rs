@@ -19,7 +19,10 @@ pub(crate) enum Chart<T> {
 }
 
 impl<T: Real> Chart<T> {
-    pub(crate) fn of<L: Linkage<N, Scalar = T>, const N: usize>(linkage: &L, drive: usize) -> Self {
+    pub(crate) fn new<L: Linkage<N, Scalar = T>, const N: usize>(
+        linkage: &L,
+        drive: usize,
+    ) -> Self {
         let none = L::Drives::default();
         let at_zero = linkage.coordinates(&Signal {
             value: none,
@@ -57,7 +60,8 @@ impl<T: Real> Chart<T> {
             Self::Value => coordinate,
             Self::Cosine { length } => parts::angle(coordinate, length),
             Self::QuarterSine { length } => {
-                T::arc_tangent(coordinate, beside(coordinate, length)) * T::constant(4.0)
+                T::arc_tangent(coordinate, other_side_of_triangle(coordinate, length))
+                    * T::constant(4.0)
             }
         }
     }
@@ -89,7 +93,7 @@ impl<T: Real> Chart<T> {
         match self {
             Self::Value => *coordinate,
             Self::Cosine { length } => {
-                let across = beside(h, length);
+                let across = other_side_of_triangle(h, length);
                 let angle_rate = -rate / across;
                 Signal {
                     value,
@@ -98,7 +102,7 @@ impl<T: Real> Chart<T> {
                 }
             }
             Self::QuarterSine { length } => {
-                let (along, four) = (beside(h, length), T::constant(4.0));
+                let (along, four) = (other_side_of_triangle(h, length), T::constant(4.0));
                 let quarter_rate = rate / along;
                 Signal {
                     value,
@@ -111,7 +115,7 @@ impl<T: Real> Chart<T> {
 }
 
 /// The other side of a right triangle.
-fn beside<T: Real>(side: T, longest: T) -> T {
+fn other_side_of_triangle<T: Real>(side: T, longest: T) -> T {
     let square = (longest - side) * (longest + side);
     square.max(T::zero()).sqrt()
 }

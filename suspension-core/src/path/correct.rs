@@ -9,8 +9,8 @@ use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::path::configuration::Configuration;
 use crate::path::curve::Curve;
-use crate::path::linear::{Linear, of_drive};
-use crate::solve::newton::{Newton, rounding_at, within};
+use crate::path::linear::{Linear, name_free_drive};
+use crate::solve::newton::{Newton, bounded_size, rounding_at};
 use crate::solve::report::Report;
 
 /// The number of corrections with the same factors after the first with them. Each reduces the error by the same
@@ -36,8 +36,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Curve<'_, L, N> {
             let step = linear.solve(&iterate.residual);
             // The drive's correction is stored in the entry that is held.
             let corrections = step.with_entry(parameter, step.drive).unknowns;
-            let size =
-                within(&corrections, bound, rounding).map_err(of_drive(parameter, self.drive))?;
+            let size = bounded_size(&corrections, bound, rounding)
+                .map_err(name_free_drive(parameter, self.drive))?;
             if iterations == 1 {
                 error = size;
             }

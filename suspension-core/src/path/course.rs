@@ -15,7 +15,7 @@ use crate::path::led::Led;
 use crate::path::linear::Linear;
 use crate::signal::{ChassisMotion, Signal};
 use crate::solve::motion::input_terms;
-use crate::solve::newton::{rounding_at, within};
+use crate::solve::newton::{bounded_size, rounding_at};
 use crate::solve::report::Report;
 
 /// The smallest fraction of the tangent's largest entry that the entry of the local parameter may be.
@@ -118,7 +118,7 @@ where
             let linear = self.curve.linear(&at, led.parameter)?;
             let step = self.correction(&at, &linear)?;
             let rounding = rounding_at(self.curve.linkage, &at.unknowns);
-            let correction = within(&step.unknowns, bound, rounding)?;
+            let correction = bounded_size(&step.unknowns, bound, rounding)?;
             if iterations == 1 {
                 error = correction;
             }

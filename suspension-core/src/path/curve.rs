@@ -8,7 +8,7 @@ use crate::linkage::{Factors as _, Linkage, Values};
 use crate::listing::Kind;
 use crate::path::chart::Chart;
 use crate::path::configuration::Configuration;
-use crate::path::linear::{Linear, of_drive};
+use crate::path::linear::{Linear, name_free_drive};
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::lu::Lu;
 use crate::solve::motion::Prescribed;
@@ -36,11 +36,15 @@ where
         C: ChassisMotion<L::Fixed>,
     {
         let exists = drive < linkage.count(Kind::Drive);
-        exists.then(|| Self::of(linkage, inputs, drive))
+        exists.then(|| Self::with_free_drive(linkage, inputs, drive))
     }
 
     /// [`new`](Self::new) with the index of a drive that exists.
-    pub(crate) fn of<C>(linkage: &'a L, inputs: &Inputs<C, L::Drives>, drive: usize) -> Self
+    pub(crate) fn with_free_drive<C>(
+        linkage: &'a L,
+        inputs: &Inputs<C, L::Drives>,
+        drive: usize,
+    ) -> Self
     where
         C: ChassisMotion<L::Fixed>,
     {
@@ -90,7 +94,7 @@ where
     /// The entry that changes fastest along the curve, at a configuration near it.
     pub(crate) fn steepest(&self, at: &Configuration<T, N>) -> Result<usize, SolveError<T>> {
         // Any regular choice of the parameter gives the tangent.
-        if let Some((_, tangent)) = self.by_jacobian(at) {
+        if let Some((_, tangent)) = self.factor_jacobian(at) {
             return Ok(tangent.largest_entry());
         }
         // The choice with the healthiest pivots is sure to be regular.
@@ -107,7 +111,7 @@ where
 
     /// The relation between the free drive's coordinate and its value.
     pub(crate) fn chart(&self) -> Chart<T> {
-        Chart::of(self.linkage, self.drive)
+        Chart::new(self.linkage, self.drive)
     }
 
     /// All points.
@@ -193,7 +197,10 @@ where
 
     /// The factors of the Jacobian in the macro's order, and the tangent whose entry of the drive is 1; `None` if
     /// rounding errors would grow by more than [`GROWTH`] with them.
-    fn by_jacobian(&self, at: &Configuration<T, N>) -> Option<(L::Factors, Configuration<T, N>)> {
+    fn factor_jacobian(
+        &self,
+        at: &Configuration<T, N>,
+    ) -> Option<(L::Factors, Configuration<T, N>)> {
         let factors = self.linkage.factor(&at.unknowns, &self.fixed(at));
         let is_accurate = factors.growth_squared() <= T::constant(GROWTH * GROWTH);
         is_accurate.then(|| {
@@ -211,8 +218,8 @@ where
         at: &Configuration<T, N>,
         parameter: usize,
     ) -> Result<Linear<L, N>, SolveError<T>> {
-        if let Some((factors, tangent)) = self.by_jacobian(at)
-            && let Some(linear) = Linear::of_jacobian(factors, parameter, &tangent)
+        if let Some((factors, tangent)) = self.factor_jacobian(at)
+            && let Some(linear) = Linear::from_jacobian(factors, parameter, &tangent)
         {
             return Ok(linear);
         }
@@ -224,7 +231,7 @@ where
             *column = minus_of_drive.map(|entry| -entry);
         }
         Lu::factor(&matrix)
-            .and_then(|lu| Linear::of_matrix(lu, parameter, &SVector::from(minus_of_parameter)))
-            .map_err(of_drive(parameter, self.drive))
+            .and_then(|lu| Linear::from_matrix(lu, parameter, &SVector::from(minus_of_parameter)))
+            .map_err(name_free_drive(parameter, self.drive))
     }
 }

@@ -21,7 +21,7 @@ use crate::path::leader::Leader;
 use crate::path::led::Led;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::report::Report;
-use crate::step::substeps::{Stopped, in_steps};
+use crate::step::substeps::{Stopped, advance_in_steps};
 
 /// The measure of the listing with this index as a quantity that leads, chosen at run time among
 /// [`Linkage::Measures`]; `None` if there is none.
@@ -68,7 +68,7 @@ impl<T: Real> Leader<T> {
     {
         let course = Course {
             leader: self,
-            curve: Curve::of(linkage, inputs, led.drive),
+            curve: Curve::with_free_drive(linkage, inputs, led.drive),
             quantity,
             target,
         };
@@ -102,7 +102,7 @@ impl<T: Real> Leader<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        in_steps([from, to], self.max_steps, |next, dt| {
+        advance_in_steps([from, to], self.max_steps, |next, dt| {
             self.step(linkage, &inputs(next), &quantity, &target(next), dt, led)
         })
     }

@@ -59,7 +59,7 @@ impl<T: Real, const N: usize> Led<T, N> {
             rate,
             second_rate,
         } = self.configuration;
-        Curve::of(linkage, inputs, self.drive).value(&Signal {
+        Curve::with_free_drive(linkage, inputs, self.drive).value(&Signal {
             value: value.drive,
             rate: rate.drive,
             second_rate: second_rate.drive,
@@ -72,7 +72,7 @@ impl<T: Real, const N: usize> Led<T, N> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let curve = Curve::of(linkage, inputs, self.drive);
+        let curve = Curve::with_free_drive(linkage, inputs, self.drive);
         curve.points_with(&self.configuration, &curve.prescribed.fixed)
     }
 

@@ -43,7 +43,7 @@ pub(crate) struct Linear<L: Linkage<N>, const N: usize> {
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
     /// Linearises from the factored matrix and the parameter's column with its sign changed.
-    pub(crate) fn of_matrix(
+    pub(crate) fn from_matrix(
         lu: Lu<T, N>,
         parameter: usize,
         minus_column: &SVector<T, N>,
@@ -60,7 +60,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
 
     /// Linearises from the factors of the Jacobian and the tangent with respect to the drive; `None` if the
     /// parameter's entry in the tangent is too small.
-    pub(crate) fn of_jacobian(
+    pub(crate) fn from_jacobian(
         factors: L::Factors,
         parameter: usize,
         by_drive: &Configuration<T, N>,
@@ -119,7 +119,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
 
 /// Converts an error of solving with the matrix, which names the unknown of a column: the parameter's column belongs
 /// to the free drive.
-pub(crate) fn of_drive<T>(
+pub(crate) fn name_free_drive<T>(
     parameter: usize,
     drive: usize,
 ) -> impl Fn(SolveError<T>) -> SolveError<T> {

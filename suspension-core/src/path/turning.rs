@@ -1,4 +1,4 @@
-//! Where the free drive turns, and where a path leaves its range.
+//! The places where the free drive turns, and where a path leaves its range.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;

@@ -19,7 +19,7 @@ use crate::solve::newton::Newton;
 pub use assembly::Assembly;
 pub use fit::{best_rigid_fit, best_rigid_motion};
 use neighbour::beyond_singularity;
-use search::{AROUND, Found, around, nearer};
+use search::{AROUND, Found, nearer, starts_around};
 
 /// The number of starts of a search: the guess itself, others around it, and one beyond the singularity that is
 /// nearest to the root found.
@@ -60,7 +60,7 @@ where
         Ok(Found::new(root, q, converged))
     };
     let mut nearest = solve(q);
-    for start in around(q, linkage.count(Kind::Unknown), &off) {
+    for start in starts_around(q, linkage.count(Kind::Unknown), &off) {
         nearest = nearer(nearest, solve(&start), linkage.size());
     }
     if let Ok(found) = &nearest

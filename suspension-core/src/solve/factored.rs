@@ -83,7 +83,7 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let mut lu = Lu::of(linkage.jacobian(q, fixed));
+    let mut lu = Lu::unfactored(linkage.jacobian(q, fixed));
     lu.eliminate_jacobian(threshold)?;
     Ok(lu)
 }

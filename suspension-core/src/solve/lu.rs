@@ -28,14 +28,14 @@ impl<T: Real, const N: usize> Lu<T, N> {
     /// [`SolveError::Singular`] if the largest candidate for a pivot is at most `N * EPSILON` times the largest entry
     /// of the matrix. A NaN is passed on to the solutions.
     pub fn factor(matrix: &SMatrix<T, N, N>) -> Result<Self, SolveError<T>> {
-        let mut lu = Self::of(*matrix);
+        let mut lu = Self::unfactored(*matrix);
         lu.eliminate()?;
         Ok(lu)
     }
 
     /// A matrix that is not factored yet.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn of(matrix: SMatrix<T, N, N>) -> Self {
+    pub(crate) fn unfactored(matrix: SMatrix<T, N, N>) -> Self {
         Self {
             columns: matrix.data.0,
             swaps: [0; N],

@@ -154,7 +154,7 @@ impl<T: Real> Newton<T> {
     {
         with_factors(linkage, &from.q, fixed, T::zero(), |factors| {
             let step = factors.solve(&from.residual);
-            let size = within(&step, bound, rounding_at(linkage, &from.q))?;
+            let size = bounded_size(&step, bound, rounding_at(linkage, &from.q))?;
             let next = self.damped(from, &step, residual_at)?;
             let growth_squared = factors.growth_squared();
             if next.worst > self.tolerance_at(linkage, &next.q) {
@@ -162,7 +162,7 @@ impl<T: Real> Newton<T> {
             }
             // One more correction with the same factors removes the error of second order that the last one has left.
             let better = next.q - factors.solve(&next.residual);
-            Ok((size, growth_squared, next.or_better(better, residual_at)))
+            Ok((size, growth_squared, next.better_of(better, residual_at)))
         })?
     }
 
@@ -217,7 +217,7 @@ where
 
 /// The size of a correction, which is refused if it exceeds its bound. Corrections of the size of rounding errors are
 /// not bounded.
-pub(crate) fn within<T: Real, const N: usize>(
+pub(crate) fn bounded_size<T: Real, const N: usize>(
     step: &SVector<T, N>,
     bound: Option<T>,
     rounding: T,
@@ -248,7 +248,7 @@ impl<T: Real, const N: usize> Iterate<T, N> {
     }
 
     /// The iterate itself, or the point `q` if its residual is smaller.
-    fn or_better(
+    fn better_of(
         self,
         q: SVector<T, N>,
         residual_at: impl Fn(&SVector<T, N>) -> SVector<T, N>,

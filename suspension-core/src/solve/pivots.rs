@@ -26,7 +26,7 @@ where
         return Ok(());
     }
     let jacobian = linkage.jacobian(&q, fixed);
-    let mut lu = Lu::of(jacobian);
+    let mut lu = Lu::unfactored(jacobian);
     let pivoted = lu.eliminate_jacobian(least_pivot());
     if pivoted.is_ok() && is_healthy(lu.growth_squared()) {
         let Elimination { equation, .. } = smallest_in_order(jacobian, linkage.pivots());

@@ -41,7 +41,7 @@ impl<T: Real> Report<T> {
     }
 
     /// The report after one more step.
-    pub(crate) fn and(self, next: Self) -> Self {
+    pub(crate) fn with_next(self, next: Self) -> Self {
         Self {
             steps: self.steps + next.steps,
             iterations: self.iterations + next.iterations,

@@ -64,7 +64,7 @@ impl<T: Real, const N: usize, const K: usize> Series<T, N, K> {
     }
 
     /// The same, given the factors.
-    pub(crate) fn of<L, C>(
+    pub(crate) fn from_factors<L, C>(
         linkage: &L,
         inputs: &InputSeries<C, L::Drives, K>,
         position: &SVector<T, N>,

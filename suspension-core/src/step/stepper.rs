@@ -8,7 +8,7 @@ use crate::solve::motion::Motion;
 use crate::solve::report::Report;
 use crate::step::bounded::Bounded;
 use crate::step::series::{InputSeries, Jet, SeriesTracker};
-use crate::step::substeps::{MAX_STEPS, in_steps};
+use crate::step::substeps::{MAX_STEPS, advance_in_steps};
 use crate::step::tracker::Tracker;
 
 pub use crate::step::substeps::Stopped;
@@ -52,7 +52,7 @@ pub trait Stepper<T: Real> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        in_steps([from, to], MAX_STEPS, |time, dt| {
+        advance_in_steps([from, to], MAX_STEPS, |time, dt| {
             self.step(linkage, &inputs(time), dt, motion)
         })
     }

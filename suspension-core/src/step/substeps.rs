@@ -20,7 +20,7 @@ impl<T: Real> Explain for Stopped<T> {
     fn facts(&self) -> Facts {
         let facts = match &self.refused {
             Some((_, error)) => error.facts(),
-            None => Facts::of(Cause::StepsUsedUp, None),
+            None => Facts::new(Cause::StepsUsedUp, None),
         };
         Facts {
             reached: Some(self.reached.to_subset_unchecked()),
@@ -39,7 +39,7 @@ messages! {
 /// # Errors
 ///
 /// [`Stopped`] if steps have shrunk to rounding or all are used up.
-pub(crate) fn in_steps<T: Real>(
+pub(crate) fn advance_in_steps<T: Real>(
     [from, to]: [T; 2],
     max_steps: usize,
     mut step: impl FnMut(T, T) -> Result<Report<T>, SolveError<T>>,
@@ -56,7 +56,7 @@ pub(crate) fn in_steps<T: Real>(
             Ok(report) => {
                 reached = next;
                 refused = None;
-                advanced = advanced.and(report);
+                advanced = advanced.with_next(report);
                 if last_step {
                     return Ok(advanced);
                 }

@@ -15,7 +15,7 @@ use crate::solve::factored::with_factors_for_rates;
 use crate::solve::motion::{Motion, Prescribed, Rates};
 use crate::solve::newton::Newton;
 use crate::solve::report::Report;
-use crate::step::substeps::{MAX_STEPS, Stopped, in_steps};
+use crate::step::substeps::{MAX_STEPS, Stopped, advance_in_steps};
 
 pub use between::{Between, Cubic};
 use guard::{Change, Crossing};
@@ -190,7 +190,7 @@ impl<T: Real> Tracker<T> {
         C: ChassisMotion<L::Fixed>,
     {
         let mut last = Prescribed::new(linkage, &inputs(from));
-        in_steps([from, to], self.max_steps, |next, dt| {
+        advance_in_steps([from, to], self.max_steps, |next, dt| {
             let prescribed = Prescribed::new(linkage, &inputs(next));
             let change = Change {
                 from: Some(&last),

@@ -45,7 +45,7 @@ pub fn caster<N: Number>(kingpin: &Vector3<N>) -> N {
 /// Steer angle, positive where the wheel points to the left: [`toe`] on the right, negative [`toe`] on the left. ISO
 /// 8855.
 pub fn steer_angle<N: Number>(spin_axis: &Vector3<N>) -> N {
-    to_the_left(toe(spin_axis), spin_axis)
+    positive_to_the_left(toe(spin_axis), spin_axis)
 }
 
 /// The rate of [`camber`] when the spin axis changes at a rate.
@@ -64,7 +64,7 @@ pub fn steer_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
         [spin_axis.x, spin_axis.y * outboard],
         [rate.x, rate.y * outboard],
     );
-    to_the_left(of_toe, spin_axis)
+    positive_to_the_left(of_toe, spin_axis)
 }
 
 /// 1 for a wheel on the left, -1 on the right.
@@ -77,7 +77,7 @@ fn outboard<N: Number>(spin_axis: &Vector3<N>) -> N {
 }
 
 /// Converts an angle that is positive inboard to one that is positive to the left.
-fn to_the_left<N: Number>(inboard: N, spin_axis: &Vector3<N>) -> N {
+fn positive_to_the_left<N: Number>(inboard: N, spin_axis: &Vector3<N>) -> N {
     -inboard * outboard(spin_axis)
 }
 

@@ -18,7 +18,7 @@ const SPREAD: f64 = 1.5;
 
 /// The starts around the guess, which are the same at every call, whatever room there is behind its `unknowns`. `off`
 /// is the residual at the guess.
-pub(super) fn around<T: Real, const N: usize>(
+pub(super) fn starts_around<T: Real, const N: usize>(
     guess: &SVector<T, N>,
     unknowns: usize,
     off: &SVector<T, N>,
@@ -64,7 +64,7 @@ impl<T: Real, const N: usize> Found<T, N> {
     }
 
     /// The nearer of two roots, with a note of the other.
-    fn or_nearer(mut self, mut other: Self, size: T) -> Self {
+    fn keep_nearer(mut self, mut other: Self, size: T) -> Self {
         if is_same(&self.root, &other.root, size) {
             self.assembly.starts += 1;
             return self;
@@ -86,7 +86,7 @@ pub(super) fn nearer<T: Real, const N: usize>(
     size: T,
 ) -> Result<Found<T, N>, SolveError<T>> {
     match (so_far, attempt) {
-        (Ok(so_far), Ok(found)) => Ok(so_far.or_nearer(found, size)),
+        (Ok(so_far), Ok(found)) => Ok(so_far.keep_nearer(found, size)),
         (Err(_), Ok(found)) => Ok(found),
         (so_far, Err(_)) => so_far,
     }

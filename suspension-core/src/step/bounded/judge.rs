@@ -41,7 +41,7 @@ impl Explain for Refusal {
             Self::Mirrored => Cause::Mirrored,
             Self::Unhealthy => Cause::UnhealthyPivots,
         };
-        Facts::of(cause, None)
+        Facts::new(cause, None)
     }
 }
 

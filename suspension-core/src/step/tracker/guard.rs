@@ -88,15 +88,15 @@ pub(super) struct Change<'a, L: Linkage<N>, const N: usize> {
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
     /// The displacement of the chassis points.
-    fn of_chassis<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
-        let by_rates = by_rates(&self.to.fixed, self.dt);
-        by_rates.combined(&self.beyond_rates::<C>(linkage), |a, b| a + b)
+    fn chassis_displacement<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
+        let by_rates = displacement_by_rates(&self.to.fixed, self.dt);
+        by_rates.combined(&self.unexplained_displacement::<C>(linkage), |a, b| a + b)
     }
 
     /// The largest coordinate of the part of a chassis point's move that its rates do not explain.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn jump<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> T {
-        let points = self.beyond_rates::<C>(linkage);
+        let points = self.unexplained_displacement::<C>(linkage);
         points.values().fold(T::zero(), |most, point| {
             let [[x, y, z]] = point.data.0;
             most.larger_magnitude(largest([x, y, z]))
@@ -105,23 +105,23 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Change<'_, L, N> {
 
     /// The part of the chassis points' move that their rates do not explain; zero if it is not known.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn beyond_rates<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
+    fn unexplained_displacement<C: ChassisMotion<L::Fixed>>(&self, linkage: &L) -> L::Fixed {
         let (Some(from), to) = (self.from, self.to) else {
             return L::Fixed::default();
         };
         if C::MOVES {
             let moves = to.fixed.value.combined(&from.fixed.value, |a, b| a - b);
-            return moves.combined(&by_rates(&to.fixed, self.dt), |a, b| a - b);
+            return moves.combined(&displacement_by_rates(&to.fixed, self.dt), |a, b| a - b);
         }
         let moves = to.drives.value.combined(&from.drives.value, |a, b| a - b);
-        let beyond = moves.combined(&by_rates(&to.drives, self.dt), |a, b| a - b);
+        let beyond = moves.combined(&displacement_by_rates(&to.drives, self.dt), |a, b| a - b);
         linkage.drive_anchors(L::Fixed::default(), &beyond)
     }
 }
 
 /// The displacement of quantities in the past time `dt`, according to their rates.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn by_rates<T, V, S>(signal: &Signal<S>, dt: T) -> S
+fn displacement_by_rates<T, V, S>(signal: &Signal<S>, dt: T) -> S
 where
     T: Real,
     V: Copy + Default + Sub<Output = V> + Mul<T, Output = V>,
@@ -152,7 +152,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Crossing<'_, L, N> {
             moves,
             factors,
         } = self;
-        let chassis = change.of_chassis::<C>(linkage);
+        let chassis = change.chassis_displacement::<C>(linkage);
         let (change, moved) = change_of_jacobian::<_, C, N>(*linkage, moves, &chassis, *factors);
         let size = magnitude(&change).map_err(SolveError::overflow)?;
         let bound = (most * moved).max(T::constant(LEAST_OF_SIZE) * linkage.size());
