@@ -116,7 +116,9 @@ fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Gr
         let first = drives
             .first()
             .map(|(drive, _)| mechanism.names.drives[*drive].kind);
-        let scale = first.map_or(1.0, |kind| Dimension::from(kind).in_file(mechanism.unit));
+        let scale = first.map_or(1.0, |kind| {
+            Dimension::from(kind).file_factor(mechanism.unit)
+        });
         axes.push(Axis {
             drives,
             values: of_one.values().iter().map(|value| value / scale).collect(),
@@ -166,7 +168,7 @@ pub fn doubt(
         size: DriveAtDesign::extent(mechanism.points()),
         unit: mechanism.unit,
     };
-    let scale = Dimension::from(named.kind).in_file(mechanism.unit);
+    let scale = Dimension::from(named.kind).file_factor(mechanism.unit);
     at_design.doubt(ends.map(|end| end / scale), from, way)
 }
 

@@ -99,7 +99,7 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String
             return None;
         };
         let Drive { name, kind } = &mechanism.names.drives[drive];
-        let scale = Dimension::from(*kind).in_file(mechanism.unit);
+        let scale = Dimension::from(*kind).file_factor(mechanism.unit);
         let ends = [*axis.values.first()?, *axis.values.last()?];
         let [from, to] = ends.map(|end| number((end - mechanism.design[drive]) * scale));
         let way = format!("; write {name} = [{from}, {to}]");

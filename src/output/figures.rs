@@ -123,7 +123,7 @@ fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
 
 /// Returns the curve of a quantity over time in the unit of plots: a dense line, and marks.
 fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Curve {
-    let (scale, _) = column.dimension.for_people(unit);
+    let (scale, _) = column.dimension.display_scale(unit);
     let [line, marks] = states.map(|states| {
         let points = states.iter();
         let points = points.map(|state| (state.t, column.value(state) * scale));

@@ -35,7 +35,7 @@ impl<T: 'static> Column<T> {
 
     /// Makes the column of a quantity of the catalogue, from the state of an item.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
-        let scale = column.dimension.in_file(unit);
+        let scale = column.dimension.file_factor(unit);
         let stated_in = is_driven_angle(&column).then_some(unit.angle);
         Self {
             heading: Heading {
@@ -44,7 +44,7 @@ impl<T: 'static> Column<T> {
             },
             value: Box::new(move |thing| {
                 let value = column.value(state(thing)) * scale;
-                stated_in.map_or(value, |angle| angle.as_stated(value))
+                stated_in.map_or(value, |angle| angle.convert_from_radians(value))
             }),
         }
     }

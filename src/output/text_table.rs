@@ -36,7 +36,7 @@ impl TextColumn {
 
     /// Makes a column of values in the unit of summaries, with the decimals that suit it.
     pub fn values(values: impl Iterator<Item = f64>, dimension: Dimension, unit: Unit) -> Self {
-        let ((scale, _), decimals) = (dimension.for_people(unit), dimension.decimals(unit));
+        let ((scale, _), decimals) = (dimension.display_scale(unit), dimension.decimals(unit));
         Self::right(values.map(|value| fixed(value * scale, decimals)))
     }
 

@@ -14,10 +14,10 @@ pub enum Axle {
 
 impl Axle {
     /// Returns the axle that a wheel's name states, as `front_left` does.
-    pub fn of(wheel: &str) -> Option<Self> {
+    pub fn from_wheel_name(wheel: &str) -> Option<Self> {
         let axles = [("front", Self::Front), ("rear", Self::Rear)];
-        let told = axles.into_iter().find(|(word, _)| is_within(word, wheel));
-        told.map(|(_, axle)| axle)
+        let found = axles.into_iter().find(|(word, _)| is_within(word, wheel));
+        found.map(|(_, axle)| axle)
     }
 }
 

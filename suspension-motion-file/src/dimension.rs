@@ -83,12 +83,12 @@ impl Dimension {
     }
 
     /// Returns the factor and the symbol for text and plots, in which angles are in degrees.
-    pub fn for_people(self, unit: Unit) -> (f64, String) {
+    pub fn display_scale(self, unit: Unit) -> (f64, String) {
         let angle = Angle::Degree;
         let people = Unit { angle, ..unit };
         match self {
             Self::Percent => (1.0, "%".to_owned()),
-            _ => (self.in_file(people), self.symbol(people)),
+            _ => (self.file_factor(people), self.symbol(people)),
         }
     }
 
@@ -114,7 +114,7 @@ impl Dimension {
     }
 
     /// Returns the factor from the program's unit to that of the file.
-    pub fn in_file(self, unit: Unit) -> f64 {
+    pub fn file_factor(self, unit: Unit) -> f64 {
         match self {
             Self::Angle | Self::AngularVelocity | Self::AngularAcceleration => unit.angle.radian(),
             Self::LengthPerAngle | Self::AngularStiffness => 1.0 / unit.angle.radian(),

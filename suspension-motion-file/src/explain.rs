@@ -35,7 +35,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     } else if is_comma_between_digits(source.text(), start) {
         "; a decimal separator is a point, as in 0.5".to_owned()
     } else if message.starts_with("missing field") {
-        to_write(name).to_owned() + &also_missing(name, source.text())
+        example_of_key(name).to_owned() + &also_missing(name, source.text())
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
     {
         "; unit, angle and axes belong above the first table".to_owned()
@@ -62,12 +62,12 @@ fn also_missing(first: &str, text: &str) -> String {
     let others = NEEDED
         .iter()
         .filter(|name| **name != first && is_missing(first) && is_missing(name));
-    let told = others.map(|name| format!("; missing field `{name}`{}", to_write(name)));
-    told.collect()
+    let hints = others.map(|name| format!("; missing field `{name}`{}", example_of_key(name)));
+    hints.collect()
 }
 
 /// Returns an example of a missing key.
-fn to_write(key: &str) -> &'static str {
+fn example_of_key(key: &str) -> &'static str {
     match key {
         "unit" => "; write unit = \"m\", \"mm\" or \"in\", the unit of all lengths in the file",
         "time" => "; write [time] with start, stop and step, or with instants, in seconds",

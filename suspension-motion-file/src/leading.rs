@@ -86,7 +86,7 @@ pub fn stand_in<V>(
 mod tests {
     use super::*;
 
-    fn told(leading: &str) -> Result<Option<StandIn>, String> {
+    fn read_leading(leading: &str) -> Result<Option<StandIn>, String> {
         let source = Source::new("a.toml", leading);
         let table: Table<f64> = toml::from_str(leading).expect("a table");
         let (drives, measures) = (["bump", "steer"], ["height", "spring"]);
@@ -95,8 +95,10 @@ mod tests {
 
     #[test]
     fn one_measure_stands_in_for_the_drive_that_is_left_out() {
-        assert_eq!(told("bump = 1\nsteer = 2"), Ok(None));
-        let found = told("spring = 1\nbump = 2").expect("good").expect("led");
+        assert_eq!(read_leading("bump = 1\nsteer = 2"), Ok(None));
+        let found = read_leading("spring = 1\nbump = 2")
+            .expect("good")
+            .expect("led");
         assert_eq!((found.measure, found.drive), (1, 1));
         assert_eq!(
             (found.key.get_ref().as_str(), found.key.span()),
@@ -127,7 +129,7 @@ mod tests {
             ),
         ];
         for (leading, expected) in cases {
-            let message = told(leading).expect_err(leading);
+            let message = read_leading(leading).expect_err(leading);
             assert!(message.starts_with(expected), "{expected}: {message}");
         }
     }

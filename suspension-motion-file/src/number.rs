@@ -108,8 +108,8 @@ mod tests {
 
     #[test]
     fn one_thing_has_no_plural() {
-        let told = [0, 1, 2].map(|count| counted(count, "place"));
-        assert_eq!(told, ["0 places", "1 place", "2 places"]);
+        let counts = [0, 1, 2].map(|count| counted(count, "place"));
+        assert_eq!(counts, ["0 places", "1 place", "2 places"]);
     }
 
     #[test]

@@ -47,7 +47,7 @@ impl Source {
     ///
     /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let name = in_one_line(&path.display().to_string());
+        let name = fit_for_terminal(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
         inputs::note(path);
         let bytes = match read_at_most(path, LARGEST + 1) {
@@ -93,7 +93,7 @@ impl Source {
 
     /// Returns the failure with a place and the mistake there.
     pub fn refuse(&self, span: &Range<usize>, message: impl std::fmt::Display) -> Failure {
-        Failure::Input(self.message(span, &in_one_line(&message.to_string())))
+        Failure::Input(self.message(span, &fit_for_terminal(&message.to_string())))
     }
 
     /// Returns the message of a mistake: with the marked line on a terminal, one line elsewhere.
@@ -104,21 +104,20 @@ impl Source {
 
     /// Returns one failure for several mistakes, at most a hundred: each with line and column of its place, counted from
     /// one, its length in characters, and the message.
-    /// characters, and what is wrong there.
     pub fn refuse_all<'a>(
         &self,
         mut mistakes: impl Iterator<Item = (usize, usize, usize, &'a str)>,
     ) -> Failure {
-        let told = mistakes.by_ref().take(MOST_MISTAKES);
-        let told = told.map(|(line, column, length, message)| {
+        let first = mistakes.by_ref().take(MOST_MISTAKES);
+        let first = first.map(|(line, column, length, message)| {
             self.message(&self.span(line, column, length), message)
         });
-        let mut told: Vec<String> = told.collect();
+        let mut messages: Vec<String> = first.collect();
         match mistakes.count() {
             0 => {}
-            more => told.push(format!("{}: and {more} more mistakes", self.name)),
+            more => messages.push(format!("{}: and {more} more mistakes", self.name)),
         }
-        Failure::Input(told.join("\n"))
+        Failure::Input(messages.join("\n"))
     }
 
     /// Returns the place of characters of a line; the end of the text if there is no such line.
@@ -159,7 +158,7 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
 
 /// Returns a text that may quote a file in a form fit for a terminal: control characters are escaped, and the middle of a
 /// long text is cut, because the advice stands at its end.
-fn in_one_line(text: &str) -> String {
+fn fit_for_terminal(text: &str) -> String {
     let characters: Vec<char> = text.chars().collect();
     if characters.len() <= LONGEST {
         return escaped(&characters);
@@ -208,24 +207,27 @@ mod tests {
             "unknown point; known are {}, the last one",
             names.join(", ")
         );
-        let told = Source::new("a.toml", "").refuse(&(0..0), &list).to_string();
-        let (first, last) = told.split_once(" ... ").expect("cut");
+        let message = Source::new("a.toml", "").refuse(&(0..0), &list).to_string();
+        let (first, last) = message.split_once(" ... ").expect("cut");
         let whole = |name: &str| names.iter().any(|known| known == name);
         let before = first
             .rsplit(", ")
             .next()
             .map(|name| name.trim_end_matches(','));
-        assert!(before.is_some_and(whole), "{told}");
-        assert!(last.split(", ").next().is_some_and(whole), "{told}");
+        assert!(before.is_some_and(whole), "{message}");
+        assert!(last.split(", ").next().is_some_and(whole), "{message}");
     }
 
     #[test]
     fn of_very_many_mistakes_the_first_are_told() {
         let source = Source::new("a.toml", "x = 1\n");
         let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
-        let told = source.refuse_all(mistakes.take(150)).to_string();
-        assert_eq!(told.lines().count(), 101);
-        assert!(told.ends_with("a.toml: and 50 more mistakes"), "{told}");
+        let message = source.refuse_all(mistakes.take(150)).to_string();
+        assert_eq!(message.lines().count(), 101);
+        assert!(
+            message.ends_with("a.toml: and 50 more mistakes"),
+            "{message}"
+        );
     }
 
     #[test]

@@ -26,8 +26,7 @@ pub(crate) trait UnderName {
 
 /// Reads tables that have names. The error about keys without a name says what heading to write; a list is refused too,
 /// because serde would read its entries as keys in order.
-/// are read off a list in their order.
-pub(crate) fn under_names<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
+pub(crate) fn read_named_tables<'de, D, V>(deserializer: D) -> Result<Table<V>, D::Error>
 where
     D: de::Deserializer<'de>,
     V: UnderName + Deserialize<'de>,

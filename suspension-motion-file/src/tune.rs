@@ -4,17 +4,17 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::number_list::{NumberList, number_list};
-use crate::table::{Table, UnderName, under_names};
+use crate::table::{Table, UnderName, read_named_tables};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TuneTable {
     /// The moves by name.
-    #[serde(deserialize_with = "under_names")]
+    #[serde(deserialize_with = "read_named_tables")]
     pub moves: Table<MoveTable>,
     /// The targets by name.
-    #[serde(deserialize_with = "under_names")]
+    #[serde(deserialize_with = "read_named_tables")]
     pub targets: Table<TargetTable>,
 }
 

@@ -92,7 +92,7 @@ fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec
     let drive = drive.map_err(refuse)?;
     let (kind, unit) = (mechanism.names.drives[drive].kind, mechanism.unit);
     let with = |value: &f64| {
-        let inside = value / Dimension::from(kind).in_file(unit);
+        let inside = value / Dimension::from(kind).file_factor(unit);
         let finite = || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
         let bounds = unit.angle.bounds_exceeded(kind, inside).or_else(finite);
         if let Some(bounds) = bounds {

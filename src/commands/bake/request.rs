@@ -204,7 +204,7 @@ impl Baking<'_> {
         });
         let Description { names, unit, .. } = &**self.mechanism;
         let kind = names.drives[drive].kind;
-        let inside = |end: f64| end / Dimension::from(kind).in_file(*unit);
+        let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);
         let [from, to] = wished.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
         if low == high && wished.range == [None, None] {

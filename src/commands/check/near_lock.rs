@@ -28,7 +28,7 @@ pub(super) fn notes(
     });
     near.map(move |(range, end)| {
         let dimension = Dimension::from(range.kind);
-        let change = (end.value - range.start) * dimension.in_file(unit);
+        let change = (end.value - range.start) * dimension.file_factor(unit);
         let change = describe_change_from_design(change, &dimension.symbol(unit));
         format!(
             "`{}` reaches a lock {change}, which tolerances of hardpoints alone may use up; move hardpoints so that it is further away",

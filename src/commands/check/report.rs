@@ -192,7 +192,10 @@ impl Report<'_> {
     /// Returns the ends of a drive's range and what limits each.
     fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
         let dimension = Dimension::from(range.kind);
-        let (symbol, scale) = (dimension.symbol(self.unit), dimension.in_file(self.unit));
+        let (symbol, scale) = (
+            dimension.symbol(self.unit),
+            dimension.file_factor(self.unit),
+        );
         let end = |what: &str, end: &RangeEnd| {
             let change = describe_change_from_design((end.value - range.start) * scale, &symbol);
             let value = rounded(end.value * scale, DIGITS_OF_END);

@@ -22,7 +22,7 @@ impl Imported<'_> {
             (None, None) => {
                 let apart = self.corner.apart();
                 let why = format!("as the points are up to {} apart", rounded(apart, 3));
-                (Length::of_size(apart), why)
+                (Length::guess_from_size(apart), why)
             }
         }
     }

@@ -32,7 +32,7 @@ impl Leading {
     pub(super) fn read(&self, state: &State) -> Vec<f64> {
         let reader = Reader::new(state);
         let read =
-            |column: &Column| column.read(&reader).value * column.dimension.in_file(self.unit);
+            |column: &Column| column.read(&reader).value * column.dimension.file_factor(self.unit);
         self.columns.iter().map(read).collect()
     }
 

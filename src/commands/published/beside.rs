@@ -76,7 +76,7 @@ fn scale(ours: &quantities::Column, name: &str) -> Option<f64> {
     if ours.csv_name(unit) == name {
         Some(1.0)
     } else {
-        let (scale, _) = ours.dimension.for_people(unit);
+        let (scale, _) = ours.dimension.display_scale(unit);
         (ours.name_for_people(unit) == name).then_some(scale)
     }
 }

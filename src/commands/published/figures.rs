@@ -65,12 +65,12 @@ impl Shown {
 
     /// Returns the value in the unit of plots, with the paper's sign.
     fn value(&self, state: &State) -> f64 {
-        let (scale, _) = self.column.dimension.for_people(Unit::METRE);
+        let (scale, _) = self.column.dimension.display_scale(Unit::METRE);
         self.column.value(state) * scale * self.sign
     }
 
     fn heading(&self) -> String {
-        let (_, symbol) = self.column.dimension.for_people(Unit::METRE);
+        let (_, symbol) = self.column.dimension.display_scale(Unit::METRE);
         format!("{} ({symbol})", self.name)
     }
 

@@ -10,7 +10,7 @@ use crate::reach::{DriveRange, Station};
 /// Plots a quantity of a wheel over the drive: the whole curve, and over it the part through which the drive leads, its ends
 /// marked. The wheel is the one that the drive moves, or else the first; `None` without a wheel, or if no quantity varies.
 pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart> {
-    let (scale, symbol) = Dimension::from(range.kind).for_people(mechanism.unit);
+    let (scale, symbol) = Dimension::from(range.kind).display_scale(mechanism.unit);
     let shown = shown(mechanism, range)?;
     let line = |stations: &[Station]| -> Vec<(f64, f64)> {
         let points = stations.iter();

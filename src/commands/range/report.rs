@@ -50,7 +50,10 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
 fn change(mechanism: &Description, range: &DriveRange, end: &RangeEnd) -> String {
     let (unit, dimension) = (mechanism.unit, Dimension::from(range.kind));
     let change = end.value - mechanism.design[range.index];
-    describe_change_from_design(change * dimension.in_file(unit), &dimension.symbol(unit))
+    describe_change_from_design(
+        change * dimension.file_factor(unit),
+        &dimension.symbol(unit),
+    )
 }
 
 fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> String {

@@ -44,12 +44,12 @@ impl Report<'_> {
         let drive = number.checked_sub(1);
         let drive = drive.and_then(|drive| self.mechanism.names.drives.get(drive));
         let per = drive.map(|drive| format!("_per_{}", drive.name));
-        let (scale, symbol) = column.for_people_per(drive, unit);
+        let (scale, symbol) = column.display_scale_per(drive, unit);
         Number {
             column: at,
             number,
             csv_name: column.csv_name(unit) + &per.unwrap_or_default(),
-            in_file: column.in_file_per(drive, unit),
+            in_file: column.file_factor_per(drive, unit),
             title: column.title_per(drive),
             scale,
             symbol,

@@ -171,7 +171,7 @@ impl Wheel {
             toe: without_rounding(toe(&design.axis)),
             changes,
             per_steer: of_steer.map(at_height).map(to_the_left),
-            axle: wheel.axle.or(Axle::of(&wheel.name)),
+            axle: wheel.axle.or(Axle::from_wheel_name(&wheel.name)),
             per_compression,
         })
     }

@@ -56,7 +56,7 @@ impl Report<'_> {
         before: &Deviations,
         after: &Deviations,
     ) -> (String, String, String) {
-        let (scale, symbol) = target.reading.for_people(self.mechanism);
+        let (scale, symbol) = target.reading.display_scale(self.mechanism);
         let [was, is] = [before, after].map(|off| rounded(greatest(off) * scale, DIGITS));
         let within = rounded(target.within * scale, DIGITS);
         let met = if target.is_met_by(after) {

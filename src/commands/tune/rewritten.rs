@@ -72,7 +72,7 @@ fn drives(
     let each = each.zip(mechanism.design.iter().zip(tuned));
     let edits = each.filter_map(|(drive, (before, after))| {
         let law = file.drives.get_ref().get(drive.name.as_str())?;
-        let by = (after - before) * Dimension::from(drive.kind).in_file(mechanism.unit);
+        let by = (after - before) * Dimension::from(drive.kind).file_factor(mechanism.unit);
         let Coefficients(coefficients) = law.get_ref();
         let (first, others) = coefficients.split_first()?;
         if by.abs() < ROUNDING {

@@ -60,7 +60,7 @@ pub enum Sort {
 impl Curves {
     /// The label of an axis of the drive.
     pub fn axis_label(&self, unit: Unit) -> String {
-        let (_, symbol) = self.dimension.for_people(unit);
+        let (_, symbol) = self.dimension.display_scale(unit);
         format!("{} ({symbol})", self.moved)
     }
 
@@ -124,7 +124,7 @@ impl Read<'_> {
 
     /// The factor to the unit for people, and the unit's symbol.
     fn converted(&self, dimension: Dimension) -> (f64, String) {
-        let (scale, symbol) = dimension.for_people(self.unit);
+        let (scale, symbol) = dimension.display_scale(self.unit);
         (
             scale * dimension.conversion(self.mechanism.unit, self.unit),
             symbol,
@@ -145,7 +145,7 @@ impl Read<'_> {
     fn rates(&self, column: &Column, scale: f64) -> Vec<Option<f64>> {
         let of_drive = self.drive_dimension();
         let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
-        let per = scale / (of_change * of_drive.in_file(self.unit));
+        let per = scale / (of_change * of_drive.file_factor(self.unit));
         self.values(&|_, states| Some(rate(column, self.along, states)? * per))
     }
 

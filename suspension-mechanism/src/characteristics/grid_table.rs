@@ -33,10 +33,10 @@ impl GridTable {
         let Description { names, unit, .. } = mechanism;
         let of_drives = names.drives.iter().filter(|_| derivatives > 0);
         let drives: Vec<f64> = of_drives
-            .map(|drive| Dimension::from(drive.kind).in_file(*unit))
+            .map(|drive| Dimension::from(drive.kind).file_factor(*unit))
             .collect();
         let scaled = |column: Column| {
-            let scale = column.dimension.in_file(*unit);
+            let scale = column.dimension.file_factor(*unit);
             (column, scale)
         };
         let quantities: Vec<_> = columns_of_positions(mechanism).map(scaled).collect();
@@ -87,7 +87,7 @@ impl GridTable {
             self.row_from_signals(place)
         };
         for drive in &self.driven_angles {
-            row[*drive] = self.angle.as_stated(row[*drive]);
+            row[*drive] = self.angle.convert_from_radians(row[*drive]);
         }
         row
     }

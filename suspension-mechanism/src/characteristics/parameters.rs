@@ -105,12 +105,12 @@ fn parameter(
     state: &State,
     per: &[PerDrive],
 ) -> Parameter {
-    let (scale, symbol) = column.dimension.for_people(unit);
+    let (scale, symbol) = column.dimension.display_scale(unit);
     let scale = scale * column.dimension.conversion(from, unit);
     let along = |per: &PerDrive| {
         let (drive, state) = per.as_ref().filter(|_| column.has_derivatives)?;
-        let value =
-            column.along(state).rate * scale / (drive.conversion(from, unit) * drive.in_file(unit));
+        let value = column.along(state).rate * scale
+            / (drive.conversion(from, unit) * drive.file_factor(unit));
         Some(Derivative {
             value,
             symbol: symbol_per(&symbol, *drive, unit),

@@ -108,7 +108,7 @@ fn size<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<String> {
     let apart = |point: &Vector3<f64>| (point - first).norm();
     let apart = points.iter().map(apart).fold(0.0, f64::max);
     let unit = task.file.length;
-    let other = Length::of_size(apart);
+    let other = Length::guess_from_size(apart);
     if (SMALLEST..LARGEST).contains(&(apart / unit.metre())) || other == unit {
         return None;
     }

@@ -48,7 +48,7 @@ pub(super) fn springs(
             name: name.clone(),
             measure,
             kind,
-            rate: rate * Dimension::from(kind).in_file(unit),
+            rate: rate * Dimension::from(kind).file_factor(unit),
             load,
             design: design[measure],
         })

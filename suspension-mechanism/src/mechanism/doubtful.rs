@@ -86,7 +86,7 @@ impl DriveAtDesign<'_> {
         };
         let dimension = Dimension::from(self.drive.kind);
         let (name, symbol) = (&self.drive.name, dimension.symbol(self.unit));
-        let design = rounded(self.design * dimension.in_file(self.unit), DIGITS);
+        let design = rounded(self.design * dimension.file_factor(self.unit), DIGITS);
         Some(format!(
             "`{name}` takes {takes}, not {not}: `{name}` is {design} {symbol} at the design position{way}"
         ))

@@ -48,7 +48,7 @@ impl EndOfAngle {
         const DIGITS: usize = 6;
         let drive = &names.drives[self.drive];
         let dimension = Dimension::from(drive.kind);
-        let end = rounded(self.end * dimension.in_file(unit), DIGITS);
+        let end = rounded(self.end * dimension.file_factor(unit), DIGITS);
         let (name, symbol) = (&drive.name, dimension.symbol(unit));
         let remedy = match drive.kind {
             DriveKind::Angle => {

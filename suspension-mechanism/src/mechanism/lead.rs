@@ -118,7 +118,7 @@ impl<const N: usize> Lead<N> {
 
     fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
         let kind = names.measures[self.measure].kind;
-        let value = (value + self.offset) * Dimension::from(kind).in_file(unit);
+        let value = (value + self.offset) * Dimension::from(kind).file_factor(unit);
         format!("{} {}", number(value), Dimension::from(kind).symbol(unit))
     }
 }

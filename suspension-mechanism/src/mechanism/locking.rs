@@ -95,7 +95,7 @@ impl Lock {
                 let drive = &names.drives[turns];
                 let change = describe_change_from_design(
                     (self.drives[turns] - design[turns])
-                        * Dimension::from(drive.kind).in_file(unit),
+                        * Dimension::from(drive.kind).file_factor(unit),
                     &Dimension::from(drive.kind).symbol(unit),
                 );
                 format!("the drive `{}` locks {change} ({drives})", drive.name)

@@ -196,7 +196,7 @@ impl Pair {
     /// their sides, such as `front_left` and `front_right`; none for two on one side of the vehicle.
     pub fn all(wheels: &[Wheel]) -> Vec<Self> {
         if let [one, other] = wheels {
-            let are_in_line = match [one, other].map(|wheel| Axle::of(&wheel.name)) {
+            let are_in_line = match [one, other].map(|wheel| Axle::from_wheel_name(&wheel.name)) {
                 [Some(one), Some(other)] => one != other,
                 _ => false,
             };

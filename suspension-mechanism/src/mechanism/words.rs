@@ -26,7 +26,7 @@ impl Names {
     pub fn drive_in_words(&self, drive: usize, value: f64, unit: Unit) -> String {
         let drive = &self.drives[drive];
         let (value, symbol) = (
-            value * Dimension::from(drive.kind).in_file(unit),
+            value * Dimension::from(drive.kind).file_factor(unit),
             Dimension::from(drive.kind).symbol(unit),
         );
         format!("{} = {} {symbol}", drive.name, number(value))

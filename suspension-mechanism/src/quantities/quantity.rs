@@ -89,18 +89,18 @@ impl<N: Compiled> Column<N> {
     }
 
     /// The factor from the number, or its derivative with respect to a drive, to its value in the file.
-    pub fn in_file_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
-        let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).in_file(unit));
-        self.dimension.in_file(unit) / per
+    pub fn file_factor_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
+        let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).file_factor(unit));
+        self.dimension.file_factor(unit) / per
     }
 
     /// The factor to the value for people, and the symbol of its unit.
-    pub fn for_people_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
-        let (scale, symbol) = self.dimension.for_people(unit);
+    pub fn display_scale_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
+        let (scale, symbol) = self.dimension.display_scale(unit);
         match drive.map(|drive| drive.kind) {
             Some(dimension) => {
                 let symbol = format!("{symbol}/{}", Dimension::from(dimension).symbol(unit));
-                (scale / Dimension::from(dimension).in_file(unit), symbol)
+                (scale / Dimension::from(dimension).file_factor(unit), symbol)
             }
             None => (scale, symbol),
         }
@@ -113,7 +113,7 @@ impl<N: Compiled> Column<N> {
 
     /// Its name for people: `camber_deg`.
     pub fn name_for_people(&self, unit: Unit) -> String {
-        let (_, symbol) = self.dimension.for_people(unit);
+        let (_, symbol) = self.dimension.display_scale(unit);
         self.name_with(&symbol)
     }
 
@@ -132,7 +132,7 @@ impl<N: Compiled> Column<N> {
 
     /// The heading of a column for people: `camber (deg)`, `centre x (m)`.
     pub fn heading(&self, unit: Unit) -> String {
-        let (_, symbol) = self.dimension.for_people(unit);
+        let (_, symbol) = self.dimension.display_scale(unit);
         let axis = self
             .axis
             .map_or_else(String::new, |axis| format!(" {axis}"));

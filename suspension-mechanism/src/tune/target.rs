@@ -50,15 +50,15 @@ impl Reading {
     }
 
     /// The factor from a number to its value in the file.
-    pub fn in_file(&self, mechanism: &Description) -> f64 {
+    pub fn file_factor(&self, mechanism: &Description) -> f64 {
         let drive = self.drive(mechanism);
-        self.column.in_file_per(drive, mechanism.unit)
+        self.column.file_factor_per(drive, mechanism.unit)
     }
 
     /// The factor to the value for people, and the symbol of its unit.
-    pub fn for_people(&self, mechanism: &Description) -> (f64, String) {
+    pub fn display_scale(&self, mechanism: &Description) -> (f64, String) {
         let drive = self.drive(mechanism);
-        self.column.for_people_per(drive, mechanism.unit)
+        self.column.display_scale_per(drive, mechanism.unit)
     }
 
     fn drive<'a>(&self, mechanism: &'a Description) -> Option<&'a Drive> {

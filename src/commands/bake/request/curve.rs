@@ -113,7 +113,7 @@ impl Baking<'_> {
     /// Converts a local value to the file's coordinates and units.
     fn in_file(&self, drive: usize, local: f64) -> f64 {
         let kind = self.mechanism.names.drives[drive].kind;
-        self.given(drive, local) * Dimension::from(kind).in_file(self.mechanism.unit)
+        self.given(drive, local) * Dimension::from(kind).file_factor(self.mechanism.unit)
     }
 
     fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {

@@ -17,7 +17,7 @@ impl Baking<'_> {
     pub(super) fn check_doubt(&self, along: &Along, stated: [f64; 2]) -> Result<(), Failure> {
         let Description { names, unit, .. } = &**self.mechanism;
         let Drive { name, kind } = &names.drives[along.drive];
-        let design = self.mechanism.design[along.drive] * Dimension::from(*kind).in_file(*unit);
+        let design = self.mechanism.design[along.drive] * Dimension::from(*kind).file_factor(*unit);
         let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
         let way = format!("; changes from there are --drive {name}={from}:{to}");
         let Some(doubt) = doubt(self.mechanism, along.drive, stated, CountedFrom::Zero, &way)

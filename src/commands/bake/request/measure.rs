@@ -60,7 +60,7 @@ impl Baking<'_> {
             (wanted, _) => names.chosen_drive(wanted.as_deref()),
         };
         let drive = drive.map_err(|message| self.refuse(&message))?;
-        let per = Dimension::from(names.measures[measure].kind).in_file(self.mechanism.unit);
+        let per = Dimension::from(names.measures[measure].kind).file_factor(self.mechanism.unit);
         Ok(AlongMeasure {
             measure,
             drive,
@@ -183,6 +183,6 @@ impl Baking<'_> {
     /// Converts a value to the file's units.
     fn measured_in_file(&self, along: &AlongMeasure, given: f64) -> f64 {
         let kind = self.mechanism.names.measures[along.measure].kind;
-        given * Dimension::from(kind).in_file(self.mechanism.unit)
+        given * Dimension::from(kind).file_factor(self.mechanism.unit)
     }
 }

@@ -34,7 +34,7 @@ impl Baking<'_> {
                 (&self.mechanism.names.drives[*drive], self.mechanism.unit);
             let dimension = Dimension::from(*kind);
             let [from, to] =
-                local.map(|end| number(self.given(*drive, end) * dimension.in_file(unit)));
+                local.map(|end| number(self.given(*drive, end) * dimension.file_factor(unit)));
             format!("{name} = {from} to {to} {}", dimension.symbol(unit))
         });
         let reason = match unmet {

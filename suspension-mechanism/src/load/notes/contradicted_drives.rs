@@ -36,7 +36,7 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
             |[least, most], value| [least.min(value), most.max(value)],
         );
         let (name, design) = (&drive.name, designed[index]);
-        let in_file = design * Dimension::from(drive.kind).in_file(unit);
+        let in_file = design * Dimension::from(drive.kind).file_factor(unit);
         let way = format!("; write {name} = [{}, ...]", rounded(in_file, 6));
         let at_design = DriveAtDesign {
             drive,

@@ -57,7 +57,7 @@ fn wheelbase(task: &Task<'_>, points: &[Vector3<f64>]) -> Option<String> {
     let stated = task.names.vehicle.wheelbase?;
     let middle = |axle| {
         let wheels = task.names.wheels.iter();
-        let of_axle = wheels.filter(|wheel| Axle::of(&wheel.name) == Some(axle));
+        let of_axle = wheels.filter(|wheel| Axle::from_wheel_name(&wheel.name) == Some(axle));
         let along: Vec<f64> = of_axle
             .map(|wheel| points[wheel.points.axis[1]].x)
             .collect();
@@ -126,7 +126,7 @@ fn steered_alone<L: Suspension<N>, const N: usize>(
     };
     let centre = |wheel: &Wheel| points[wheel.points.axis[1]];
     let is_beside = |one: &Wheel, other: &Wheel| {
-        Axle::of(&one.name) == Axle::of(&other.name)
+        Axle::from_wheel_name(&one.name) == Axle::from_wheel_name(&other.name)
             && one.steer == other.steer
             && centre(one).y * centre(other).y < 0.0
     };

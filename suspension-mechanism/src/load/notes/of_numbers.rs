@@ -55,7 +55,7 @@ pub(in crate::load) fn length(
     let (length, symbol) = (number(stated), unit.symbol());
     // A usual length divided by this is about a metre.
     let middle = (usual.start * usual.end).sqrt();
-    let doubt = match Length::of_size(stated / middle) {
+    let doubt = match Length::guess_from_size(stated / middle) {
         other if other == unit => {
             let [from, to] = [usual.start, usual.end].map(|end| rounded(end * unit.metre(), 5));
             format!("it is usually from {from} {symbol} to {to} {symbol}; is the number right?")

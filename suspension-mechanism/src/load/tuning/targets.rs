@@ -36,7 +36,7 @@ impl Targets<'_> {
             return Err(self.0.source.refuse(&table.of.span(), message));
         }
         let reading = Reading { column, per };
-        let scale = reading.in_file(self.0.mechanism);
+        let scale = reading.file_factor(self.0.mechanism);
         let within = *table.within.get_ref() / scale;
         if !(within.is_finite() && within > 0.0) {
             let message = "`within` must be a positive number, the largest permitted deviation from the target";
@@ -145,7 +145,7 @@ impl Targets<'_> {
     ) -> Result<Axis, Failure> {
         let number = self.0.drive(drive)?;
         let kind = self.0.mechanism.names.drives[number].kind;
-        let per = Dimension::from(kind).in_file(self.0.mechanism.unit);
+        let per = Dimension::from(kind).file_factor(self.0.mechanism.unit);
         let ends = self.ends(ends)?.map(|end| end / per);
         Ok(Axis::for_drive(number, evenly_spaced(ends, places)))
     }

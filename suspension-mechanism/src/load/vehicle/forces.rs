@@ -27,9 +27,11 @@ pub(super) fn car(
     // An axle alone tells which way is away from the other one.
     let is_described = stated.cg_height.is_some() || brake_share.is_some() || drive_share.is_some();
     // A wheel between the axles of a longer vehicle belongs to neither.
-    let tells_no_name = wheels.iter().all(|wheel| Axle::of(&wheel.name).is_none());
+    let tells_no_name = wheels
+        .iter()
+        .all(|wheel| Axle::from_wheel_name(&wheel.name).is_none());
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
-        let from_name = Axle::of(&wheel.name);
+        let from_name = Axle::from_wheel_name(&wheel.name);
         if let (Some(_), Some(from_name)) = (stated.axle, from_name)
             && stated.axle != Some(from_name)
         {
