@@ -14,7 +14,7 @@ use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::option::whole_number;
-use crate::output::csv_file::{CsvFile, in_full};
+use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
 use crate::output::progress::Progress;
@@ -146,7 +146,7 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
         .map(heading);
     let mut table = CsvFile::create(target, &headings.collect::<Vec<_>>())?;
     let mut row = |name: &str, numbers: Vec<f64>| {
-        let numbers: Vec<String> = numbers.into_iter().map(in_full).collect();
+        let numbers: Vec<String> = numbers.into_iter().map(format_in_full).collect();
         table.record([name].into_iter().chain(numbers.iter().map(String::as_str)))
     };
     for each in &found.each {

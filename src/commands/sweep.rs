@@ -118,7 +118,7 @@ fn write(
         counts: false,
     };
     let headings: Vec<Heading> = table.names(mechanism).into_iter().map(heading).collect();
-    let mut file = Rows::create(forms, &Header::of(mechanism), &headings)?;
+    let mut file = Rows::create(forms, &Header::new(mechanism), &headings)?;
     for row in rows.iter().flatten() {
         file.add(row)?;
     }

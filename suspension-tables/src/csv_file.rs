@@ -11,7 +11,7 @@ use suspension_mechanism::number::unsigned_zero;
 const GATHERED: usize = 1 << 16;
 
 /// Formats a number with the digits needed to read back the same number; zero has no sign.
-pub fn in_full(value: f64) -> String {
+pub fn format_in_full(value: f64) -> String {
     zmij::Buffer::new().format(unsigned_zero(value)).to_owned()
 }
 

@@ -107,13 +107,13 @@ fn open(path: &Path) -> io::Result<(File, Option<TempPath>)> {
         io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
         _ => error,
     })?;
-    let (file, temporary) = beside(folder, replaced)?.into_parts();
+    let (file, temporary) = create_temporary(folder, replaced)?.into_parts();
     Ok((file, Some(temporary)))
 }
 
 /// Creates a temporary file in the folder of the final one, with the permissions of the file that it replaces or else those
 /// of any new file. Errors do not contain its name: the user did not give it.
-fn beside(folder: &Path, replaced: Option<Permissions>) -> io::Result<NamedTempFile> {
+fn create_temporary(folder: &Path, replaced: Option<Permissions>) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".suspension-").suffix(".part");
     let made = builder.make_in(folder, |path| File::create_new(path))?;
@@ -146,7 +146,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     unless_reader_gone(written.map_err(|error| Failure::writing("standard output", &error)))
 }
 
-/// What a reader who has gone does not get is no failure.
+/// Ignores that a reader has gone: it is no failure.
 pub(crate) fn unless_reader_gone(written: Result<(), Failure>) -> Result<(), Failure> {
     match written {
         Err(Failure::ReaderGone) => Ok(()),

@@ -25,7 +25,7 @@ pub struct Header {
 
 impl Header {
     /// Describes results of a mechanism.
-    pub fn of(mechanism: &Description) -> Self {
+    pub fn new(mechanism: &Description) -> Self {
         Self {
             linkage: mechanism.linkage.clone(),
             length: mechanism.unit.symbol(),

@@ -40,7 +40,7 @@ impl Forms {
         if self.parquet.is_some() {
             parquet_file::available()?;
         }
-        let all = self.all();
+        let all = self.targets();
         for (index, (target, option)) in all.iter().enumerate() {
             for (other, before) in &all[..index] {
                 if let (Some(target), Some(other)) = (target, other) {
@@ -53,7 +53,7 @@ impl Forms {
 
     /// Returns the files with the options that name them.
     pub fn files(&self) -> impl Iterator<Item = (&PathBuf, &'static str)> {
-        self.all()
+        self.targets()
             .into_iter()
             .filter_map(|(target, option)| match target {
                 Some(Target::File(path)) => Some((path, option)),
@@ -64,7 +64,7 @@ impl Forms {
 
 impl Forms {
     /// Returns the destinations with the options that name them.
-    fn all(&self) -> [(&Option<Target>, &'static str); 3] {
+    fn targets(&self) -> [(&Option<Target>, &'static str); 3] {
         [
             (&self.csv, "--csv"),
             (&self.json, "--json"),

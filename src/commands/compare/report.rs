@@ -13,7 +13,7 @@ use crate::commands::compare::side::Side;
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
-use crate::output::csv_file::{CsvFile, in_full};
+use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::heading::Heading;
 use crate::output::page::in_digits;
 use crate::output::target::Target;
@@ -191,10 +191,10 @@ pub(super) fn table(comparison: &Comparison<'_>, target: &Target) -> Result<(), 
     let mut file = CsvFile::create(target, &headings)?;
     for part in &comparison.parts {
         for difference in &part.differences {
-            let [a, b] = difference.values.map(in_full);
-            let at = difference.at.map_or_else(String::new, in_full);
+            let [a, b] = difference.values.map(format_in_full);
+            let at = difference.at.map_or_else(String::new, format_in_full);
             let (quantity, symbol) = (&difference.quantity, &difference.symbol);
-            let value = in_full(difference.value());
+            let value = format_in_full(difference.value());
             file.record([part.of.as_str(), quantity, symbol, &at, &a, &b, &value].into_iter())?;
         }
     }

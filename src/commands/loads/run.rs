@@ -165,7 +165,7 @@ impl<'a> Run<'a> {
             return Ok(None);
         }
         let headings = headings(self.mechanism, self.structure, leading, found);
-        Rows::create(forms, &Header::of(self.mechanism), &headings).map(Some)
+        Rows::create(forms, &Header::new(self.mechanism), &headings).map(Some)
     }
 
     /// Ends the table, draws the cases at the `first` place, and prints the reports.
