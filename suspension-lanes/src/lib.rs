@@ -114,7 +114,7 @@ macro_rules! lanes {
                 let engine = Self::vectors(instructions, &models).unwrap_or_else(|| {
                     Box::new(Plain::<G, T, N, $lanes, CORRECTIONS, ORDER>::new(models))
                 });
-                Self::around(engine, models, motions)
+                Self::from_engine(engine, models, motions)
             }
 
             #[cfg(target_arch = "x86_64")]
@@ -162,7 +162,7 @@ where
     G: Listing<N>,
     T: Lane,
 {
-    fn around(
+    fn from_engine(
         mut engine: Box<dyn Engine<G, T, N, LANES>>,
         models: [G::Model<T>; LANES],
         motions: &[Motion<T, N>; LANES],
