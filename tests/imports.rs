@@ -92,7 +92,7 @@ fn paths(code: &str) -> impl Iterator<Item = String> {
 struct Crate(BTreeMap<Module, File>);
 
 impl Crate {
-    fn of(folder: &Path) -> Self {
+    fn read(folder: &Path) -> Self {
         let mut files = BTreeMap::new();
         collect(folder, &[], &mut files);
         Self(files)
@@ -219,7 +219,7 @@ fn files_import_each_other_in_no_circle() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut arrows = Vec::new();
     for of in CRATES {
-        let files = Crate::of(&root.join(of).join("src"));
+        let files = Crate::read(&root.join(of).join("src"));
         let imports: usize = files
             .0
             .keys()

@@ -55,7 +55,9 @@ fn motion(rng: &mut Rng) -> RigidMotion<f64> {
 }
 
 /// Force and moment about the origin.
-fn together(forces: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>) -> [Vector3<f64>; 2] {
+fn force_and_moment(
+    forces: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>,
+) -> [Vector3<f64>; 2] {
     forces.fold([Vector3::zeros(); 2], |[force, moment], (at, each)| {
         [force + each, moment + at.cross(&each)]
     })
@@ -79,7 +81,7 @@ fn weight_and_inertia_are_those_of_all_particles() {
             .body()
             .forces(&points, &gravity)
             .expect("a triangle");
-        let found = together(points.value.into_iter().zip(forces));
+        let found = force_and_moment(points.value.into_iter().zip(forces));
         let each = particles
             .masses
             .iter()
@@ -88,7 +90,7 @@ fn weight_and_inertia_are_those_of_all_particles() {
                 let carried = carry(*at);
                 (carried.value, (gravity - carried.second_rate) * *mass)
             });
-        let expected = together(each);
+        let expected = force_and_moment(each);
         for (found, expected) in found.iter().zip(expected) {
             let off = (found - expected).norm();
             assert!(
@@ -115,8 +117,8 @@ fn a_rod_is_particles_in_line() {
             (gravity - of(accelerations)) * (1.5 / f64::from(count)),
         )
     });
-    let expected = together(each);
-    let found = together(ends.into_iter().zip(rod(1.5, accelerations, &gravity)));
+    let expected = force_and_moment(each);
+    let found = force_and_moment(ends.into_iter().zip(rod(1.5, accelerations, &gravity)));
     for (found, expected) in found.iter().zip(expected) {
         assert!((found - expected).norm() < 1e-6 * expected.norm());
     }

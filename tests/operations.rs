@@ -12,20 +12,20 @@ use crate::support;
 use number::Counting;
 
 fn attia_model() -> attia2003::Model<Counting> {
-    attia2003::Listing::converted(&support::attia_model::<f64>(), |_| Counting::given())
+    attia2003::Listing::converted(&support::attia_model::<f64>(), |_| Counting::unknown())
 }
 
 fn five_link_model() -> five_link::Model<Counting> {
-    five_link::Listing::converted(&support::five_link_model::<f64>(), |_| Counting::given())
+    five_link::Listing::converted(&support::five_link_model::<f64>(), |_| Counting::unknown())
 }
 
 fn unknowns<const N: usize>() -> SVector<Counting, N> {
-    SVector::from_fn(|_, _| Counting::given())
+    SVector::from_fn(|_, _| Counting::unknown())
 }
 
 /// Chassis points, somewhere.
 fn chassis<F: Values<Vector3<Counting>>>() -> F {
     F::from_values(std::iter::repeat_with(|| {
-        Vector3::from_fn(|_, _| Counting::given())
+        Vector3::from_fn(|_, _| Counting::unknown())
     }))
 }

@@ -54,7 +54,7 @@ const DESIGN: [(&str, [f64; 3]); 10] = [
 /// Far enough for coordinates to lose four digits, a whole number so that nothing else is lost.
 const AWAY: [f64; 3] = [4096.0, -2048.0, 1024.0];
 
-/// What is left of a comparison over that distance.
+/// The tolerance that rounding leaves for a comparison over that distance.
 const TOLERANCE: f64 = 1e-9;
 
 /// A motion file of the mechanism, all coordinates with `away` more.

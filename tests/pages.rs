@@ -48,7 +48,7 @@ fn anchors(page: &str) -> Vec<String> {
     anchors.map(|heading| heading.replace(' ', "-")).collect()
 }
 
-/// What is wrong with a link from a page; empty if nothing is.
+/// The fault of a link from a page; empty if nothing is.
 fn fault(page: &Path, link: &str) -> Option<String> {
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let target = if file.is_empty() {

@@ -7,7 +7,7 @@ use suspension_core::{Inputs, Linkage, Motion, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};
 
-/// What the largest differences may be: positions in m, velocities in m/s, accelerations in
+/// The bounds on the largest differences: positions in m, velocities in m/s, accelerations in
 /// m/s^2, angular velocity in rad/s, angular acceleration in rad/s^2.
 const BOUNDS: [f64; 5] = [5e-15, 1e-12, 1e-10, 1e-11, 1e-9];
 

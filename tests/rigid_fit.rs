@@ -23,7 +23,7 @@ fn kabsch(shape: &Points, guess: &Points) -> Points {
     from.map(|point| centre + rotation * point)
 }
 
-fn off(a: &Points, b: &Points) -> f64 {
+fn distance_between(a: &Points, b: &Points) -> f64 {
     a.iter()
         .zip(b)
         .map(|(a, b)| (a - b).norm_squared())
@@ -46,7 +46,7 @@ proptest! {
         let (shape, guess) = (points(&shape), points(&guess));
         let ours = best_rigid_fit(&shape, &guess);
         let reference = kabsch(&shape, &guess);
-        prop_assert!(off(&ours, &guess) <= off(&reference, &guess) * (1.0 + 1e-9));
+        prop_assert!(distance_between(&ours, &guess) <= distance_between(&reference, &guess) * (1.0 + 1e-9));
         // Rigid and not mirrored: the edges span the same volume.
         let volume = |p: &Points| (p[1] - p[0]).cross(&(p[2] - p[0])).dot(&(p[3] - p[0]));
         prop_assert!((volume(&ours) - volume(&shape)).abs() < 1e-14);
@@ -60,6 +60,6 @@ proptest! {
         let shape = points(&shape);
         let rotation = Rotation3::new(Vector3::from_row_slice(&turn));
         let moved = shape.map(|point| rotation * point + Vector3::new(-1.3, 0.4, 0.1));
-        prop_assert!(off(&best_rigid_fit(&shape, &moved), &moved) < 1e-14);
+        prop_assert!(distance_between(&best_rigid_fit(&shape, &moved), &moved) < 1e-14);
     }
 }

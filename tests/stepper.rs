@@ -6,7 +6,7 @@ use suspension_core::{Bounded, Motion, Stepper, Tracker};
 
 use super::support;
 
-/// Where a way comes to in a second of the published motion, from the motion at its start.
+/// The motion that a way to step reaches after a second of the published motion, from the motion at its start.
 fn second(way: &impl Stepper<f64>, tolerance: f64) -> Motion<f64, 15> {
     let model: Model<f64> = support::five_link_model();
     let mut motion = support::five_link_start(&model);

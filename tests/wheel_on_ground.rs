@@ -74,7 +74,7 @@ fn the_screw_axis_of_a_turn_about_a_line_is_the_line() {
 
 #[test]
 fn instant_centres_and_roll_centre_of_a_turn_about_a_line() {
-    // Of a swing axle that turns about a line along x.
+    // A swing axle turns about a line along x.
     let pivot = Vector3::new(0.0, 0.1, 0.25);
     for side in [1.0, -1.0] {
         let mirror = |v: Vector3<f64>| Vector3::new(v.x, side * v.y, v.z);
@@ -93,7 +93,7 @@ fn instant_centres_and_roll_centre_of_a_turn_about_a_line() {
         let expected = 0.25 * 0.75 / 0.65;
         assert!((carrier.roll_centre(&ground) - expected).abs() < 1e-15);
     }
-    // Of a trailing arm.
+    // A trailing arm turns about a line along y.
     let (pivot, omega) = (Vector3::new(0.5, 0.7, 0.35), Vector3::new(0.0, 2.0, 0.0));
     let centre = Vector3::new(0.0, 0.75, RADIUS);
     let carrier = Carrier {

@@ -37,7 +37,7 @@ step = 0.25
 height = [0.0, 2.0]
 ";
 
-fn on_it<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
+fn with_mechanism<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
     let source = Source::new("a.toml", FILE);
     let loaded = load(&source).expect("a listing");
     work(&*loaded.at_first_instant().expect("a mechanism"))
@@ -54,7 +54,7 @@ fn request(wish: Wish) -> Request {
 
 #[test]
 fn its_motion_has_columns_of_points_alone() {
-    on_it(has_columns_of_points_alone);
+    with_mechanism(has_columns_of_points_alone);
 }
 
 fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
@@ -89,7 +89,7 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
 
 #[test]
 fn other_work_is_done_on_it_too() {
-    on_it(has_ends_and_assemblies);
+    with_mechanism(has_ends_and_assemblies);
 }
 
 fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
@@ -114,7 +114,7 @@ fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
 
 #[test]
 fn its_points_are_baked_and_its_wheel_is_refused() {
-    on_it(bakes_points_alone);
+    with_mechanism(bakes_points_alone);
 }
 
 fn bakes_points_alone(mechanism: &dyn Kinematics) {

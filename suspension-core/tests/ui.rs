@@ -1,7 +1,7 @@
 //! Each mistake in a listing is reported on the user's own token, with what to write instead; and the core compiles without
 //! `linkage!`.
 //!
-//! What is compiled here is linked with the libraries that this test is linked with, of which cargo tells the places. (The crate
+//! The programs are linked with the libraries that this test is linked with, whose places cargo tells. (The crate
 //! `trybuild` builds the core and all it depends on twice more.)
 
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ fn ui() {
     }
 }
 
-/// What the compiler adds to the message has places in the core, which change.
+/// Only the message is compared: the compiler's additions name places in the core, which change.
 #[test]
 fn a_design_that_is_not_stated_is_told_what_to_state() {
     let core = Libraries::built().of("suspension_core");
@@ -93,7 +93,7 @@ impl Libraries {
     }
 }
 
-/// What the compiler says of a program.
+/// The output of the compiler for a program.
 fn compiled(case: &Path, core: &Path) -> Output {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     compiler(&[("suspension_core", core)])

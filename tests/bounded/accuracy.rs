@@ -50,7 +50,7 @@ fn every_step_stays_in_the_macros_order() {
 }
 
 /// Compares at the instants of Table 2 except the last, which are whole milliseconds.
-fn against_the_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn compare_with_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let reference = Reference::load();
     let mut motion = case.start;
     let (mut worst, mut met) = ([0.0; 3], 0);
@@ -78,12 +78,12 @@ fn against_the_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 
 #[test]
 fn one_correction_a_millisecond_agrees_with_40_digits() {
-    against_the_reference(&attia());
-    against_the_reference(&five_link());
+    compare_with_reference(&attia());
+    compare_with_reference(&five_link());
 }
 
 /// With a tolerance that accepts any residual: a further correction reduces the remaining error.
-fn by_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn compare_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     fn open<const CORRECTIONS: usize>() -> Bounded<f64, CORRECTIONS> {
         let tolerance = 1e12;
         Bounded {
@@ -114,12 +114,12 @@ fn by_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 
 #[test]
 fn errors_fall_with_corrections() {
-    by_corrections(&attia());
-    by_corrections(&five_link());
+    compare_corrections(&attia());
+    compare_corrections(&five_link());
 }
 
 /// Predictions of each order, with as many corrections as a millisecond takes.
-fn by_order<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn compare_orders<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants = instants(1e-3);
     let of_last_position = Bounded::<f64, 5, 0>::new();
     let with_velocity = Bounded::<f64, 2, 1>::new();
@@ -151,8 +151,8 @@ fn by_order<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 
 #[test]
 fn what_is_asked_is_solved_from_every_prediction() {
-    by_order(&attia());
-    by_order(&five_link());
+    compare_orders(&attia());
+    compare_orders(&five_link());
 }
 
 /// Ten thousand steps of 0.2 ms, a second forth and the same second back: steps for the position only stay on the motion,

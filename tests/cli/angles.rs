@@ -23,7 +23,7 @@ fn degrees(radians: f64) -> String {
 }
 
 /// Both tables of a command, in radians and in degrees.
-fn both(in_radians: &[&str], with_degrees: &[&str]) -> [Rows; 2] {
+fn rows_of_both(in_radians: &[&str], with_degrees: &[&str]) -> [Rows; 2] {
     let folder = folder();
     std::fs::write(folder.path().join("rad.toml"), FIVE_LINK).expect("written");
     std::fs::write(folder.path().join("deg.toml"), in_degrees()).expect("written");
@@ -70,14 +70,14 @@ fn are_the_same([radians, degrees]: &[Rows; 2]) {
 
 #[test]
 fn a_motion_is_the_same_in_degrees() {
-    are_the_same(&both(&["motion"], &["motion"]));
+    are_the_same(&rows_of_both(&["motion"], &["motion"]));
 }
 
 #[test]
 fn a_sweep_and_its_derivatives_are_the_same_in_degrees() {
     let [from, to] = [-0.1, 0.3].map(degrees);
     let in_degrees = format!("theta={from}:{to}:5");
-    are_the_same(&both(
+    are_the_same(&rows_of_both(
         &["sweep", "--derivatives", "2", "--drive", "theta=-0.1:0.3:5"],
         &["sweep", "--derivatives", "2", "--drive", &in_degrees],
     ));
@@ -86,7 +86,7 @@ fn a_sweep_and_its_derivatives_are_the_same_in_degrees() {
 #[test]
 fn assemblies_are_the_same_in_degrees() {
     let at = degrees(1.1);
-    are_the_same(&both(
+    are_the_same(&rows_of_both(
         &["assemblies", "--at", "1.1"],
         &["assemblies", "--at", &at],
     ));

@@ -123,8 +123,8 @@ fn options_that_do_nothing_are_refused() {
     ] {
         let output = run(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
         assert_eq!(output.status.code(), Some(2), "{arguments}: {output:?}");
-        let said = text(&output.stderr);
-        assert!(said.contains(expected), "{arguments}: {said}");
+        let messages = text(&output.stderr);
+        assert!(messages.contains(expected), "{arguments}: {messages}");
         assert!(output.stdout.is_empty(), "{arguments}");
     }
 }

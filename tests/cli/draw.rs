@@ -43,11 +43,14 @@ fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
     };
     let (design, beyond) = (drawn("0.2"), drawn("0.9"));
     assert_eq!(text(&design.stdout), text(&beyond.stdout));
-    let said = text(&beyond.stderr);
-    assert!(said.contains("\nnote: a.toml: the first instant"), "{said}");
+    let messages = text(&beyond.stderr);
     assert!(
-        said.ends_with("it stays at the design position\n"),
-        "{said}"
+        messages.contains("\nnote: a.toml: the first instant"),
+        "{messages}"
+    );
+    assert!(
+        messages.ends_with("it stays at the design position\n"),
+        "{messages}"
     );
 }
 

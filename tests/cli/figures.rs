@@ -16,7 +16,7 @@ struct Printed {
 
 impl Printed {
     /// From the names of points 6, 8 and 11.
-    fn of(row: &Row, names: [&str; 3]) -> Self {
+    fn read(row: &Row, names: [&str; 3]) -> Self {
         let [p6, p8, p11] = names.map(|name| ["y", "z"].map(|axis| row[&format!("{name}_{axis}")]));
         Self { p6, p8, p11 }
     }
@@ -41,7 +41,7 @@ fn assert_defined_as_printed(rows: &Rows, names: [&str; 3]) {
     assert_eq!(rows.len(), 1951);
     let mut jumps = Vec::new();
     for pair in rows.windows(2) {
-        let [before, now] = [&pair[0], &pair[1]].map(|row| Printed::of(row, names));
+        let [before, now] = [&pair[0], &pair[1]].map(|row| Printed::read(row, names));
         let t = pair[1]["t_s"];
         let [earlier, ours] = [&pair[0], &pair[1]].map(|row| -row["kingpin_rad"]);
         assert!((ours - earlier).abs() < 0.02, "ours is continuous, {t} s");
@@ -119,7 +119,7 @@ fn the_main_job_draws_the_papers_figures() {
     let read = |name: &str| std::fs::read(folder.path().join("out").join(name)).expect("a file");
     let rows = rows(&read("attia2003.csv"));
     let printed: Vec<Printed> = (rows.iter())
-        .map(|row| Printed::of(row, ["p6", "p8", "p11"]))
+        .map(|row| Printed::read(row, ["p6", "p8", "p11"]))
         .collect();
     // Only at the first instant point 8 is below point 6: the branch continues that of the others.
     let alpha = printed.iter().map(|at| {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::program::{edited, example, folder, run, text};
 
-fn with_input() -> tempfile::TempDir {
+fn folder_with_input() -> tempfile::TempDir {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     folder
@@ -16,7 +16,7 @@ fn files_in(folder: &Path) -> usize {
 
 #[test]
 fn an_unwritable_result_is_exit_code_1() {
-    let folder = with_input();
+    let folder = folder_with_input();
     std::fs::write(folder.path().join("file"), "").expect("written");
     let arguments = ["motion", "a.toml", "--csv", "file/a.csv"];
     let output = run(folder.path(), &arguments);
@@ -31,7 +31,7 @@ fn an_unwritable_result_is_exit_code_1() {
 
 #[test]
 fn the_input_is_not_overwritten_by_its_results() {
-    let folder = with_input();
+    let folder = folder_with_input();
     std::fs::create_dir(folder.path().join("sub")).expect("a folder");
     for name in ["a.toml", "sub/../a.toml"] {
         let output = run(folder.path(), &["motion", "a.toml", "--csv", name]);
@@ -50,7 +50,7 @@ fn the_input_is_not_overwritten_by_its_results() {
 /// The rows of a table are not lost under a plot.
 #[test]
 fn a_table_and_a_plot_are_two_files() {
-    let folder = with_input();
+    let folder = folder_with_input();
     std::fs::create_dir(folder.path().join("sub")).expect("a folder");
     for (command, plots, table) in [
         ("motion", ".", "a_height.svg"),
@@ -87,7 +87,7 @@ fn a_table_and_a_plot_are_two_files() {
 #[test]
 fn a_link_to_another_result_is_the_same_place() {
     use std::os::unix::fs::symlink;
-    let folder = with_input();
+    let folder = folder_with_input();
     let at = |name: &str| folder.path().join(name);
     for name in ["plots", "runs"] {
         std::fs::create_dir(at(name)).expect("a folder");
@@ -143,7 +143,7 @@ fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
 fn a_replaced_file_keeps_its_mode() {
     use std::fs::Permissions;
     use std::os::unix::fs::PermissionsExt;
-    let folder = with_input();
+    let folder = folder_with_input();
     let csv = folder.path().join("a.csv");
     for mode in [0o600, 0o664, 0o755] {
         std::fs::write(&csv, "old").expect("written");
@@ -161,7 +161,7 @@ fn a_replaced_file_keeps_its_mode() {
 #[cfg(target_os = "linux")]
 #[test]
 fn an_error_names_the_users_path_only() {
-    let folder = with_input();
+    let folder = folder_with_input();
     let output = run(folder.path(), &["motion", "a.toml", "--csv", "/proc/a.csv"]);
     assert_eq!(output.status.code(), Some(1));
     let message = text(&output.stderr);
@@ -174,7 +174,7 @@ fn an_error_names_the_users_path_only() {
 #[test]
 fn a_link_stays_a_link() {
     use std::os::unix::fs::symlink;
-    let folder = with_input();
+    let folder = folder_with_input();
     let at = |name: &str| folder.path().join(name);
     std::fs::create_dir(at("runs")).expect("a folder");
     symlink("runs/first.csv", at("link.csv")).expect("a link");

@@ -244,8 +244,8 @@ fn what_is_zero_at_the_design_names_what_hardpoints_change() {
         std::fs::write(folder.path().join("tuned.toml"), target).expect("written");
         let output = run(folder.path(), &["tune", "tuned.toml"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let said = text(&output.stderr);
-        assert!(said.ends_with(&format!(": `{of}` {expected}\n")), "{said}");
+        let messages = text(&output.stderr);
+        assert!(messages.ends_with(&format!(": `{of}` {expected}\n")), "{messages}");
     }
 }
 
@@ -268,7 +268,7 @@ fn a_quantity_without_a_value_is_not_said_to_be_unknown() {
         &["sensitivities", "a.toml", "--of", "front_arm"],
     );
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     let expected = "`front_arm` has no value at the design position, and so no sensitivities; ";
-    assert!(said.contains(expected), "{said}");
+    assert!(messages.contains(expected), "{messages}");
 }

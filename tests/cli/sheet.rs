@@ -172,9 +172,9 @@ fn a_travel_in_another_unit_is_remarked() {
         ),
     ] {
         let output = run(folder.path(), &["sheet", "a.toml", "--travel", travel]);
-        let said = text(&output.stderr);
-        let note = said.lines().find(|line| line.starts_with("note: "));
-        assert_eq!(note, expected, "{said}");
+        let messages = text(&output.stderr);
+        let note = messages.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{messages}");
     }
 }
 

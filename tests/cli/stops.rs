@@ -187,11 +187,11 @@ turn = [0.949505195260471, -0.0516]
     let (sine, cosine) = (0.949_505_195_260_471_f64 - 0.0516).sin_cos();
     let across = 0.3_f64.hypot(0.5) - length * sine;
     let needs = across.hypot(0.3 + length * cosine - 0.2);
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     let expected = format!(
         "`bp` is too short: it has 0.47592 m and would need {needs:.6} m at the place asked for"
     );
-    assert!(said.contains(&expected), "{expected}: {said}");
+    assert!(messages.contains(&expected), "{expected}: {messages}");
 }
 
 /// No link is too long or too short: the arm that the drive lifts is perpendicular to the axis of its hinge. Like `range`,
@@ -214,8 +214,8 @@ bump = [0.35, 0.3]
     let sweep = ["sweep", "a.toml", "--drive", "bump=0:0.3:4"];
     for command in [&["motion", "a.toml"][..], &sweep] {
         let output = run(folder.path(), command);
-        let said = text(&output.stderr);
+        let messages = text(&output.stderr);
         let expected = "; `arm` on its hinge `inner`, `outer` reaches no further";
-        assert!(said.contains(expected), "{said}");
+        assert!(messages.contains(expected), "{messages}");
     }
 }

@@ -62,7 +62,10 @@ fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
 }
 
 /// Returns the values at the design position of an axle whose wheels move each other.
-fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f64>, String) {
+fn design_values_of_axle(
+    linkage: &str,
+    vehicle: &str,
+) -> (std::collections::HashMap<String, f64>, String) {
     let folder = folder();
     let path = folder.path().join("rear.toml");
     let file = format!(
@@ -87,7 +90,7 @@ fn of_axle(linkage: &str, vehicle: &str) -> (std::collections::HashMap<String, f
 /// turns about its bushes, a live axle about the point where its links meet.
 #[test]
 fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
-    let (design, notes) = of_axle("twist_beam", "wheel_radius = 0.29");
+    let (design, notes) = design_values_of_axle("twist_beam", "wheel_radius = 0.29");
     assert!(
         notes.contains("the chassis is assumed to bear the torque of the drive, through shafts"),
         "{notes}"
@@ -111,7 +114,7 @@ fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
         ("drive_torque = \"carrier\"\n", z, false),
         ("drive_torque = \"chassis\"\n", z - 0.31, false),
     ] {
-        let (design, notes) = of_axle(
+        let (design, notes) = design_values_of_axle(
             "live_axle_splayed",
             &format!("wheel_radius = 0.31\n{torque}"),
         );

@@ -166,8 +166,8 @@ fn a_tolerance_in_another_unit_is_remarked() {
             folder.path(),
             &["sensitivities", "a.toml", "--samples", "10"],
         );
-        let said = text(&output.stderr);
-        let note = said.lines().find(|line| line.starts_with("note: "));
-        assert_eq!(note, expected, "{said}");
+        let messages = text(&output.stderr);
+        let note = messages.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{messages}");
     }
 }

@@ -229,14 +229,14 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let folder = written("turn = 6.5\nsteer = 0.34");
     let output = run(folder.path(), &["motion", "by_turn.toml"]);
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     assert_eq!(
-        (output.status.code(), said.lines().count()),
+        (output.status.code(), messages.lines().count()),
         (Some(2), 1),
-        "{said}"
+        "{messages}"
     );
     let message = "drive `turn` begins at 6.5 rad; an angle about an axis must be less than a whole turn to either side";
-    assert!(said.contains(message), "{said}");
+    assert!(messages.contains(message), "{messages}");
 }
 
 /// The point from which an angle counts, if its zero is the design; a point that is used otherwise does not coincide with

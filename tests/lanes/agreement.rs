@@ -62,7 +62,7 @@ where
     G::Model<T>: Build<15>,
     Lanes<G, T, 15, LANES>: Make<G, T, LANES>,
 {
-    let fleet = Fleet::<G, T, LANES>::near(rough);
+    let fleet = Fleet::<G, T, LANES>::displaced(rough);
     for instructions in ALL {
         let found = worst(&fleet, instructions);
         let number = std::any::type_name::<T>();
@@ -97,7 +97,7 @@ fn lanes_of_f32_agree_with_steps_alone() {
 #[test]
 fn lanes_keep_what_they_are_given() {
     fn kept<T: Lane>() {
-        let fleet = Fleet::<five_link::Listing, T, 8>::near(&support::five_link_rough());
+        let fleet = Fleet::<five_link::Listing, T, 8>::displaced(&support::five_link_rough());
         for instructions in ALL {
             let lanes = fleet.lanes(instructions);
             for (lane, start) in fleet.starts.iter().enumerate() {
@@ -123,7 +123,7 @@ fn lanes_keep_what_they_are_given() {
 /// Lanes without corrections also refuse the steps that they would refuse alone.
 #[test]
 fn lanes_without_corrections_agree_with_steps_alone() {
-    let fleet = Fleet::<five_link::Listing, f32, 4>::near(&support::five_link_rough());
+    let fleet = Fleet::<five_link::Listing, f32, 4>::displaced(&support::five_link_rough());
     let bounded = Bounded::<f32, 0>::new();
     for instructions in ALL {
         let mut lanes = Lanes::<five_link::Listing, f32, 15, 4, 0>::with(

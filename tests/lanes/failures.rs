@@ -23,7 +23,7 @@ where
     T: Lane + std::fmt::LowerExp,
     Lanes<five_link::Listing, T, 15, LANES>: Make<five_link::Listing, T, LANES>,
 {
-    let fleet = Fleet::<five_link::Listing, T, LANES>::near(&support::five_link_rough());
+    let fleet = Fleet::<five_link::Listing, T, LANES>::displaced(&support::five_link_rough());
     let dt = T::constant(STEP);
     let all = ALL.into_iter();
     for (instructions, out_of_reach) in all.flat_map(|one| OUT_OF_REACH.map(|angle| (one, angle))) {
@@ -76,7 +76,7 @@ fn a_lane_that_fails_stays_and_its_neighbours_go_on() {
 #[test]
 fn a_lane_that_missed_a_step_is_put_back_among_the_others() {
     const LANE: usize = 2;
-    let fleet = Fleet::<five_link::Listing, f64, 4>::near(&support::five_link_rough());
+    let fleet = Fleet::<five_link::Listing, f64, 4>::displaced(&support::five_link_rough());
     let at = |step: i32| fleet.drives(f64::from(step) * STEP);
     for instructions in ALL {
         let mut sound = fleet.lanes(instructions);
@@ -117,8 +117,8 @@ fn an_unhealthy_lane_is_solved_with_pivoting() {
         ..design
     };
     let squares = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)].map(square_to);
-    let mixed = Fleet::<Listing, f64, 4>::of([design, squares[0], squares[1], design]);
-    let sound = Fleet::<Listing, f64, 4>::of([design; 4]);
+    let mixed = Fleet::<Listing, f64, 4>::new([design, squares[0], squares[1], design]);
+    let sound = Fleet::<Listing, f64, 4>::new([design; 4]);
     let unhealthy = [1, 2].map(|lane: usize| {
         let model: &Model<f64> = &mixed.models[lane];
         let factors = model.factor(&mixed.starts[lane].position, model.fixed());

@@ -40,8 +40,8 @@ where
     G::Model<T>: Build<15>,
 {
     /// The points displaced by up to 5 mm, in each lane in another way.
-    pub(crate) fn near(rough: &G::Points<T>) -> Self {
-        Self::of(std::array::from_fn(|lane| {
+    pub(crate) fn displaced(rough: &G::Points<T>) -> Self {
+        Self::new(std::array::from_fn(|lane| {
             let points = rough.values().enumerate();
             G::Points::from_values(points.map(|(index, point)| {
                 let by = |axis: usize| {
@@ -54,7 +54,7 @@ where
     }
 
     /// Makes a fleet from the positions of points.
-    pub(crate) fn of(designs: [G::Points<T>; LANES]) -> Self {
+    pub(crate) fn new(designs: [G::Points<T>; LANES]) -> Self {
         let models =
             designs.map(|design| G::Model::<T>::of(G::default(), &design).expect("a geometry"));
         let at_start = std::array::from_fn(|lane| models[lane].drives_at(&designs[lane]));

@@ -20,7 +20,7 @@ struct Counts {
     refused: usize,
 }
 
-/// What rounding may make of the motion where the Jacobian's inverse has the norm `inverse`.
+/// The allowance for rounding errors of the motion where the Jacobian's inverse has the norm `inverse`.
 fn bounds(inverse: f64, motion: &Motion<f64, 15>) -> [f64; 3] {
     let position = 64.0 * f64::EPSILON * inverse;
     let speed = 1.0 + motion.velocity.amax();

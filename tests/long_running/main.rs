@@ -21,7 +21,7 @@ use nalgebra::{SMatrix, SVector};
 use proptest::test_runner::Config;
 use suspension_core::solve::lu::Lu;
 
-/// Of so many random cases, of which a failing one is printed, not written to a file.
+/// The settings for a number of random cases; a failing one is printed, not written to a file.
 fn config(cases: u32) -> Config {
     Config {
         cases,

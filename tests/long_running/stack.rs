@@ -10,7 +10,7 @@ use suspension_runtime::Listing;
 const AXLE: &str = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
 const UNKNOWNS: usize = 60;
 
-/// What a thread has of its own.
+/// The stack that a thread takes for itself, in bytes.
 const THREAD: usize = 64 * 1024;
 
 /// Does it in a thread whose stack has so many bytes for each entry of the Jacobian; it ends the process where that is too little.

@@ -26,7 +26,7 @@ fn at_rest<D: Values<f64>>(drives: D) -> Signal<D> {
 }
 
 /// The largest distance between the points of two configurations.
-pub(crate) fn apart<P: Values<Vector3<f64>>>(a: &P, b: &P) -> f64 {
+pub(crate) fn largest_distance<P: Values<Vector3<f64>>>(a: &P, b: &P) -> f64 {
     let pairs = a.values().zip(b.values());
     pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
 }
@@ -41,7 +41,7 @@ pub(crate) fn meets<L, const N: usize>(
 ) where
     L: Build<N, Scalar = f64>,
 {
-    let apart = apart(&solve(model, guess, drives), expected);
+    let apart = largest_distance(&solve(model, guess, drives), expected);
     let at: Vec<f64> = drives.values().collect();
     assert!(apart < tolerance, "at {at:?}: {apart:e}");
 }
@@ -218,7 +218,11 @@ pub(crate) fn motion<L, C, const N: usize>(
     };
     let velocity = differences([1.0, -8.0, 0.0, 8.0, -1.0], 12.0 * H);
     let acceleration = differences([-1.0, 16.0, -30.0, 16.0, -1.0], 12.0 * H * H);
-    let off = [apart(&at[1], &velocity), apart(&at[2], &acceleration)].map(|x| x / model.size());
+    let off = [
+        largest_distance(&at[1], &velocity),
+        largest_distance(&at[2], &acceleration),
+    ]
+    .map(|x| x / model.size());
     assert!(
         off[0] < 1e-8 && off[1] < 1e-7,
         "velocity, acceleration off by {off:?}"

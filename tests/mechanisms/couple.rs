@@ -121,7 +121,7 @@ mod driven {
                 bump_right: heave - 0.5 * roll,
             };
             let expected = checks::solve(&by_height, &other, drives);
-            let apart = checks::apart(&found, &Points::from_values(expected.values()));
+            let apart = checks::largest_distance(&found, &Points::from_values(expected.values()));
             assert!(apart < 1e-14, "{heave}, {roll}: {apart:e}");
             let read = model.drives_at(&found);
             assert!((read.heave - heave).abs() < 1e-15 && (read.roll - roll).abs() < 1e-15);

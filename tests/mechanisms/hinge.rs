@@ -62,7 +62,7 @@ fn turns_about_both_hinges() {
         };
         let solved = checks::solve(&model, &turned(0.9 * arm, 0.9 * flap), drives);
         assert!(
-            checks::apart(&solved, &expected) < 1e-14,
+            checks::largest_distance(&solved, &expected) < 1e-14,
             "at {arm}, {flap} rad"
         );
     }

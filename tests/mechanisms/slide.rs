@@ -73,7 +73,7 @@ mod strut {
         }
     }
 
-    /// What is too long of the links to the chassis, how far the top is off the strut's line, and the wheel too high.
+    /// The excess lengths of the links to the chassis, how far the top is off the strut's line, and the wheel too high.
     fn misfit(points: &Points<f64>, bump: f64) -> SVector<f64, 6> {
         let lengths = |points: &Points<f64>| {
             [

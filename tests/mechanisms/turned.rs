@@ -149,7 +149,7 @@ fn turned(swing: Signal<f64>, steer: Signal<f64>) -> Signal<lever::Points<f64>> 
     }
 }
 
-fn from(start: f64, change: Signal<f64>) -> Signal<f64> {
+fn starting_at(start: f64, change: Signal<f64>) -> Signal<f64> {
     Signal {
         value: start + change.value,
         ..change
@@ -159,7 +159,10 @@ fn from(start: f64, change: Signal<f64>) -> Signal<f64> {
 fn drives(swing: Signal<f64>, steer: Signal<f64>) -> Signal<lever::Drives<f64>> {
     let model = lever::Model::new(&lever()).expect("a lever");
     let start = model.drives_at(&lever());
-    let (swing, steer) = (from(start.swing, swing), from(start.steer, steer));
+    let (swing, steer) = (
+        starting_at(start.swing, swing),
+        starting_at(start.steer, steer),
+    );
     Signal {
         value: lever::Drives {
             swing: swing.value,
@@ -176,11 +179,11 @@ fn drives(swing: Signal<f64>, steer: Signal<f64>) -> Signal<lever::Drives<f64>> 
     }
 }
 
-fn off<P: Values<Vector3<f64>>>(found: &Signal<P>, expected: &Signal<P>) -> [f64; 3] {
+fn differences<P: Values<Vector3<f64>>>(found: &Signal<P>, expected: &Signal<P>) -> [f64; 3] {
     [
-        checks::apart(&found.value, &expected.value),
-        checks::apart(&found.rate, &expected.rate),
-        checks::apart(&found.second_rate, &expected.second_rate),
+        checks::largest_distance(&found.value, &expected.value),
+        checks::largest_distance(&found.rate, &expected.rate),
+        checks::largest_distance(&found.second_rate, &expected.second_rate),
     ]
 }
 
@@ -204,7 +207,7 @@ fn a_lever_on_a_moving_pin_is_where_rotations_put_it() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).expect("a lever");
         let tangent = Tangent::new(&model, &inputs, &q).expect("regular");
         let motion = tangent.motion().expect("finite");
-        let off = off(&motion.points(&model, &inputs), &expected);
+        let off = differences(&motion.points(&model, &inputs), &expected);
         worst = [0, 1, 2].map(|order| worst[order].max(off[order]));
         assert!(
             certifier.certify(&inputs, &q).is_proved(),
@@ -262,7 +265,7 @@ fn the_series_of_a_turn_is_the_motion() {
     let (swing, steer) = at(0.05);
     let motion = series.motion(0.05);
     let inputs = Inputs::still(drives(swing, steer));
-    let off = off(&motion.points(&model, &inputs), &turned(swing, steer));
+    let off = differences(&motion.points(&model, &inputs), &turned(swing, steer));
     assert!(
         off[0] < 1e-14 && off[1] < 1e-13 && off[2] < 1e-12,
         "{off:?}"

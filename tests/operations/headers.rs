@@ -3,7 +3,7 @@
 use suspension_core::linkage::Factors as _;
 use suspension_core::{Linkage, Values};
 
-use super::number::{Counting, Counts, all};
+use super::number::{Counting, Counts, count_all};
 use super::{attia_model, chassis, five_link_model, unknowns};
 
 /// The counts of residual, Jacobian, curvature, factorisation and solution. The code has no branches, so that any numbers
@@ -14,14 +14,14 @@ where
 {
     let q = unknowns();
     let fixed = chassis();
-    let drives = L::Drives::from_values(std::iter::repeat_with(Counting::given));
+    let drives = L::Drives::from_values(std::iter::repeat_with(Counting::unknown));
     let factors = model.factor(&q, &fixed);
     [
-        all(|| model.residual(&q, &fixed, &drives)),
-        all(|| model.jacobian(&q, &fixed)),
-        all(|| model.curvature(&q, &fixed, &q, &fixed)),
-        all(|| model.factor(&q, &fixed)),
-        all(|| factors.solve(&q)),
+        count_all(|| model.residual(&q, &fixed, &drives)),
+        count_all(|| model.jacobian(&q, &fixed)),
+        count_all(|| model.curvature(&q, &fixed, &q, &fixed)),
+        count_all(|| model.factor(&q, &fixed)),
+        count_all(|| factors.solve(&q)),
     ]
 }
 

@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_traits::{One, Zero};
 use suspension_core::Scalar;
 
-/// What has been done: multiplications, additions and subtractions, divisions.
+/// The counts of operations: multiplications, additions and subtractions, divisions.
 pub(super) type Counts = [usize; 3];
 
 /// A number known by how it was computed. The same operation on the same numbers gives the same number.
@@ -52,7 +52,7 @@ impl Session {
 
 impl Counting {
     /// A number that differs from all others.
-    pub(super) fn given() -> Self {
+    pub(super) fn unknown() -> Self {
         Self(Value::Unknown(SESSION.with_borrow_mut(Session::next)))
     }
 
@@ -88,14 +88,14 @@ impl Counting {
 }
 
 /// Counts what an action does: every operation as it is written.
-pub(super) fn all<R>(action: impl FnOnce() -> R) -> Counts {
+pub(super) fn count_all<R>(action: impl FnOnce() -> R) -> Counts {
     let before = SESSION.with_borrow(|session| session.all);
     action();
-    SESSION.with_borrow(|session| less(session.all, before))
+    SESSION.with_borrow(|session| subtract(session.all, before))
 }
 
 /// Counts what an action does: of equal operations one, as a compiler leaves it that sees them all.
-pub(super) fn different<R>(action: impl FnOnce() -> R) -> Counts {
+pub(super) fn count_different<R>(action: impl FnOnce() -> R) -> Counts {
     SESSION.with_borrow_mut(|session| {
         session.known.clear();
         session.different = [0; 3];
@@ -105,7 +105,7 @@ pub(super) fn different<R>(action: impl FnOnce() -> R) -> Counts {
 }
 
 /// Each count less another.
-pub(super) fn less(counts: Counts, others: Counts) -> Counts {
+pub(super) fn subtract(counts: Counts, others: Counts) -> Counts {
     std::array::from_fn(|kind| counts[kind] - others[kind])
 }
 

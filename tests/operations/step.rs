@@ -8,25 +8,25 @@ use suspension_core::solve::motion::Prescribed;
 use suspension_core::step::bounded::{Outputs, Step};
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
-use super::number::{Counting, Counts, different};
+use super::number::{Counting, Counts, count_different};
 use super::{attia_model, chassis, five_link_model, unknowns};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/operations.md");
 const BEGIN: &str = "<!-- Written by the test operations::step: -->\n";
 
-/// What is counted, for one linkage.
+/// The counted operations of one linkage, each with its name.
 type Rows = Vec<(&'static str, usize)>;
 
 fn signal<V: Values<Counting>>() -> Signal<V> {
     Signal {
-        value: given(),
-        rate: given(),
-        second_rate: given(),
+        value: unknown_values(),
+        rate: unknown_values(),
+        second_rate: unknown_values(),
     }
 }
 
-fn given<V: Values<Counting>>() -> V {
-    V::from_values(std::iter::repeat_with(Counting::given))
+fn unknown_values<V: Values<Counting>>() -> V {
+    V::from_values(std::iter::repeat_with(Counting::unknown))
 }
 
 fn total(counts: Counts) -> usize {
@@ -46,8 +46,8 @@ where
         acceleration: unknowns(),
         positive_determinant: None,
     };
-    let dt = Counting::given();
-    total(different(|| {
+    let dt = Counting::unknown();
+    total(count_different(|| {
         let prescribed = Prescribed::new::<L, Still, N>(model, &inputs);
         Step::<L, Still, N, CORRECTIONS, 2>::new(model, &prescribed, &motion, dt)
             .in_fixed_order(outputs)
@@ -61,18 +61,18 @@ where
 {
     let (q, v, w, rest) = (unknowns(), unknowns(), unknowns(), L::Fixed::default());
     let fixed = chassis();
-    let drives = given();
+    let drives = unknown_values();
     let factors = model.factor(&q, &fixed);
     let inputs: Signal<L::Drives> = signal();
-    let drive = total(different(|| model.coordinates(&inputs)));
-    let residual = total(different(|| model.residual(&q, &fixed, &drives)));
-    let both = total(different(|| {
+    let drive = total(count_different(|| model.coordinates(&inputs)));
+    let residual = total(count_different(|| model.residual(&q, &fixed, &drives)));
+    let both = total(count_different(|| {
         model.residual(&q, &fixed, &drives);
         model.factor(&q, &fixed)
     }));
-    let solve = total(different(|| factors.solve(&w)));
-    let square = total(different(|| model.curvature(&v, &rest, &v, &rest)));
-    let product = total(different(|| model.curvature(&v, &rest, &w, &rest)));
+    let solve = total(count_different(|| factors.solve(&w)));
+    let square = total(count_different(|| model.curvature(&v, &rest, &v, &rest)));
+    let product = total(count_different(|| model.curvature(&v, &rest, &w, &rest)));
     let [position, velocity, acceleration] =
         [Outputs::Position, Outputs::Velocity, Outputs::Acceleration]
             .map(|outputs| step::<1, L, N>(model, outputs));

@@ -5,7 +5,7 @@ use suspension_core::{Build, Real, Signal};
 
 use super::case::{Case, attia, five_link};
 
-/// Where the drive turns, from a 40-digit solution, rad.
+/// The values at which the drive turns, from a 40-digit solution, rad.
 const LOWEST: f64 = 0.662_460_552_146_186_5;
 const HIGHEST: f64 = 2.178_426_263_359_593;
 

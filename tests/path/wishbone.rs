@@ -149,7 +149,7 @@ fn led_by_a_measure_everything_moves_as_led_by_the_drives() {
         let beside = model.unknowns(&design());
         let curve = Curve::new(&model, &inputs, drive).expect("a drive");
         let mut led = Led::at_rest(&curve, &q).expect("regular");
-        // What the freed drive's own signal says does not matter.
+        // The freed drive's own signal has no effect.
         let mut ignored = inputs;
         let freed = if drive == 0 { "bump" } else { "steer" };
         for part in [&mut ignored.drives.rate, &mut ignored.drives.second_rate] {

@@ -1,4 +1,4 @@
-//! What a listing expands to where a program depends on the core under another name.
+//! The expansion of a listing in a program that depends on the core under another name.
 #![deny(warnings)]
 
 /// Macros of a program do not get in the way of those that a listing expands to.

@@ -7,7 +7,7 @@ use suspension_core::{Motion, Newton, Real, SolveError, Still, Tracker};
 
 use crate::support::{self, INSTANTS, Reference};
 
-fn ahead<T: Real, const K: usize>(t: T) -> InputSeries<Still, five_link::Drives<T>, K> {
+fn inputs_ahead<T: Real, const K: usize>(t: T) -> InputSeries<Still, five_link::Drives<T>, K> {
     InputSeries::still(Jet::of_signal(&support::five_link_inputs(t).drives))
 }
 
@@ -29,7 +29,12 @@ fn follow<T: Real, const K: usize>(tolerance: f64) -> [f64; 3] {
     let (mut worst, mut met) = ([0.0_f64; 3], 0);
     for millisecond in 0..1950_u16 {
         let t = T::constant(f64::from(millisecond) * 1e-3);
-        let step = tracker.step(&model, &ahead::<_, K>(t), T::constant(1e-3), &mut motion);
+        let step = tracker.step(
+            &model,
+            &inputs_ahead::<_, K>(t),
+            T::constant(1e-3),
+            &mut motion,
+        );
         step.unwrap_or_else(|error| panic!("at {millisecond} ms: {error:?}"));
         let reached = f64::from(millisecond + 1) * 1e-3;
         if let Some(instant) = INSTANTS.iter().position(|instant| *instant == reached) {
@@ -65,7 +70,7 @@ fn refused<const K: usize>(tolerance: f64, dt: f64) -> SolveError<f64> {
     let (model, before) = start::<f64>(4);
     let mut motion = before;
     let error = SeriesTracker::within(tolerance)
-        .step(&model, &ahead::<_, K>(1.0), dt, &mut motion)
+        .step(&model, &inputs_ahead::<_, K>(1.0), dt, &mut motion)
         .expect_err("refused");
     assert_eq!(motion, before, "the state is untouched");
     error
@@ -88,7 +93,7 @@ fn a_step_beyond_the_radius_is_refused() {
     ));
 }
 
-/// Where the published drive turns, s.
+/// The time at which the published drive turns, s.
 const LOCK: f64 = 1.978_367_769_183;
 
 /// Steps by parts of the time to the lock, whatever residual they leave: how many within the radius are
@@ -104,7 +109,7 @@ fn towards_the_lock<const K: usize>() -> [usize; 2] {
         last = t;
         for part in [0.1, 0.2, 0.3, 1.000_1, 1.1, 1.5, 2.0, 3.0] {
             let dt = (LOCK - t) * part;
-            let step = tracker.step(&model, &ahead::<_, K>(t), dt, &mut motion.clone());
+            let step = tracker.step(&model, &inputs_ahead::<_, K>(t), dt, &mut motion.clone());
             taken[usize::from(part > 1.0)] += usize::from(step.is_ok());
         }
     }
@@ -145,7 +150,7 @@ fn what_is_not_finite_is_refused() {
     ));
     let (model, before) = start::<f64>(4);
     let mut motion = before;
-    let mut inputs = ahead::<f64, 4>(1.0);
+    let mut inputs = inputs_ahead::<f64, 4>(1.0);
     inputs.drives.terms[2].theta = f64::INFINITY;
     let error = SeriesTracker::within(1e-9).step(&model, &inputs, 1e-3, &mut motion);
     assert!(matches!(error, Err(SolveError::Overflow { .. })));
@@ -160,7 +165,8 @@ fn a_motion_of_another_assembly_is_refused() {
         ..motion
     };
     let before = mirrored;
-    let error = SeriesTracker::within(1e-9).step(&model, &ahead::<_, 6>(1.0), 1e-3, &mut mirrored);
+    let error =
+        SeriesTracker::within(1e-9).step(&model, &inputs_ahead::<_, 6>(1.0), 1e-3, &mut mirrored);
     assert!(matches!(error, Err(SolveError::CrossedSingularity { .. })));
     assert_eq!(mirrored, before);
 }

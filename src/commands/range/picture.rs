@@ -41,10 +41,10 @@ pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart
     })
 }
 
-/// What is drawn.
+/// A curve to draw.
 struct Drawn {
     title: String,
-    /// What stands at the axis.
+    /// The label of the axis.
     axis: String,
     column: Column,
     scale: f64,

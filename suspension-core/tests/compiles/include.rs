@@ -1,4 +1,4 @@
-//! What another file states, included in braces and in a file.
+//! The statements of another file, included in braces and in a file.
 
 suspension_core::linkage! {
     pub mod bars {

@@ -1,4 +1,4 @@
-//! What a mistyped name may have been meant to be.
+//! Suggestions for mistyped names.
 
 use suspension_listing::did_you_mean::{did_you_mean, nearest, unknown};
 

@@ -1,4 +1,4 @@
-//! What to write in place of a mistake.
+//! The remedies that messages give.
 
 use suspension_listing::include::NoIncludes;
 use suspension_listing::text;
@@ -32,7 +32,7 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
     }
 }
 
-/// Where markers will do, a point that is missing may be one.
+/// A missing point may be a marker if the statement takes markers.
 #[test]
 fn a_missing_point_is_told_all_ways_to_declare_it() {
     let text = "fixed: a;\nfree: p;\nlink rod: a -> p;\ndrive x: p.x; drive y: p.y;\nmeasure far: length(a -> hub);\n";

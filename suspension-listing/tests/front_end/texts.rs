@@ -106,7 +106,7 @@ fn what_is_missing_at_the_end_is_told_there() {
     assert!(!mistakes("").is_empty());
 }
 
-/// What stands in millimetres in a listing in metres would be taken for a thousand times as far.
+/// Millimetres in a listing in metres would be taken for a thousand times the length.
 #[test]
 fn a_number_with_its_unit_is_refused() {
     for (text, number, unit) in [

@@ -5,7 +5,7 @@ use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
 fn it_moves_as_the_layout_without_a_damper() {
-    let [with, without] = ["double_wishbone_coilover", "double_wishbone"].map(Layout::of);
+    let [with, without] = ["double_wishbone_coilover", "double_wishbone"].map(Layout::read);
     let design = with.moved(&[]);
     for bump in TRAVEL {
         for steer in [-0.03, 0.0, 0.03] {
@@ -35,7 +35,7 @@ fn it_moves_as_the_layout_without_a_damper() {
 
 #[test]
 fn the_damper_is_compressed_in_bump() {
-    let layout = Layout::of("double_wishbone_coilover");
+    let layout = Layout::read("double_wishbone_coilover");
     let lengths = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).measure("damper"));
     assert!(lengths.is_sorted_by(|a, b| a > b), "{lengths:?}");
 }

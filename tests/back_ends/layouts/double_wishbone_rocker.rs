@@ -4,7 +4,7 @@ use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
 fn it_moves_as_the_layout_with_an_anti_roll_bar() {
-    let [without, with] = ["double_wishbone_rocker", "double_wishbone_pushrod"].map(Layout::of);
+    let [without, with] = ["double_wishbone_rocker", "double_wishbone_pushrod"].map(Layout::read);
     let points = ["wheel_centre", "axle", "pushrod_upper", "damper_outer"];
     for bump in TRAVEL {
         for steer in [-0.03, 0.0, 0.03] {
@@ -23,7 +23,7 @@ fn it_moves_as_the_layout_with_an_anti_roll_bar() {
 /// In bump the pushrod turns the rocker so that the damper is compressed.
 #[test]
 fn the_damper_is_compressed_in_bump() {
-    let layout = Layout::of("double_wishbone_rocker");
+    let layout = Layout::read("double_wishbone_rocker");
     let lengths = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).measure("damper"));
     assert!(lengths.is_sorted_by(|a, b| a > b), "{lengths:?}");
 }

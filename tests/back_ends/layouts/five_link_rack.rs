@@ -13,7 +13,7 @@ const LINKS: [[&str; 2]; 5] = [
 
 #[test]
 fn the_knuckle_moves_as_it_is_held() {
-    let layout = Layout::of("five_link_rack");
+    let layout = Layout::read("five_link_rack");
     for bump in TRAVEL {
         for steer in [-0.04, 0.0, 0.04] {
             let pose = layout.moved(&[("bump", bump), ("steer", steer)]);
@@ -30,7 +30,7 @@ fn the_knuckle_moves_as_it_is_held() {
 
 #[test]
 fn it_steers_by_a_rack_ahead_of_the_axle() {
-    let layout = Layout::of("five_link_rack");
+    let layout = Layout::read("five_link_rack");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.04).toe < -0.2 && at(0.0, -0.04).toe > 0.2);
     assert!(at(0.06, 0.0).camber < 0.0 && at(-0.06, 0.0).camber > 0.0);

@@ -8,7 +8,7 @@ const LINKS: [[&str; 2]; 2] = [["camber_inner", "camber_ball"], ["toe_inner", "t
 
 #[test]
 fn the_upright_moves_as_it_is_held() {
-    let layout = Layout::of("integral_link");
+    let layout = Layout::read("integral_link");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump", bump)]);
         let ball = pose.at("lower_ball");
@@ -43,7 +43,7 @@ fn the_upright_moves_as_it_is_held() {
 /// The camber link is shorter than the lower arm.
 #[test]
 fn the_wheel_leans_inboard_in_bump() {
-    let layout = Layout::of("integral_link");
+    let layout = Layout::read("integral_link");
     let wheels = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).wheel);
     assert!(wheels.iter().is_sorted_by(|a, b| a.camber > b.camber));
     assert!(wheels.iter().all(|wheel| wheel.toe.abs() < 0.02));
@@ -51,7 +51,7 @@ fn the_wheel_leans_inboard_in_bump() {
 
 #[test]
 fn the_integral_link_keeps_the_upright_from_pitching() {
-    let layout = Layout::of("integral_link");
+    let layout = Layout::read("integral_link");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump", bump)]);
         let [ball, upper] = ["toe_ball", "integral_upper"].map(|point| pose.at(point));

@@ -31,7 +31,7 @@ pub(crate) struct Pose {
 }
 
 impl Layout {
-    pub(crate) fn of(name: &str) -> Self {
+    pub(crate) fn read(name: &str) -> Self {
         let found = LISTINGS.iter().find(|(other, _)| *other == name);
         let listing = Listing::parse(found.expect("in the catalogue").1).expect("a listing");
         let hardpoints = listing.design().expect("all points are stated");

@@ -4,7 +4,7 @@ use super::layout::{Layout, TRAVEL, rolls_about};
 
 #[test]
 fn heave_moves_the_axle_sideways_on_the_rods_circle() {
-    let layout = Layout::of("live_axle_panhard");
+    let layout = Layout::read("live_axle_panhard");
     let rod = layout.at("panhard_axle") - layout.at("panhard_chassis");
     let start = layout.at("left_wheel_centre").y;
     let mut furthest: f64 = 0.0;
@@ -25,7 +25,7 @@ fn heave_moves_the_axle_sideways_on_the_rods_circle() {
 
 #[test]
 fn the_axle_rolls_about_the_rod() {
-    let layout = Layout::of("live_axle_panhard");
+    let layout = Layout::read("live_axle_panhard");
     let [axle, chassis] = ["panhard_axle", "panhard_chassis"].map(|point| layout.at(point));
     rolls_about(
         &layout,
@@ -35,7 +35,7 @@ fn the_axle_rolls_about_the_rod() {
 
 #[test]
 fn it_rolls_as_far_as_it_heaves() {
-    let layout = Layout::of("live_axle_panhard");
+    let layout = Layout::read("live_axle_panhard");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", -bump)]);
         assert!((pose.measure("roll_travel") - 2.0 * bump).abs() < 1e-14);

@@ -4,7 +4,7 @@ use super::layout::{CLOSE, Layout, TRAVEL, rolls_about};
 
 #[test]
 fn heave_keeps_the_axle_in_the_middle() {
-    let layout = Layout::of("live_axle_splayed");
+    let layout = Layout::read("live_axle_splayed");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", bump)]);
         assert!(pose.off_mirrored(&pose) < CLOSE);
@@ -14,7 +14,7 @@ fn heave_keeps_the_axle_in_the_middle() {
 
 #[test]
 fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
-    let layout = Layout::of("live_axle_splayed");
+    let layout = Layout::read("live_axle_splayed");
     for bump in TRAVEL {
         let [left, right] =
             [bump, -bump].map(|by| layout.moved(&[("bump_left", by), ("bump_right", -by)]));
@@ -24,7 +24,7 @@ fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
 
 #[test]
 fn the_axle_rolls_about_where_the_upper_links_meet() {
-    let layout = Layout::of("live_axle_splayed");
+    let layout = Layout::read("live_axle_splayed");
     let [front, rear] = ["upper_left_front", "upper_left_rear"].map(|point| layout.at(point));
     rolls_about(
         &layout,

@@ -4,7 +4,7 @@ use super::layout::{Layout, TRAVEL, rolls_about};
 
 #[test]
 fn heave_leads_the_crank_on_nearly_a_straight_line() {
-    let layout = Layout::of("live_axle_watt");
+    let layout = Layout::read("live_axle_watt");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", bump)]);
         let aside = pose.at("crank_rear").y;
@@ -15,13 +15,13 @@ fn heave_leads_the_crank_on_nearly_a_straight_line() {
 
 #[test]
 fn the_axle_rolls_about_the_crank() {
-    let layout = Layout::of("live_axle_watt");
+    let layout = Layout::read("live_axle_watt");
     rolls_about(&layout, layout.at("crank_rear"));
 }
 
 #[test]
 fn it_rolls() {
-    let layout = Layout::of("live_axle_watt");
+    let layout = Layout::read("live_axle_watt");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", -bump)]);
         assert!((pose.measure("roll_travel") - 2.0 * bump).abs() < 1e-14);

@@ -7,7 +7,7 @@ const HINGE: [&str; 2] = ["lower_front", "lower_rear"];
 
 #[test]
 fn the_strut_passes_the_lower_ball_joint() {
-    let layout = Layout::of("macpherson");
+    let layout = Layout::read("macpherson");
     let [ball, low, top] = ["lower_ball", "strut_low", "top"].map(|point| layout.at(point));
     let line = (top - low).normalize();
     assert!(line.cross(&(ball - low)).norm() > 0.02);
@@ -15,7 +15,7 @@ fn the_strut_passes_the_lower_ball_joint() {
 
 #[test]
 fn the_knuckle_moves_as_it_is_held() {
-    let layout = Layout::of("macpherson");
+    let layout = Layout::read("macpherson");
     for bump in TRAVEL {
         for steer in [-0.06, 0.0, 0.06] {
             let pose = layout.moved(&[("bump", bump), ("steer", steer)]);
@@ -38,7 +38,7 @@ fn the_knuckle_moves_as_it_is_held() {
 /// The rack is behind the axle: to the left it pushes the rear of the left wheel outboard.
 #[test]
 fn it_steers_and_cambers_as_such_a_strut_does() {
-    let layout = Layout::of("macpherson");
+    let layout = Layout::read("macpherson");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.06).toe > 0.3 && at(0.0, -0.06).toe < -0.3);
     assert!(at(0.03, 0.0).camber < 0.0 && at(-0.03, 0.0).camber > 0.0);

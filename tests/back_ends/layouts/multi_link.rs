@@ -13,7 +13,7 @@ const LINKS: [&str; 5] = [
 
 #[test]
 fn the_knuckle_moves_as_it_is_held() {
-    let layout = Layout::of("multi_link");
+    let layout = Layout::read("multi_link");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump", bump)]);
         let outer = LINKS.map(|link| format!("{link}_outer"));

@@ -14,7 +14,7 @@ const LINKS: [[&str; 2]; 3] = [
 
 #[test]
 fn the_upright_moves_as_it_is_held() {
-    let layout = Layout::of("split_lower_arm");
+    let layout = Layout::read("split_lower_arm");
     for bump in TRAVEL {
         for steer in [-0.04, 0.0, 0.04] {
             let pose = layout.moved(&[("bump", bump), ("steer", steer)]);
@@ -46,7 +46,7 @@ fn passes(pose: &Pose, [inner, outer]: [&str; 2], x: f64) -> Vector3<f64> {
 /// In plan view the lower links' lines meet outboard of both ball joints, which is impossible with a wishbone.
 #[test]
 fn the_virtual_joint_is_outboard_of_both_ball_joints() {
-    let layout = Layout::of("split_lower_arm");
+    let layout = Layout::read("split_lower_arm");
     let pose = layout.moved(&[]);
     let [lateral, diagonal, _] = LINKS;
     let lead = |x: f64| passes(&pose, diagonal, x).y - passes(&pose, lateral, x).y;
@@ -66,7 +66,7 @@ fn the_virtual_joint_is_outboard_of_both_ball_joints() {
 
 #[test]
 fn it_steers_by_a_rack_behind_the_axle() {
-    let layout = Layout::of("split_lower_arm");
+    let layout = Layout::read("split_lower_arm");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.04).toe > 0.2 && at(0.0, -0.04).toe < -0.2);
     assert!(at(0.06, 0.0).camber < 0.0 && at(-0.06, 0.0).camber > 0.0);

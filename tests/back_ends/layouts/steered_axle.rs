@@ -7,7 +7,10 @@ const RACK: [f64; 3] = [-0.03, 0.0, 0.03];
 
 #[test]
 fn the_left_side_is_the_double_wishbone() {
-    let (axle, corner) = (Layout::of("steered_axle"), Layout::of("double_wishbone"));
+    let (axle, corner) = (
+        Layout::read("steered_axle"),
+        Layout::read("double_wishbone"),
+    );
     for bump in TRAVEL {
         for steer in RACK {
             let both = axle.moved(&[("bump_left", bump), ("bump_right", -bump), ("steer", steer)]);
@@ -28,7 +31,7 @@ fn the_left_side_is_the_double_wishbone() {
 
 #[test]
 fn mirrored_motions_mirror() {
-    let layout = Layout::of("steered_axle");
+    let layout = Layout::read("steered_axle");
     for bump in TRAVEL {
         for steer in RACK {
             let one = [("bump_left", bump), ("bump_right", 0.01), ("steer", steer)];
@@ -40,7 +43,7 @@ fn mirrored_motions_mirror() {
 
 #[test]
 fn the_rack_slides() {
-    let layout = Layout::of("steered_axle");
+    let layout = Layout::read("steered_axle");
     for steer in RACK {
         let pose = layout.moved(&[("steer", steer), ("bump_left", 0.06)]);
         for end in ["rack_left", "rack_right"] {

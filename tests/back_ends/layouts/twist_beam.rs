@@ -5,7 +5,7 @@ use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
 fn heave_turns_both_arms_about_the_bushes() {
-    let layout = Layout::of("twist_beam");
+    let layout = Layout::read("twist_beam");
     let (bush, start) = (layout.at("left_bush"), layout.at("left_wheel_centre"));
     let radius = (start - bush).xz().norm();
     for bump in TRAVEL {
@@ -20,7 +20,7 @@ fn heave_turns_both_arms_about_the_bushes() {
 
 #[test]
 fn in_roll_an_arm_turns_about_bush_and_middle_of_the_beam() {
-    let layout = Layout::of("twist_beam");
+    let layout = Layout::read("twist_beam");
     let mut middle = layout.at("left_outer");
     middle.y = 0.0;
     let axis = middle - layout.at("left_bush");
@@ -36,7 +36,7 @@ fn in_roll_an_arm_turns_about_bush_and_middle_of_the_beam() {
 
 #[test]
 fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
-    let layout = Layout::of("twist_beam");
+    let layout = Layout::read("twist_beam");
     for bump in TRAVEL {
         let [left, right] =
             [bump, -bump].map(|by| layout.moved(&[("bump_left", by), ("bump_right", -by)]));

@@ -249,9 +249,9 @@ pub(super) fn check_refused(motion: String, expected: &str) {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), motion).expect("written");
     let output = run(folder.path(), &["motion", "a.toml"]);
-    let said = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains(expected), "{said}");
+    let messages = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{messages}");
+    assert!(messages.contains(expected), "{messages}");
 }
 
 /// The tie rod is perpendicular to the path of its ball, so that the rack does not move it at first. The message says that
@@ -276,6 +276,9 @@ drives = { steer = 0.3 }
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(folder.path(), &["check", "a.toml"]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let said = text(&output.stderr);
-    assert!(said.contains("the design position is singular"), "{said}");
+    let messages = text(&output.stderr);
+    assert!(
+        messages.contains("the design position is singular"),
+        "{messages}"
+    );
 }

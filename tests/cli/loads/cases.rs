@@ -163,10 +163,10 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
         "bump=-0.3:0.3:7",
     ];
     let output = run(folder.path(), &beyond);
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     assert!(
-        said.contains("load case `a` has no answer") && said.contains("out of reach"),
-        "{said}"
+        messages.contains("load case `a` has no answer") && messages.contains("out of reach"),
+        "{messages}"
     );
     let row = &rows(&std::fs::read(folder.path().join("a.csv")).expect("a table"))[0];
     assert!(row.contains_key("b_bump_N") && !row.contains_key("a_bump_N"));

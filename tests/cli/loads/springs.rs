@@ -7,18 +7,18 @@ const SPRINGS: &str = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload 
 const CASE: &str = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n";
 
 /// Returns the output and the messages for a file.
-fn told(file: &str, more: &[&str]) -> (String, String) {
+fn run_loads(file: &str, more: &[&str]) -> (String, String) {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(folder.path(), &[&["loads", "a.toml"], more].concat());
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let printed = text(&output.stdout).to_owned();
     // The shares of hinges are another note.
-    let said = text(&output.stderr).split_inclusive('\n');
-    let said = said
+    let notes = text(&output.stderr).split_inclusive('\n');
+    let notes = notes
         .filter(|line| !line.contains("each of the two bushes"))
         .collect();
-    (printed, said)
+    (printed, notes)
 }
 
 #[test]
@@ -36,9 +36,10 @@ fn the_spring_that_bears_a_load_is_named() {
             if springs.is_empty() && by == "coil" {
                 continue;
             }
-            let (report, said) = told(&loaded(&format!("{springs}{CASE}bump = \"{by}\"\n")), &[]);
+            let (report, notes) =
+                run_loads(&loaded(&format!("{springs}{CASE}bump = \"{by}\"\n")), &[]);
             assert!(report.contains(expected), "{report}");
-            assert_eq!(said, "");
+            assert_eq!(notes, "");
         }
     }
 }
@@ -56,22 +57,22 @@ fn springs_that_bear_nothing_are_noted_once() {
         &["--drive", "bump=-0.04:0.04:3", "--json", "-"],
         &["--motion", "--csv", "-"],
     ] {
-        let (_, said) = told(&both, more);
-        assert_eq!(said, expected, "{more:?}");
+        let (_, notes) = run_loads(&both, more);
+        assert_eq!(notes, expected, "{more:?}");
     }
-    let (_, said) = told(
+    let (_, notes) = run_loads(
         &loaded(&format!("{SPRINGS}{CASE}bump = \"coil\"\n{second}")),
         &[],
     );
-    assert!(said.contains("the load of [loads.b], and no"), "{said}");
+    assert!(notes.contains("the load of [loads.b], and no"), "{notes}");
     for no_note in [
         format!("{SPRINGS}{CASE}damper = 3800.0\n"),
         format!("{SPRINGS}{CASE}coil = 3800.0\n"),
         format!("{SPRINGS}[loads.a]\nrack = [0.0, 100.0, 0.0]\n"),
         CASE.to_owned(),
     ] {
-        let (_, said) = told(&loaded(&no_note), &[]);
-        assert_eq!(said, "", "{no_note}");
+        let (_, notes) = run_loads(&loaded(&no_note), &[]);
+        assert_eq!(notes, "", "{no_note}");
     }
 }
 
@@ -84,10 +85,10 @@ fn each_wheel_of_an_axle_has_its_own_spring() {
                 springs.left = { along = \"damper_left\", rate = 30000.0 }\n\
                 springs.right = { along = \"damper_right\", rate = 30000.0 }\n\
                 loads.a = { left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 2000.0] }\n";
-    let (_, said) = told(file, &[]);
+    let (_, notes) = run_loads(file, &[]);
     let expected = "note: a.toml: the drives `bump_left` and `bump_right` bear the load of [loads.a], and no spring does; write bump_left = \
                     \"left\" and bump_right = \"right\" there for the springs to bear it\n";
-    assert_eq!(said, expected);
+    assert_eq!(notes, expected);
 }
 
 #[test]
@@ -124,8 +125,8 @@ fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["loads", "a.toml"]);
         assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
-        let said = text(&output.stderr);
-        assert!(said.contains(expected), "{expected}: {said}");
+        let notes = text(&output.stderr);
+        assert!(notes.contains(expected), "{expected}: {notes}");
     }
 }
 
@@ -152,8 +153,8 @@ fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["loads", "a.toml"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let said = text(&output.stderr);
-        assert!(said.contains(expected), "{expected}: {said}");
+        let notes = text(&output.stderr);
+        assert!(notes.contains(expected), "{expected}: {notes}");
     }
 }
 
@@ -173,16 +174,19 @@ fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
                  drives = {{ bump_left = 0.3, bump_right = 0.3 }}\n{springs}loads.a = {{ {loads}{by} }}\nloads.b = {{ {loads}{by} }}\n"
             )
         };
-        let (_, said) = told(&file(left, ", bump_left = \"left\""), &[]);
-        assert_eq!(said, expected, "{layout}");
-        let (_, said) = told(&file(left, ""), &[]);
-        assert!(said.contains("write bump_left = \"left\" there"), "{said}");
-        assert!(said.ends_with(expected), "{layout}: {said}");
+        let (_, notes) = run_loads(&file(left, ", bump_left = \"left\""), &[]);
+        assert_eq!(notes, expected, "{layout}");
+        let (_, notes) = run_loads(&file(left, ""), &[]);
+        assert!(
+            notes.contains("write bump_left = \"left\" there"),
+            "{notes}"
+        );
+        assert!(notes.ends_with(expected), "{layout}: {notes}");
         let by = ", bump_left = \"left\", bump_right = \"damper_right\"";
         let both = format!("{left}{right}");
         for (springs, by) in [(left, by), (&both, by)] {
-            let (_, said) = told(&file(springs, by), &[]);
-            assert_eq!(said, "", "{layout}");
+            let (_, notes) = run_loads(&file(springs, by), &[]);
+            assert_eq!(notes, "", "{layout}");
         }
     }
 }
@@ -194,6 +198,6 @@ fn a_spring_of_both_wheels_is_not_proposed_for_one() {
                 drives = { bump_left = 0.3, bump_right = 0.3, steer = 0.34 }\n\
                 springs.bar = { along = \"roll_travel\", rate = 90000.0 }\n\
                 loads.a = { left_contact = [0.0, 0.0, 3000.0] }\n";
-    let (_, said) = told(file, &[]);
-    assert_eq!(said, "");
+    let (_, notes) = run_loads(file, &[]);
+    assert_eq!(notes, "");
 }

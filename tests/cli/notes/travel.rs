@@ -44,9 +44,9 @@ fn a_sheet_proposes_the_travel_of_each_wheel() {
     std::fs::write(folder.path().join("a.toml"), arms("")).expect("written");
     let output = run(folder.path(), &["sheet", "a.toml"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     let expected = format!("Write [vehicle] with {TRAVEL}; the drives are bump_left, bump_right\n");
-    assert!(said.ends_with(&expected), "{said}");
+    assert!(messages.ends_with(&expected), "{messages}");
 }
 
 #[test]

@@ -131,9 +131,9 @@ fn of_a_wheel_the_line_that_is_missing_is_named_too() {
     );
     std::fs::write(folder.path().join("tuned.toml"), target).expect("written");
     let output = run(folder.path(), &["tune", "tuned.toml"]);
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     assert!(
-        said.ends_with(&format!("there is no `left_steering_ratio` {needs}")),
-        "{said}"
+        messages.ends_with(&format!("there is no `left_steering_ratio` {needs}")),
+        "{messages}"
     );
 }

@@ -55,10 +55,10 @@ fn a_length_of_the_other_side_is_moved_with_it() {
     met(folder.path(), &axle("right_tie_rod"));
     assert_toes(folder.path(), 0.1);
     let output = tuned(folder.path(), &axle("left_tie_rod"));
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     assert!(
-        said.contains("`left_tie_rod` is moved twice by one move"),
-        "{said}"
+        messages.contains("`left_tie_rod` is moved twice by one move"),
+        "{messages}"
     );
 }
 
@@ -71,12 +71,12 @@ fn a_mirrored_point_of_the_same_side_is_refused() {
     let drives = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.34";
     let output = tuned(folder.path(), &file("steered_axle", drives, &tune));
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let said = text(&output.stderr);
+    let messages = text(&output.stderr);
     assert!(
-        said.starts_with(
+        messages.starts_with(
             "a.toml:12:13: `left_lower_ball` is on the side of the vehicle that `left_tie_ball` is on; `mirrored` names the points of the \
              other side"
         ),
-        "{said}"
+        "{messages}"
     );
 }

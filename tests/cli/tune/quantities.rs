@@ -53,10 +53,10 @@ fn a_place_without_a_value_is_told() {
         let file = file.replace("0.3 }", "0.3, wheelbase = 2.6 }");
         let output = tuned(folder.path(), &file);
         assert_eq!(output.status.code(), Some(3), "{output:?}");
-        let said = text(&output.stderr);
+        let messages = text(&output.stderr);
         let expected = format!(
             "a.toml: target `ackermann`: `ackermann` has no value at {place}; suspension motion --help says where it has one\n"
         );
-        assert!(said.ends_with(&expected), "{said}");
+        assert!(messages.ends_with(&expected), "{messages}");
     }
 }

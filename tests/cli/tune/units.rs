@@ -203,9 +203,9 @@ fn a_box_in_another_unit_is_remarked() {
         let folder = folder();
         let tune = FLAT.replace("2]\nby = [-0.03, 0.03]", &format!("2]\nby = {by}"));
         let output = tuned(folder.path(), &file("double_wishbone", drives, &tune));
-        let said = text(&output.stderr);
-        let note = said.lines().find(|line| line.starts_with("note: "));
-        assert_eq!(note, expected, "{said}");
+        let messages = text(&output.stderr);
+        let note = messages.lines().find(|line| line.starts_with("note: "));
+        assert_eq!(note, expected, "{messages}");
     }
 }
 

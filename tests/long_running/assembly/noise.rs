@@ -25,7 +25,7 @@ struct Instant {
     assemblies: Vec<Vector>,
 }
 
-/// What became of guesses.
+/// The outcomes of guesses.
 #[derive(Debug, Default)]
 struct Tally {
     configuration: usize,

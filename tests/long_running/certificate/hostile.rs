@@ -1,4 +1,4 @@
-//! What is no number, or out of all proportion, is not proved, and the reason is told.
+//! A NaN, or a number out of all proportion, is not proved, and the reason is given.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::certificate::{Certificate, Certifier, Unproved};

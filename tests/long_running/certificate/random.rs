@@ -18,7 +18,7 @@ pub(crate) fn sign(rng: &mut Rng) -> f64 {
     if rng.bool() { 1.0 } else { -1.0 }
 }
 
-/// What came of many cases.
+/// The outcomes of many cases.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Counts {
     pub(crate) cases: usize,

@@ -166,7 +166,7 @@ impl Way {
     }
 }
 
-/// What `f32` is off by: positions and wheel centre in metres, camber and toe in radians, velocity
+/// The errors of `f32`: positions and wheel centre in metres, camber and toe in radians, velocity
 /// and acceleration as parts of the largest of the instant.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Errors {

@@ -1,4 +1,4 @@
-//! What each part of the recommended way buys, and that it holds wherever the axes have their origin.
+//! The gain of each part of the recommended way, and a check that it holds wherever the axes have their origin.
 
 use suspension_core::linkages::five_link;
 

@@ -13,13 +13,13 @@ const GEOMETRIES: usize = 40;
 const STEPS: usize = 100;
 const STEP: f64 = 1e-3;
 
-/// What came of the steps of all geometries.
+/// The outcomes of the steps of all geometries.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     accepted: usize,
     /// Refused by `f32` alone.
     refused: usize,
-    /// Of those the smallest norm of the Jacobian's inverse.
+    /// The smallest norm of the Jacobian's inverse in these.
     firmest: f64,
     /// The largest error, as a multiple of that norm times rounding.
     worst: f64,
