@@ -22,6 +22,28 @@ fn steer_under(forces: &Points) -> [Result<f64, Part>; 2] {
     })
 }
 
+/// A force on a free point is borne by the equations; the first that has no finite number is the first link here.
+#[test]
+fn what_is_not_finite_at_a_free_point_is_refused_at_an_equation() {
+    let corner: Corner = Corner::design().expect("a regular design");
+    let lower_ball = Vector3::new(0.0, 0.0, f64::NAN);
+    for refused in steer_under(&Points {
+        lower_ball,
+        ..Points::default()
+    }) {
+        let part = refused.expect_err("no force");
+        assert_eq!(part, Part::Equation(0));
+        let message = SolveError::<f64>::Overflow { part }
+            .named(corner.model())
+            .to_string();
+        assert_eq!(
+            message,
+            "a correction, velocity, acceleration or force is not a finite number: equation `lower_fore`; \
+             look at the inputs and their rates, or at the forces"
+        );
+    }
+}
+
 /// The force on the rack is in no equation: its drive alone bears it.
 #[test]
 fn what_is_not_finite_at_a_driven_chassis_point_is_refused_at_its_drive() {

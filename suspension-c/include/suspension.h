@@ -71,7 +71,7 @@ enum {
     SUSP_ERROR_SMALL_PIVOT = 26,
     /** a residual is not a finite number; look at inputs, start and time step */
     SUSP_ERROR_NOT_FINITE = 40,
-    /** a correction, velocity or acceleration is not a finite number; look at the inputs and their rates */
+    /** a correction, velocity, acceleration or force is not a finite number; look at the inputs and their rates, or at the forces */
     SUSP_ERROR_OVERFLOW = 41,
     /** the step ends in another assembly, beyond a singularity; take shorter steps */
     SUSP_ERROR_CROSSED_SINGULARITY = 42,

@@ -142,12 +142,11 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         multipliers: SVector<T, N>,
         forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
-        magnitude(&multipliers).map_err(SolveError::overflow)?;
+        let refused = |part| SolveError::Overflow { part };
+        magnitude(&multipliers).map_err(|equation| refused(Part::Equation(equation)))?;
         let on_drives = at.on_drives(&multipliers, forces);
         match on_drives.values().position(|load| !load.is_finite()) {
-            Some(drive) => Err(SolveError::Overflow {
-                part: Part::Drive(drive),
-            }),
+            Some(drive) => Err(refused(Part::Drive(drive))),
             None => Ok(Self {
                 on_drives,
                 at,

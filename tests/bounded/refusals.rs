@@ -131,7 +131,7 @@ fn a_refusal_of_no_number_points_to_values_and_rates() {
     let refusal = bounded.attempt(all, &case.model, &inputs, STEP, &mut motion);
     let told = refusal.expect_err("a refusal").to_string();
     assert!(
-        told.ends_with("look at the inputs and their rates"),
+        told.ends_with("look at the inputs and their rates, or at the forces"),
         "{told}"
     );
 }

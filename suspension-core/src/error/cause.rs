@@ -26,8 +26,8 @@ macro_rules! causes {
 
             NotFinite = 40: "a residual is not a finite number",
                 "look at inputs, start and time step";
-            Overflow = 41: "a correction, velocity or acceleration is not a finite number",
-                "look at the inputs and their rates";
+            Overflow = 41: "a correction, velocity, acceleration or force is not a finite number",
+                "look at the inputs and their rates, or at the forces";
             CrossedSingularity = 42: "the step ends in another assembly, beyond a singularity",
                 "take shorter steps";
             Singular = 43: "the equations do not determine the motion here: the mechanism locks, or a drive has no effect",

@@ -16,10 +16,10 @@ pub enum SolveError<T> {
         /// The equation of the residual.
         part: Part,
     },
-    /// A correction, velocity or acceleration is NaN or infinite. Either a rate of an input is so too, or the number
-    /// is too large for the number type.
+    /// A correction, velocity or acceleration is NaN or infinite, or a force of [`statics`](crate::statics). Either a
+    /// rate of an input or a given force is so too, or the number is too large for the number type.
     Overflow {
-        /// The unknown that changes.
+        /// The unknown that changes, or the equation or drive that bears the force.
         part: Part,
     },
     /// The determinant of the Jacobian has the opposite sign to that at the last good motion: a singularity lies in
