@@ -38,7 +38,7 @@ pub fn statements(
     span: Span,
     includes: &dyn IncludeSource,
 ) -> syn::Result<(Listing, Errors)> {
-    let included = Cell::new(0);
+    let included = Cell::new(Some(0));
     let mut reading = Reading {
         listing: Listing::empty(span),
         errors: Errors::default(),
@@ -66,8 +66,8 @@ struct Reading<'a> {
     file: PathBuf,
     /// The number of listings in which it is nested.
     depth: usize,
-    /// The number of listings included in all.
-    included: &'a Cell<usize>,
+    /// The number of listings included in all; `None` after one too many.
+    included: &'a Cell<Option<usize>>,
 }
 
 impl Reading<'_> {
@@ -122,9 +122,12 @@ impl Reading<'_> {
         read.parse2(text)
     }
 
-    /// Adds the statements of another listing.
+    /// Adds the statements of another listing. After one too many no more are added: a listing that includes itself
+    /// twice would be refused once for each way to it.
     fn include(&mut self, include: &Include) {
-        if let Err(error) = self.try_include(include) {
+        if self.included.get().is_none() {
+            self.listing.incomplete = true;
+        } else if let Err(error) = self.try_include(include) {
             self.report(error);
         }
     }
@@ -146,13 +149,15 @@ impl Reading<'_> {
     fn text(&self, include: &Include, file: &Path) -> syn::Result<String> {
         let refuse = |message| include.refused(message);
         let name = include.source.name();
-        if self.depth == DEEPEST_INCLUDED || self.included.get() == MOST_INCLUDED {
+        let before = self.included.take();
+        let before = before.filter(|count| self.depth < DEEPEST_INCLUDED && *count < MOST_INCLUDED);
+        let Some(count) = before else {
             return Err(refuse(format!(
                 "`{name}` is one include too many: includes may be nested {DEEPEST_INCLUDED} deep, with {MOST_INCLUDED} in all; \
                  check whether a listing includes itself"
             )));
-        }
-        self.included.set(self.included.get() + 1);
+        };
+        self.included.set(Some(count + 1));
         let text = self.includes.text(include.source.wanted(&name, file));
         let text = text.map_err(refuse)?;
         if text.len() > MOST_BYTES {

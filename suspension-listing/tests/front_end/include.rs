@@ -185,6 +185,14 @@ fn two_includes_of_one_name_are_one_mistake() {
     );
 }
 
+/// There are sixteen ways down to the depth at which it is refused.
+#[test]
+fn a_listing_that_includes_itself_twice_is_one_mistake() {
+    let message = read("include left: \"circle\";").expect_err("a circle");
+    assert_eq!(message.matches("includes itself").count(), 1, "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+}
+
 #[test]
 fn what_cannot_be_included_is_not_missed_by_a_mirror() {
     let message = read("include left: \"none\"; mirror: left -> right;");
