@@ -25,8 +25,8 @@ fn main() -> ExitCode {
     let done = match *words {
         [] => show(),
         ["--minutes", minutes] => match minutes.parse() {
-            Ok(minutes) => long(minutes),
-            Err(_) => Err(format!("--minutes takes a number, not {minutes}").into()),
+            Ok(minutes) if minutes > 0.0 && f64::is_finite(minutes) => long(minutes),
+            _ => Err(format!("--minutes takes a positive number, not {minutes}").into()),
         },
         ["detail"] => compare::run(Path::new("out/car_detail.svg")),
         ["scene"] => scene::run(),
