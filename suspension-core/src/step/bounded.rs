@@ -152,6 +152,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
     /// As [`step_to`](Self::step_to), but only in the macro's order of pivots: the call for a hard real-time loop. A
     /// refusal takes no longer than a step, and brings neither partial pivoting nor the search for reasons into the
     /// program; if it is to be explained, there is time for `step_to`.
+    ///
     /// # Errors
     ///
     /// [`Refusal`]; the motion is then unchanged. An error of the prediction is [`Diverging`](Refusal::Diverging) by

@@ -17,7 +17,8 @@ use crate::solve::report::Report;
 /// The test that a step failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// A position, velocity or acceleration is not finite.
+    /// A position, velocity or acceleration is not finite: an input is NaN or infinite or a result too large, or a
+    /// pivot of the fixed order is exactly zero.
     NotFinite,
     /// The error of the prediction exceeds its bound.
     Diverging,
