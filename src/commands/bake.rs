@@ -61,8 +61,8 @@ pub struct Arguments {
     language: Form,
     /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs,
     /// .h or .toml, where NAME is the motion file's name.
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[arg(long, alias = "output", value_name = "PATH")]
+    out: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -102,8 +102,8 @@ impl Arguments {
         let language = Language::from(self.language);
         let ending = format!("_{}.{}", sheet.subject(), language.extension());
         let own = in_out(&self.file, &ending);
-        let target = Target::from(self.output.clone().unwrap_or_else(|| own.clone()));
-        target.refuse_input("--output")?;
+        let target = Target::from(self.out.clone().unwrap_or_else(|| own.clone()));
+        target.refuse_input("--out")?;
         target.write(&sheet.text(language, target.path().unwrap_or(&own)))?;
         if let Some(path) = target.path() {
             let (path, count) = (path.display(), sheet.baked.count_in_words());

@@ -114,7 +114,7 @@ fn a_baked_file_is_the_same() {
     std::fs::write(folder.path().join("a.toml"), FIVE_LINK).expect("written");
     let bake = |from: &str, to: &str| {
         let arguments = [
-            "bake", "a.toml", "--from", from, "--to", to, "--output", "a.rs",
+            "bake", "a.toml", "--from", from, "--to", to, "--out", "a.rs",
         ];
         let output = run(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(0), "{output:?}");

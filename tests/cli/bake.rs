@@ -22,7 +22,7 @@ fn baked(folder: &Path, arguments: &[&str]) -> String {
 /// Returns the baked file of an example, which is `a.toml` in the folder.
 fn baked_of(name: &str, folder: &Path, arguments: &[&str]) -> String {
     std::fs::write(folder.join("a.toml"), example(name)).expect("written");
-    let fixed = ["bake", "a.toml", "--output", "wheel_by_theta"];
+    let fixed = ["bake", "a.toml", "--out", "wheel_by_theta"];
     let output = run(folder, &[&fixed, arguments].concat());
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     std::fs::read_to_string(folder.join("wheel_by_theta")).expect("a file")

@@ -94,14 +94,7 @@ fn a_target_is_met_and_samples_scatter_as_derivatives_say() {
 fn a_measure_is_baked_through_it() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), arm(LINES[0], "")).expect("written");
-    let arguments = [
-        "bake",
-        "a.toml",
-        "--along",
-        "twist=178:182",
-        "--output",
-        "-",
-    ];
+    let arguments = ["bake", "a.toml", "--along", "twist=178:182", "--out", "-"];
     let output = run(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }

@@ -111,6 +111,7 @@ fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
     for (arguments, begins) in [
         (vec!["sheet", "a.toml", "--out", "-"], "<!DOCTYPE html>"),
         (vec!["draw", "a.toml", "--out", "-"], "<svg"),
+        ([&bake[..], &["c", "--out", "-"]].concat(), "/*"),
         ([&bake[..], &["c", "--output", "-"]].concat(), "/*"),
     ] {
         let output = run(folder.path(), &arguments);

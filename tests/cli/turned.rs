@@ -222,7 +222,7 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
         "by_turn.toml",
         "--drive",
         "turn=-2.8:-2.2",
-        "--output",
+        "--out",
         "a.rs",
     ];
     let output = run(folder.path(), &baked);

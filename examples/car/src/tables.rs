@@ -2,9 +2,9 @@
 //!
 //! ```sh
 //! cargo run --release -- bake examples/car/front.toml --drive bump=0.18:0.42 --drive steer=0.32:0.36 --tolerance 1e-5 --points all \
-//!     --output examples/car/src/tables/front.rs
+//!     --out examples/car/src/tables/front.rs
 //! cargo run --release -- bake examples/car/rear.toml --drive bump=0.20:0.44 --tolerance 1e-5 --points all \
-//!     --output examples/car/src/tables/rear.rs
+//!     --out examples/car/src/tables/rear.rs
 //! ```
 
 /// All points in front.

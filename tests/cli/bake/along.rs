@@ -35,7 +35,7 @@ fn baked(folder: &Path, language: &str) -> String {
         "a.toml",
         "--as",
         language,
-        "--output",
+        "--out",
         "wheel_by_damper",
     ];
     let output = run(folder, &[&to, &ALONG[..]].concat());
@@ -262,7 +262,7 @@ fn a_measure_that_is_an_angle_has_the_units_of_the_file() {
     assert!((degrees - radians.to_degrees()).abs() < 1e-9);
     let along = format!("bar_arm={:?}:{:?}", degrees - 1.0, degrees + 1.0);
     let arguments = [
-        "--drive", "bump", "--along", &along, "--as", "toml", "--output", "a",
+        "--drive", "bump", "--along", &along, "--as", "toml", "--out", "a",
     ];
     let output = run(
         folder.path(),

@@ -17,7 +17,7 @@ fn names_in_a_file_are_made_of_its_own() {
         ("\u{fc}ber.toml", "baked__ber_wheel_by_theta"),
         ("int.toml", "int_wheel_by_theta"),
     ] {
-        let arguments = ["bake", "a.toml", "--as", "toml", "--output", path];
+        let arguments = ["bake", "a.toml", "--as", "toml", "--out", path];
         let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let text = std::fs::read_to_string(folder.path().join(path)).expect("a file");
@@ -92,7 +92,7 @@ fn the_firmwares_wheel_is_as_baked_today() {
         example("attia2003.toml"),
     )
     .expect("written");
-    let arguments = ["bake", "attia2003.toml", "--output", "wheel_by_theta.rs"];
+    let arguments = ["bake", "attia2003.toml", "--out", "wheel_by_theta.rs"];
     let output = run(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let [baked, kept] = [

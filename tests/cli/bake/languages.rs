@@ -136,7 +136,7 @@ fn camber_and_toe_are_read_off_the_spin_axis_as_the_page_says() {
     let drive = "bump=0.25:0.35";
     let output = "my_wheel_by_bump.h";
     let bake = [
-        "bake", "a.toml", "--drive", drive, "--as", "c", "--output", output,
+        "bake", "a.toml", "--drive", drive, "--as", "c", "--out", output,
     ];
     let output = run(folder.path(), &bake);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -169,7 +169,7 @@ fn two_in_one_program(names: [&str; 2]) -> Output {
         std::fs::create_dir_all(file.parent().expect("a folder")).expect("made");
         std::fs::write(&file, content).expect("written");
         let path = name.replace(".toml", "_wheel_by_theta.h");
-        let arguments = ["bake", name, "--as", "c", "--output", &path];
+        let arguments = ["bake", name, "--as", "c", "--out", &path];
         let output = run(folder.path(), &[&arguments[..], &RANGE].concat());
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         program += &format!("#include \"{path}\"\n#include \"{path}\"\n");

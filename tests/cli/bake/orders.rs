@@ -103,8 +103,8 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
             "a.toml: a tolerance is a positive number of metres",
         ),
         (
-            &["--output", "./a.toml"],
-            "./a.toml: this is the file that is read, which --output would",
+            &["--out", "./a.toml"],
+            "./a.toml: this is the file that is read, which --out would",
         ),
     ] {
         let output = run(folder.path(), &[&["bake", "a.toml"], arguments].concat());

@@ -39,7 +39,7 @@ const ORDER: [&str; 8] = [
 
 fn baked(folder: &Path, arguments: &[&str]) -> String {
     std::fs::write(folder.join("double_wishbone.toml"), FILE).expect("written");
-    let output = ["--output", "wheel_by_bump_and_steer"];
+    let output = ["--out", "wheel_by_bump_and_steer"];
     let done = run(folder, &[&ORDER, &output[..], arguments].concat());
     assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
     let message = text(&done.stderr);
