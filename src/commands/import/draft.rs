@@ -42,7 +42,9 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     let spare = &imported.choice.spare;
     let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
     let placed = points.iter().filter(|[name, ..]| is_placed(name));
-    let placed = placed.map(|[name, _, why]| format!("{name} is not in the file: {why}"));
+    let placed = placed.map(|[name, _, why]| {
+        format!("the file does not have the point `{name}`, which is placed {why}")
+    });
     let remarks = imported.corner_remarks(!before.is_empty()).into_iter();
     let remarks = remarks.chain(placed).collect();
     (points, remarks)

@@ -88,7 +88,7 @@ fn what_is_not_used_and_what_is_not_there_is_noted() {
     assert!(
         imported
             .notes
-            .contains("axle is not in the file: on the spin axis"),
+            .contains("the file does not have the point `axle`, which is placed on the spin axis"),
         "{}",
         imported.notes
     );
