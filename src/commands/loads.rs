@@ -161,11 +161,14 @@ and moments that act on it. A moment about an angle acts on the part that carrie
 `bar on arm` is the moment of a torsion bar, in N m, with all that acts in the measure bar; `cross on shaft` is the moment
 of a universal joint, or of another statement that drives or holds an angle. With rigid parts, only the sum of the axial
 forces of the two bushes of a hinge is determined: each bush is given half of it. The same holds for two points that two
-bodies share, such as the ends of a kingpin, along their line; if three bodies share both, the shares are arbitrary. One line, `no load in:`, names the links, joints and moments that
-bear nothing at any place; the tables have their columns all the same. Chassis points: the total force that links, joints,
-measures and driven lengths exert on a chassis point, as its bracket bears it, without the weight of a mass at the point
-itself. Chassis points that a drive moves, such as the end of a rack, are marked `(driven)`: along their path the drive
-bears the force.
+bodies share, such as the ends of a kingpin, along their line; if three bodies share both, the shares are arbitrary.
+
+Chassis points: the total force that links, joints, measures and driven lengths exert on a chassis point, as its bracket
+bears it, without the weight of a mass at the point itself. Chassis points that a drive moves, such as the end of a rack,
+are marked `(driven)`: along their path the drive bears the force. The line `no load in:` names the links, joints and
+moments that bear nothing at any place; the tables have their columns all the same.
+
+In drawings each force along a line is a tension: a damper that pushes its ends apart with 100 N has -100 N there.
 
 Over a grid of drives, or a motion, the report gives the least and the greatest values with the place of each: the time of
 a motion and the drives that move, with their values in the file. The table has a row for each place: the time of a motion

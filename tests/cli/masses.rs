@@ -224,7 +224,7 @@ fn a_picture_shows_what_links_bear() {
         }
         assert!(
             svg.contains("\n5000 N\n")
-                && svg.contains(&format!("load case {case}: in tension blue"))
+                && svg.contains(&format!("load case {case}: tension positive and blue"))
         );
     }
 }

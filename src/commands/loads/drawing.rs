@@ -38,7 +38,7 @@ pub(super) fn drawing(
     });
     drawing.forces = Some(Forces {
         title: format!(
-            "load case {}: in tension blue, in compression red",
+            "load case {}: tension positive and blue, compression negative and red",
             case.name
         ),
         links,
