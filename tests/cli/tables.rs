@@ -145,6 +145,11 @@ fn a_linear_suspension_has_the_derivatives_of_differences() {
     assert!(
         tables(left, &["carmaker", "--wheel", "right"]).contains("SuspR.Kin.0.InputSide = right\n")
     );
+    let assumed = "\n## SuspF is assumed: the file does not say which axle this is, as axle = \"rear\" under [vehicle] would\n";
+    let front = CORNER.replace("0.3 }", "0.3, axle = \"front\" }");
+    for (file, is_assumed) in [(CORNER, true), (&front, false), (left, false)] {
+        assert_eq!(tables(file, &["carmaker"]).contains(assumed), is_assumed);
+    }
 }
 
 /// A double wishbone of the catalogue, in three systems of axes: tables are the same, from rebound to bump.

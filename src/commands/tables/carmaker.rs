@@ -19,6 +19,9 @@ const LENGTHS: [(&str, &[&str]); 3] = [
     ("lStabi", BAR),
 ];
 
+/// What the file says where the axle is not known.
+const ASSUMED: &str = "## SuspF is assumed: the file does not say which axle this is, as axle = \"rear\" under [vehicle] would\n";
+
 /// Returns the lines of an infofile.
 pub(super) fn text(
     file: &str,
@@ -26,9 +29,10 @@ pub(super) fn text(
     wheel: &Wheel,
     opposite: Option<&Wheel>,
 ) -> String {
-    let axle = match wheel.axle {
-        Some(Axle::Rear) => "SuspR",
-        _ => "SuspF",
+    let (axle, assumed) = match wheel.axle {
+        Some(Axle::Front) => ("SuspF", ""),
+        Some(Axle::Rear) => ("SuspR", ""),
+        None => ("SuspF", ASSUMED),
     };
     let side = if wheel.side < 0.0 { "right" } else { "left" };
     let is_mirrored = opposite.is_none_or(|opposite| wheel.is_mirrored(opposite));
@@ -36,7 +40,7 @@ pub(super) fn text(
     let mut text = format!(
         "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
          ## Each row: at the design position, per compression, per steering to the left; m and rad\n\
-         {axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
+         {assumed}{axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
          {axle}.Kin.0.InputSide = {side}\n",
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),
