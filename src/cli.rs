@@ -190,5 +190,5 @@ wheel-centre height depend on this assumption; Tables 2 and 3 do not.
 Fig. 5 shows the paper's kingpin angle, positive where the top leans outboard. kingpin_rad in the CSV file has the
 usual sign, positive where the top leans inboard.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 no configuration was found (see
-suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism does not assemble
+or locks (see suspension motion --help), 130 interrupted (Ctrl-C, SIGTERM or SIGHUP).";

@@ -47,7 +47,7 @@ fn a_table_of_assemblies_and_how_sure_it_is() {
         "{report}"
     );
     assert!(
-        report.contains("Only real ones can be built: a complex assembly has coordinates that are complex numbers"),
+        report.contains("Only real assemblies can be built. The coordinates of a complex assembly are complex numbers"),
         "{report}"
     );
     let table = std::fs::read(folder.path().join("a.csv")).expect("a table");

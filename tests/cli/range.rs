@@ -87,8 +87,7 @@ fn a_range_says_from_where_it_is() {
         lock(text(&output.stdout));
         let output = run(folder.path(), &["check", "a.toml"]);
         lock(text(&output.stdout));
-        let expected =
-            "reach         of each drive from the design position, the others held as there";
+        let expected = "reach         of each drive from the design position, the other drives held there; `suspension range` starts";
         assert!(text(&output.stdout).contains(expected), "{output:?}");
     }
 }

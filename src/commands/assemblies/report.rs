@@ -115,8 +115,9 @@ fn certainty(listed: &Listed) -> String {
 
 /// The explanation of the counts.
 const WORDS: &str = "\
-Only real ones can be built: a complex assembly has coordinates that are complex numbers, and one at infinity has moved there as \
-general\ndimensions become the file's. They are counted, as with them the number of all is known; the trace test fails if one is missing.\n";
+Only real assemblies can be built. The coordinates of a complex assembly are complex numbers; those of one at infinity
+grow without bound as general dimensions change to those of the file. They are counted too, because the trace test
+is of all assemblies together: it fails if one is missing.\n";
 
 fn one_of_several(part: &PartTally) -> String {
     let times = match part.times {

@@ -55,7 +55,7 @@ impl Report<'_> {
             ("elimination".to_owned(), self.elimination()),
         ];
         if !self.ranges.is_empty() {
-            let from = "of each drive from the design position, the others held as there; suspension range: from the first instant";
+            let from = "of each drive from the design position, the other drives held there; `suspension range` starts from the first instant";
             lines.push(("reach".to_owned(), from.to_owned()));
             lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
         }

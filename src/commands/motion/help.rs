@@ -184,9 +184,9 @@ Exit codes:
   0    done
   1    a result cannot be written
   2    wrong input (file:line:column says where), or --csv names the motion file
-  3    no configuration was found: the motion stops short of its last instant (for example where
-       the drive or measure that leads it turns), or the points do not assemble in the design
-       position, or the first instant is out of reach from there
+  3    the motion stops short of its last instant (for example where the drive or measure that
+       leads it turns), or the points do not assemble in the design position, or the first instant
+       is out of reach from there
   130  interrupted (Ctrl-C, SIGTERM or SIGHUP)
 If the motion stops short or is interrupted, the tables have the rows up to there.
 
