@@ -71,7 +71,9 @@ int main(int count, char **arguments)
     move(listing, drives, "steer", 0.01);
     check(susp_corner_step(corner, drives, 3 * DRIVES, 0.5, NULL, NULL), "the step");
 
+    puts("left wheel 30 mm up, right wheel 20 mm down, rack 10 mm to the left:");
     puts("  wheel    camber       toe   kingpin");
+    puts("              deg       deg       deg");
     for (size_t index = 0; index < wheel_count; index++) {
         check(susp_corner_read_wheel_at(corner, index, &wheel), "reading a wheel");
         check(susp_corner_read_kingpin_at(corner, index, &kingpin), "reading a kingpin");

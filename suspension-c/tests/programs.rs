@@ -88,7 +88,10 @@ fn c_reads_each_wheel_of_an_axle() {
         drives = drives.with(drive, value + by);
     }
     axle.step(0.5, Signal::still(drives)).expect("a step");
-    let mut by_rust = "  wheel    camber       toe   kingpin\n".to_owned();
+    let mut by_rust =
+        "left wheel 30 mm up, right wheel 20 mm down, rack 10 mm to the left:\n".to_owned();
+    by_rust += "  wheel    camber       toe   kingpin\n";
+    by_rust += "              deg       deg       deg\n";
     for name in ["left", "right"] {
         let (wheel, kingpin) = axle.wheel_named(name).expect("a wheel");
         let angles = [wheel.camber, wheel.toe, kingpin.expect("a kingpin").angle];
