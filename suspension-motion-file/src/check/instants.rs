@@ -44,19 +44,20 @@ fn stepped(source: &Source, values: [&Spanned<f64>; 3]) -> Result<Instants, Fail
     let [first, stop, step] = values.map(|value| *value.get_ref());
     let refuse = |message: String| Err(source.refuse(&values[2].span(), message));
     if step == 0.0 {
-        return refuse("the time step is zero".into());
+        return refuse("the time step is zero; write its length in seconds, as step = 0.01".into());
     }
     if (stop - first) / step < 0.0 {
         return refuse(format!(
-            "the time step {} s leads away from the stop at {} s",
+            "the time step {} s leads away from the stop at {} s; write step = {}",
             exact(step),
-            exact(stop)
+            exact(stop),
+            exact(-step)
         ));
     }
     let count = Instants::count_stepped(first, stop, step);
     if count.is_nan() || count > MOST_INSTANTS {
         return refuse(format!(
-            "the time step {} s gives {} instants; at most {MOST_INSTANTS} are allowed",
+            "the time step {} s gives {} instants; at most {MOST_INSTANTS} are allowed: write a longer step",
             exact(step),
             rounded(count, 12)
         ));
@@ -87,7 +88,8 @@ fn listed(source: &Source, list: &Spanned<Vec<Spanned<f64>>>) -> Result<Instants
     }
     let times: Vec<f64> = list.get_ref().iter().map(|t| *t.get_ref()).collect();
     if times.is_empty() {
-        return Err(source.refuse(&list.span(), "the list of instants is empty"));
+        let message = "the list of instants is empty; write times in seconds, as [0.0, 0.5]";
+        return Err(source.refuse(&list.span(), message));
     }
     let backwards = times.len() > 1 && times[1] < times[0];
     for (pair, at) in times.windows(2).zip(&list.get_ref()[1..]) {
