@@ -36,7 +36,7 @@ impl Expansion {
         Ok(Self {
             unknowns: system.size(),
             non_zeros: header.number_before("non-zeros of")?,
-            factor_non_zeros: header.number_after("its factors have")?,
+            factor_non_zeros: header.number_before("are stored of its factors")?,
             factor_chain: header.number_after("in the factorisation is")?,
             operations: [
                 header.operations("residual")?,
