@@ -225,7 +225,7 @@ fn a_hang_up_ends_it_unless_it_is_ignored() {
     }
 }
 
-/// Baking a surface whose tolerance no layout of patches meets takes minutes.
+/// Baking a surface whose tolerance no layout of patches meets takes seconds.
 #[cfg(unix)]
 #[test]
 fn a_surface_that_is_being_baked_is_given_up() {
