@@ -13,8 +13,8 @@ use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading};
 use crate::quantities::wheel::{Along, Rolling, Wheel};
 
-/// A mean steer angle of a degree. Below it toe, and not the steering, determines the difference between the wheels
-/// of an axle.
+/// A steer angle of a degree. If a wheel is steered by less, toe, and not the steering, determines the difference
+/// between the wheels of an axle.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
 
 /// Two wheels opposite each other.
@@ -185,7 +185,7 @@ pub(super) fn of_steered_wheels<N: Number>(
 }
 
 /// A number of each axle that steers a vehicle of known wheelbase, computed from the turn, the wheelbase and the
-/// track. It does not exist straight ahead.
+/// track. It does not exist straight ahead, nor where toe turns a wheel the other way.
 pub(super) fn of_turn<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -200,10 +200,8 @@ pub(super) fn of_turn<N: Number>(
     of_each_axle(names, &steers, &|wheels| {
         vec![both(wheels, dimension, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
-            let [inner, outer] = [turn.inner, turn.outer].map(N::value);
-            let is_straight = inner + outer < 2.0 * STRAIGHT;
-            // Toe may turn the outer wheel the other way, and then there is no circle.
-            if is_straight || outer <= 0.0 {
+            let mut steered = [turn.inner, turn.outer].into_iter().map(N::value);
+            if steered.any(|angle| angle < STRAIGHT) {
                 return N::unknown();
             }
             value(&turn, N::still(wheelbase), track(wheels))

@@ -47,6 +47,43 @@ fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
     }
 }
 
+/// Bump steer may turn the outer wheel nearly straight while the inner one is steered. The ideal difference is then nearly
+/// zero, and a percentage of it means nothing.
+#[test]
+fn a_wheel_that_bump_steer_leaves_nearly_straight_has_no_ackermann() {
+    let ends = [
+        ("rack_left", 0.34),
+        ("housing_left", 0.20),
+        ("rack_right", -0.34),
+        ("housing_right", -0.20),
+    ];
+    let raised = ends.map(|(end, y)| format!("{end} = [0.11, {y}, 0.24]\n"));
+    let file = format!("{}\n[points]\n{}", steered(DESIGN), raised.concat());
+    let table = table(
+        &file,
+        &[
+            "sweep",
+            "--drive=bump_left,bump_right=0.05",
+            "--drive=steer=-0.015:0.015:61",
+        ],
+    );
+    let degree = 1_f64.to_radians();
+    let mut nearly_straight = 0;
+    for row in &table {
+        let [outer, inner] = turned(row);
+        let has_none = outer.min(inner) < degree;
+        nearly_straight += usize::from(has_none && outer + inner > 2.0 * degree);
+        for name in [
+            "ackermann_percent",
+            "ackermann_error_rad",
+            "turning_radius_m",
+        ] {
+            assert_eq!(row[name].is_nan(), has_none, "{name} at {outer}, {inner}");
+        }
+    }
+    assert!(nearly_straight > 0);
+}
+
 /// Its turning circle would be about a centre on the line of the front axle, on the other side.
 #[test]
 fn a_rear_axle_that_steers_has_no_turning_circle() {

@@ -51,7 +51,8 @@ catalogue! {
         name: "ackermann",
         sign: "100 where the normals of both wheels meet on the line of the rear axle, 0 where they are parallel",
         definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track \
-                     / wheelbase; none where the steer angles are less than a degree on average. A rear axle has none",
+                     / wheelbase; none where a wheel is steered by less than a degree into the turn, as toe determines \
+                     it there. A rear axle has none",
         source: "given the outer wheel, as in the reports of Simscape Multibody",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -63,7 +64,7 @@ catalogue! {
         name: "ackermann_error",
         sign: "positive where the inner wheel is steered further than ideally",
         definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where \
-                     the steer angles are less than a degree on average. A rear axle has none",
+                     a wheel is steered by less than a degree into the turn. A rear axle has none",
         source: "as ackermann",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -75,9 +76,8 @@ catalogue! {
         name: "turning_radius",
         sign: "",
         definition: "kerb to kerb: the radius of the path of the outer contact point about a centre on the line of \
-                     the rear axle, wheelbase / sin(outer), whose wheels point straight ahead; none where the steer \
-                     angles are less than a degree on average, or the outer wheel is turned the other way. A rear \
-                     axle has none",
+                     the rear axle, wheelbase / sin(outer), whose wheels point straight ahead; none where a wheel is \
+                     steered by less than a degree into the turn. A rear axle has none",
         source: "half the turning circle",
         vehicle: "wheelbase",
         shown: Shown::InTables,
