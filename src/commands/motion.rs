@@ -37,7 +37,8 @@ pub struct Arguments {
     /// `parquet`.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     parquet: Option<PathBuf>,
-    /// Draw wheel-centre height, kingpin angle and camber angle as SVG into the folder DIR.
+    /// Draw wheel-centre height, toe, camber, caster and kingpin angles, and the steer angles of a steered axle, over time as
+    /// SVG into the folder DIR.
     #[arg(long, value_name = "DIR", help_heading = "Plots")]
     plots: Option<PathBuf>,
 }

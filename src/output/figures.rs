@@ -1,4 +1,4 @@
-//! Plots of a motion: the height of the wheel centre, and the angles of kingpin and wheel.
+//! Plots of a motion: the height of the wheel centre, and the angles of wheel and kingpin.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -10,7 +10,9 @@ use crate::output::files::write_file;
 use crate::output::plot::{Chart, Curve};
 use crate::output::record::{Outcome, record};
 use crate::output::rows::Forms;
-use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, columns};
+use crate::quantities::{
+    Axis, CAMBER, CASTER, CENTRE, Column, KINGPIN, Quantity, STEER_ANGLE, TOE, columns,
+};
 
 /// Instants per line.
 const DENSE: usize = 401;
@@ -68,13 +70,16 @@ pub fn path(folder: &Path, stem: &str, name: &str) -> PathBuf {
     folder.join(format!("{stem}_{name}.svg"))
 }
 
-/// Returns the plots for any linkage.
+/// Returns the plots for any linkage; a quantity that it lacks has none.
 pub fn height_and_angles(mechanism: &Description, states: [&[State]; 2]) -> Charts {
     let Description { names, unit, .. } = mechanism;
-    vec![
-        ("height", height(mechanism, states)),
-        ("angles", angles(names, *unit, states)),
-    ]
+    let angles = [&TOE, &CAMBER, &STEER_ANGLE, &CASTER, &KINGPIN];
+    let angles = angles.map(|angle| (angle.name, angle_chart(angle, names, *unit, states)));
+    let height = ("height", height(mechanism, states));
+    let charts = [height].into_iter().chain(angles);
+    charts
+        .filter(|(_, chart)| !chart.curves.is_empty())
+        .collect()
 }
 
 /// Returns the sign of z upwards, so that heights point up in any axes, and the label of the vertical axis.
@@ -105,16 +110,19 @@ fn height(mechanism: &Description, states: [&[State]; 2]) -> Chart {
     }
 }
 
-fn angles(names: &Names, unit: Unit, states: [&[State]; 2]) -> Chart {
-    let columns = columns([&KINGPIN, &CAMBER], names);
-    let mut titles: Vec<_> = columns.iter().map(|column| column.quantity.title).collect();
-    titles.dedup();
+fn angle_chart(
+    angle: &'static Quantity,
+    names: &Names,
+    unit: Unit,
+    states: [&[State]; 2],
+) -> Chart {
+    let columns = columns([angle], names);
     let curves = columns.iter().map(|column| {
         let name = with_points(column, names);
         curve(name, column, unit, states)
     });
     Chart {
-        title: capitalised(&titles.join(" and ")),
+        title: capitalised(angle.title),
         across: TIME.to_owned(),
         quantity: "angle (deg)".to_owned(),
         curves: curves.collect(),

@@ -54,7 +54,7 @@ fn a_table_and_a_plot_are_two_files() {
     std::fs::create_dir(folder.path().join("sub")).expect("a folder");
     for (command, plots, table) in [
         ("motion", ".", "a_height.svg"),
-        ("motion", "plots", "plots/a_angles.svg"),
+        ("motion", "plots", "plots/a_toe.svg"),
         (
             "motion",
             "plots",

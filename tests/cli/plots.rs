@@ -98,7 +98,7 @@ fn labels_do_not_overlap() {
         std::fs::write(folder.path().join("a.toml"), content).expect("written");
         let output = run(folder.path(), &["motion", "a.toml", "--plots", "."]);
         assert_eq!(output.status.code(), Some(0), "{what}: {output:?}");
-        for plot in ["a_height.svg", "a_angles.svg"] {
+        for plot in ["a_height.svg", "a_toe.svg", "a_camber.svg", "a_kingpin.svg"] {
             let svg = std::fs::read_to_string(folder.path().join(plot)).expect("a plot");
             assert_readable(&svg, &format!("{what}, {plot}"));
         }
@@ -122,7 +122,7 @@ fn a_wheel_centre_of_that_name_is_named_once() {
     }
 }
 
-/// Kingpin and camber angles of two axles: each curve has its own colour, and names of wheels are not repeated.
+/// The angles of two axles: each wheel's curve has its own colour, and names of wheels are not repeated.
 #[test]
 fn the_curves_of_a_whole_car_are_told_apart() {
     let folder = folder();
@@ -130,12 +130,21 @@ fn the_curves_of_a_whole_car_are_told_apart() {
     std::fs::write(folder.path().join("a.toml"), car).expect("written");
     run(folder.path(), &["motion", "a.toml", "--plots", "."]);
     let svg = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect("a plot");
-    let angles = svg("a_angles.svg");
-    let curves = angles.split("<polyline ").skip(1);
-    let colours = curves.filter_map(|curve| curve.split_once("stroke=\"")?.1.split('"').next());
-    let colours: std::collections::BTreeSet<&str> =
-        colours.filter(|colour| *colour != "#000000").collect();
-    assert_eq!(colours.len(), 6, "{colours:?}");
+    // The wheels of a twist beam have no kingpin and do not steer.
+    for (plot, wheels) in [
+        ("toe", 4),
+        ("camber", 4),
+        ("caster", 2),
+        ("kingpin", 2),
+        ("steer_angle", 2),
+    ] {
+        let angles = svg(&format!("a_{plot}.svg"));
+        let curves = angles.split("<polyline ").skip(1);
+        let colours = curves.filter_map(|curve| curve.split_once("stroke=\"")?.1.split('"').next());
+        let colours: std::collections::BTreeSet<&str> =
+            colours.filter(|colour| *colour != "#000000").collect();
+        assert_eq!(colours.len(), wheels, "{plot}: {colours:?}");
+    }
     let heights = svg("a_height.svg");
     let mut names = labels(&heights).into_iter().map(|label| label.text);
     assert!(names.any(|name| name == "front_left wheel centre"));

@@ -40,11 +40,12 @@ fn where_the_mechanism_locks_the_rows_up_to_there_are_kept() {
     let last = Reference::load().rows.len() - 1;
     let difference = table[39]["p6_z"] - Reference::load().vector(last, "p6_").z;
     assert!(difference.abs() < 5e-15, "{difference:e}");
-    for file in ["two_height.svg", "two_angles.svg"] {
+    let plots = ["height", "toe", "camber", "caster", "kingpin"];
+    for file in plots.map(|plot| format!("two_{plot}.svg")) {
         assert!(folder.path().join(file).exists());
     }
     let files = std::fs::read_dir(folder.path()).expect("a folder").count();
-    assert_eq!(files, 4, "nothing temporary is left");
+    assert_eq!(files, 2 + plots.len(), "nothing temporary is left");
 }
 
 #[test]
