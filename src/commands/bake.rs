@@ -17,6 +17,7 @@ use crate::file::{Source, tell};
 use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
+use crate::output::progress::Busy;
 use crate::output::target::Target;
 use request::{Baking, Request, Wished, WishedMeasure};
 
@@ -98,7 +99,10 @@ impl Arguments {
             request: &self.request()?,
             interrupted,
         };
-        let sheet = baking.execute()?;
+        let sheet = {
+            let _shown = Busy::new("baking");
+            baking.execute()?
+        };
         let language = Language::from(self.language);
         let ending = format!("_{}.{}", sheet.subject(), language.extension());
         let own = in_out(&self.file, &ending);

@@ -15,6 +15,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::output::files::print;
+use crate::output::progress::Busy;
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
@@ -55,6 +56,7 @@ impl Arguments {
         let (ranges, motion_ends) = if is_singular {
             (Vec::new(), None)
         } else {
+            let _shown = Busy::new("following each drive to its locks");
             let ranges = ranges(mechanism, interrupted)?;
             (ranges, loaded.own_motion_ends(interrupted)?)
         };

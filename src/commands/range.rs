@@ -18,6 +18,7 @@ use crate::mechanism::{Description, Names, Unit};
 use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
+use crate::output::progress::Busy;
 use crate::output::table::Table;
 use crate::output::target::Target;
 use crate::reach::DriveRange;
@@ -103,9 +104,12 @@ impl Arguments {
             let plots: Vec<_> = drives.map(|drive| plot(folder, drive)).collect();
             refuse_plot(csv, "--csv", &plots)?;
         }
-        let drives = chosen.iter();
-        let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
-        let ranges = ranges.collect::<Result<Vec<_>, _>>()?;
+        let ranges = {
+            let _shown = Busy::new("following the curve of each drive");
+            let drives = chosen.iter();
+            let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
+            ranges.collect::<Result<Vec<_>, _>>()?
+        };
         let mut written = Vec::new();
         if let Some(target) = csv {
             table(names, *unit, &ranges, target)?;

@@ -3,6 +3,8 @@
 use std::fmt::Display;
 use std::io::{IsTerminal, stderr};
 use std::sync::OnceLock;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -38,10 +40,12 @@ impl Progress {
 
     /// Counts a step.
     pub fn step(&mut self) {
-        /// Steps between two readings of the clock, which takes as long as a step of a small mechanism.
+        /// The most steps between two readings of the clock, which takes as long as a step of a small mechanism.
         const STEPS_A_LOOK: usize = 64;
         self.done += 1;
-        if !self.visible || !self.done.is_multiple_of(STEPS_A_LOOK) {
+        // A step of a hundred may take a second.
+        let steps_a_look = (self.total / 100).clamp(1, STEPS_A_LOOK);
+        if !self.visible || !self.done.is_multiple_of(steps_a_look) {
             return;
         }
         if self.bar.is_none() && self.began.elapsed() > LONG {
@@ -121,10 +125,57 @@ impl Drop for Found {
     }
 }
 
+/// Says what work of unknown length does, and for how long, once it has taken a second and only on a terminal.
+#[derive(Debug)]
+pub struct Busy {
+    end: Option<Sender<()>>,
+    shown: Option<JoinHandle<()>>,
+}
+
+impl Busy {
+    /// Starts work, for example "baking".
+    pub fn new(work: &'static str) -> Self {
+        let (end, ended) = channel();
+        let show = move || show_until(&ended, work);
+        let visible = stderr().is_terminal();
+        // Without a thread the work goes on unseen.
+        let shown = visible.then(|| Builder::new().spawn(show).ok()).flatten();
+        Self {
+            end: Some(end),
+            shown,
+        }
+    }
+}
+
+impl Drop for Busy {
+    fn drop(&mut self) {
+        drop(self.end.take());
+        if let Some(shown) = self.shown.take() {
+            let _ = shown.join();
+        }
+    }
+}
+
+fn show_until(ended: &Receiver<()>, work: &str) {
+    const REDRAWN: Duration = Duration::from_millis(100);
+    let goes_on = |time| ended.recv_timeout(time) == Err(RecvTimeoutError::Timeout);
+    if !goes_on(LONG) {
+        return;
+    }
+    let line = spinner(&format!("{{spinner}} {work} ({{elapsed}})")).with_elapsed(LONG);
+    while goes_on(REDRAWN) {
+        line.tick();
+    }
+    line.finish_and_clear();
+}
+
 fn counter(units: &str) -> ProgressBar {
+    spinner(&format!("{{spinner}} {{pos}} {units} ({{elapsed}})"))
+}
+
+fn spinner(template: &str) -> ProgressBar {
     let line = ProgressBar::new_spinner();
-    let style = ProgressStyle::with_template(&format!("{{spinner}} {{pos}} {units} ({{elapsed}})"));
-    match style {
+    match ProgressStyle::with_template(template) {
         Ok(style) => line.with_style(style),
         Err(_) => line,
     }

@@ -27,6 +27,7 @@ mod newcomer;
 mod notes;
 mod plots;
 mod program;
+mod progress;
 mod range;
 mod results;
 mod sensitivities;
