@@ -100,7 +100,7 @@ impl Chart {
             .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
         let name_size = fitting(&self.across, 17, width + MARGIN[1]);
         self.draw_axes(&mut plane, axes, width, name_size)?;
-        self.draw_curves(&mut plane)?;
+        self.draw_curves(&mut plane, y)?;
         if self.curves.iter().all(|curve| curve.name.is_empty()) {
             area.present()?;
             return Ok(());
@@ -150,9 +150,12 @@ impl Chart {
         Ok(())
     }
 
-    fn draw_curves(&self, plane: &mut Plane<'_, '_>) -> Drawn {
-        for (curve, colour) in self.curves.iter().zip(COLOURS.iter().cycle()) {
-            let stroke = colour.stroke_width(2 * FINE);
+    fn draw_curves(&self, plane: &mut Plane<'_, '_>, up: &Axis) -> Drawn {
+        for (index, (curve, colour)) in self.curves.iter().zip(COLOURS.iter().cycle()).enumerate() {
+            let mut later = self.curves[index + 1..].iter();
+            // A curve that a later one covers, as that of the other wheel, shows on both sides of it.
+            let is_covered = later.any(|other| up.shows_as_one(curve, other));
+            let stroke = colour.stroke_width(if is_covered { 5 } else { 2 } * FINE);
             let runs = curve.line.split(|point| !is_finite(point));
             let drawn = runs.map(|run| PathElement::new(run.to_vec(), stroke));
             plane
@@ -219,6 +222,13 @@ impl Axis {
             low: middle - (0.5 + below) * span,
             high: middle + (0.5 + above) * span,
         })
+    }
+
+    /// Returns whether two curves are drawn over each other all along.
+    fn shows_as_one(&self, a: &Curve, b: &Curve) -> bool {
+        let near = (self.high - self.low) / 400.0;
+        let mut pairs = a.line.iter().zip(&b.line);
+        a.line.len() == b.line.len() && pairs.all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < near)
     }
 
     /// Formats a label, with enough decimals to distinguish about ten of them.

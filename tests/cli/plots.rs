@@ -150,6 +150,32 @@ fn the_curves_of_a_whole_car_are_told_apart() {
     assert!(names.any(|name| name == "front_left wheel centre"));
 }
 
+/// Both wheels of an axle have the same toe in heave: one curve is drawn wider than the one over it.
+#[test]
+fn curves_that_lie_on_each_other_are_both_seen() {
+    let folder = folder();
+    for (right, widths) in [(0.03, ["40", "16"]), (-0.03, ["16", "16"])] {
+        let heave = format!(
+            "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.01\n\
+             [drives]\nbump_left = [0.3, 0.03]\nbump_right = [0.3, {right}]\nsteer = 0.34\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), heave).expect("written");
+        run(folder.path(), &["motion", "a.toml", "--plots", "."]);
+        let svg = std::fs::read_to_string(folder.path().join("a_camber.svg")).expect("a plot");
+        let lines = svg.split("<polyline ").skip(1);
+        let lines = lines.filter_map(|line| line.split('>').next());
+        let curves = lines.filter(|line| !line.contains("stroke=\"#000000\""));
+        let drawn =
+            curves.filter_map(|curve| curve.split_once("stroke-width=\"")?.1.split('"').next());
+        // Each curve comes once on the plane and once in the legend.
+        let mut drawn: Vec<&str> = drawn.collect();
+        drawn.sort_unstable();
+        let mut expected = [widths, widths].concat();
+        expected.sort_unstable();
+        assert_eq!(drawn, expected, "{right}");
+    }
+}
+
 /// The name of an axis for roll contains two drives; letters are assumed half as wide as high.
 #[test]
 fn the_name_of_the_horizontal_axis_stays_on_its_chart() {
