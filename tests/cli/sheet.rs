@@ -47,7 +47,7 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
         "<title>Kinematics of a.toml (double_wishbone_pushrod)</title>",
         "toe angle (bump steer)",
         "camber angle (bump camber)",
-        "its derivative per wheel travel is bump steer",
+        "Its derivative with respect to wheel travel is bump steer. Positive where the front of the wheel points inboard",
         "motion ratio: damper per bump",
         "<code>toe</code>: the angle of the spin axis",
     ] {

@@ -8,6 +8,7 @@ use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Names};
+use crate::output::figures::capitalised;
 use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
 
@@ -201,7 +202,7 @@ fn definition(quantity: &Quantity) -> Markup {
     } = quantity;
     html! {
         @if !name.is_empty() { code { (name) } ": " }
-        (definition) @if !sign.is_empty() { "; " (sign) } " (" (source)
+        (definition) @if !sign.is_empty() { ". " (capitalised(sign)) } " (" (source)
         @if !vehicle.is_empty() { "; " (vehicle) " of [vehicle]" } ")"
     }
 }

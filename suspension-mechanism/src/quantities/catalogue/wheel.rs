@@ -31,7 +31,8 @@ catalogue! {
     KINGPIN: "kingpin angle" {
         name: "kingpin",
         sign: "positive where the top of the kingpin leans inboard",
-        definition: "the angle of the kingpin from the vertical in the y-z plane, atan2(-k_y, k_z) on the left",
+        definition: "the kingpin inclination: the angle of the kingpin from the vertical in the y-z plane, atan2(-k_y, k_z) \
+                     on the left",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_kingpin_and_spin_axis(names, kingpin_angle),
@@ -47,8 +48,8 @@ catalogue! {
     CAMBER: "camber angle" {
         name: "camber",
         sign: "positive where the top of the wheel leans outboard",
-        definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|); \
-                     its derivative per wheel travel is bump camber",
+        definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|). Its derivative with \
+                     respect to wheel travel is bump camber, or camber gain",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, camber),
@@ -65,8 +66,8 @@ catalogue! {
     TOE: "toe angle" {
         name: "toe",
         sign: "positive where the front of the wheel points inboard",
-        definition: "the angle of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|); its \
-                     derivative per wheel travel is bump steer",
+        definition: "the angle of the spin axis from the y axis in the x-y plane, atan2(s_x, |s_y|). Its derivative with \
+                     respect to wheel travel is bump steer",
         source: "ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, toe),
