@@ -8,7 +8,7 @@ use suspension_listing::text;
 use suspension_runtime::{CatalogueAndFiles, Listing, Mistakes, catalogue};
 
 use super::hardpoints::{Hardpoint, Hardpoints};
-use super::names::{MOST_NAMES, Names, and_more};
+use super::names::{MOST_NAMES, Names, and_more, is_same};
 use super::stand_in::has_stand_in;
 
 /// A chosen listing, with the points that the file has for it.
@@ -51,7 +51,10 @@ impl<'a> Candidate<'a> {
         names: &Names,
     ) -> Result<Self, Mistakes> {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        let named = |name: &str| points.iter().find(|point| point.key == name).copied();
+        let named = |name: &str| {
+            let mut points = points.iter();
+            points.find(|point| is_same(&point.key, name)).copied()
+        };
         for name in points_of(linkage, text)? {
             let point = names.of_point(&name).find_map(named);
             match point {

@@ -58,7 +58,7 @@ impl Names {
 
     /// Returns whether the name is that of a point.
     pub(super) fn is_point(&self, name: &str) -> bool {
-        self.all_of_points().any(|other| other == name)
+        self.all_of_points().any(|other| is_same(other, name))
     }
 
     /// Returns the known name of a number that may have been meant by a mistyped one.
@@ -70,7 +70,7 @@ impl Names {
     /// Returns whether the name is that of a number.
     pub(super) fn is_number(&self, name: &str) -> bool {
         let mut numbers = self.numbers.keys();
-        numbers.any(|number| self.of_number(number).any(|other| other == name))
+        numbers.any(|number| self.of_number(number).any(|other| is_same(other, name)))
     }
 }
 
@@ -88,6 +88,13 @@ pub(super) const MOST_NAMES: usize = 40;
 /// Returns the words on `others` that a message does not name; `None` if there are none.
 pub(super) fn and_more(others: usize) -> Option<String> {
     (others > 0).then(|| format!("and {others} more"))
+}
+
+/// Returns whether two spelled names are the same where their words may be joined or apart: `push_rod_outer` is
+/// `pushrod_outer`.
+pub(super) fn is_same(a: &str, b: &str) -> bool {
+    let [a, b] = [a, b].map(|name| name.bytes().filter(|byte| *byte != b'_'));
+    a.eq(b)
 }
 
 /// Returns a name in lower-case letters with `_` between words.

@@ -1,7 +1,7 @@
 //! Points that listings need and hardpoint files seldom have, computed from other points.
 
 use super::hardpoints::{Hardpoints, Number, Side};
-use super::names::Names;
+use super::names::{Names, is_same};
 
 /// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;
@@ -117,5 +117,9 @@ pub(super) fn number<'a>(
 ) -> Option<&'a Number> {
     let is_of_side = |number: &&Number| number.side.is_none_or(|other| other == side);
     let mut numbers = stated.numbers.iter().filter(is_of_side);
-    numbers.find(|number| names.of_number(name).any(|other| other == number.key))
+    numbers.find(|number| {
+        names
+            .of_number(name)
+            .any(|other| is_same(other, &number.key))
+    })
 }

@@ -108,6 +108,37 @@ fn rows_may_be_numbered() {
     assert!(imported.notes.contains("toe 0.2 deg"), "{}", imported.notes);
 }
 
+/// A pushrod that is not known would leave a double wishbone without one.
+#[test]
+fn words_of_a_name_may_be_joined_or_apart() {
+    let names = [
+        ("prod_outboard", "Push rod outer"),
+        ("prod_inboard", "Push rod inner"),
+        ("shock_to_bellcrank", "Shock to bell crank"),
+        ("uca_front", "UCA Front"),
+    ];
+    let folder = folder();
+    let [known, apart] = [false, true].map(|is_apart| {
+        let file = names.iter().fold(table(&CORNER), |file, (name, other)| {
+            assert!(file.contains(name), "{name}");
+            if is_apart {
+                file.replace(name, other)
+            } else {
+                file
+            }
+        });
+        import(folder.path(), "a.csv", &file, &[])
+    });
+    assert!(
+        known.notes.contains("the layout is double_wishbone_"),
+        "{}",
+        known.notes
+    );
+    let layout = |notes: &str| notes.lines().next().map(str::to_owned);
+    assert_eq!(layout(&apart.notes), layout(&known.notes));
+    assert!(!apart.notes.contains("not used"), "{}", apart.notes);
+}
+
 #[test]
 fn a_point_that_is_mistyped_and_not_needed_is_told_with_the_one_that_was_meant() {
     let folder = folder();
