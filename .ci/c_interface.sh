@@ -49,7 +49,11 @@ fi
 cc -std=c11 -O2 -ffp-contract=off -I suspension-c/include examples/c/axle.c \
     target/release/examples/libcatalogue.a -o target/c/axle_here
 wheels=$(target/c/axle_here suspension-core/src/linkages/steered_axle.linkage)
-(($(wc --lines <<<"$wheels") == 3))
+if (($(grep --count --extended-regexp '^ +(left|right) +-?[0-9]' <<<"$wheels") != 2)); then
+    echo "the program in C does not print the row of each wheel:"
+    echo "$wheels"
+    exit 1
+fi
 
 wait "$on_controller"
 by_c=$(<"$controller/printed")

@@ -95,3 +95,26 @@ fn number(text: Option<&str>, words: &str) -> Result<usize, String> {
     text.and_then(|text| text.parse().ok())
         .ok_or_else(|| format!("the header has no number at `{words}`"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A run of the program takes minutes, because it calls cargo; this is the part that depends on the words of a header.
+    #[test]
+    fn the_figures_of_an_expansion_are_read_from_its_header() {
+        let expansion = Expansion::of(1).expect("figures");
+        assert_eq!(expansion.unknowns, 9, "three points of a body");
+        let counts = [
+            expansion.non_zeros,
+            expansion.factor_non_zeros,
+            expansion.factor_chain,
+        ];
+        assert!(
+            counts
+                .iter()
+                .chain(&expansion.operations)
+                .all(|count| *count > 0)
+        );
+    }
+}
