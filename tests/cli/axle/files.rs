@@ -69,7 +69,7 @@ fn sheets_and_comparisons_have_both_wheels() {
             .count(),
         1
     );
-    let camber = "atan2(-s_z, |s_y|). Its derivative with respect to wheel travel is bump camber, or camber gain. Positive where the top of the wheel leans outboard (ISO 8855)";
+    let camber = "atan2(-s_z, |s_y|). Its derivative with respect to wheel travel is bump camber, or camber gain. Positive where the top of the wheel leans outboard (projection as in Suspension Explorer, sign of ISO 8855)";
     assert_eq!(page.matches(camber).count(), 1);
     assert!(
         !page.contains("Attia"),

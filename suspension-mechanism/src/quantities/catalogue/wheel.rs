@@ -50,7 +50,7 @@ catalogue! {
         sign: "positive where the top of the wheel leans outboard",
         definition: "the angle of the spin axis from the y axis in the y-z plane, atan2(-s_z, |s_y|). Its derivative with \
                      respect to wheel travel is bump camber, or camber gain",
-        source: "ISO 8855",
+        source: "projection as in Suspension Explorer, sign of ISO 8855",
         shown: Shown::InBoth,
         read: |names| of_spin_axis(names, camber),
     }
