@@ -1,9 +1,12 @@
 //! `Corner`: a suspension with its motion, drives and time in one value.
 
+mod drives;
+mod no_length;
+
 use nalgebra::Vector3;
 use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model, Points};
-use suspension_core::{Build, Signal, Values, linkage};
+use suspension_core::{Build, Signal, Values};
 use suspension_runtime::Listing;
 
 fn design() -> Corner {
@@ -143,59 +146,6 @@ fn what_is_beyond_reach_is_advanced_to_until_it_locks() {
 }
 
 #[test]
-fn a_step_of_no_length_finds_drives_near_by_and_their_rates() {
-    let mut corner = moved(0.02, 0.0);
-    let [time, before] = [corner.time(), corner.drives().bump];
-    let drives = |by: f64, rate: f64| Signal {
-        value: Drives {
-            bump: before + by,
-            steer: corner.drives().steer,
-        },
-        rate: Drives {
-            bump: rate,
-            steer: 0.0,
-        },
-        second_rate: Drives::default(),
-    };
-    // A pause, one with other rates, and a drive that has changed meanwhile.
-    for (to, dt) in [
-        (drives(0.0, 0.3), 0.0),
-        (drives(0.0, -0.1), -0.0),
-        (drives(1e-4, 0.2), 0.0),
-    ] {
-        corner.step(dt, to).expect("near by");
-        assert_eq!(corner.time().to_bits(), time.to_bits());
-        let points = corner.points();
-        assert!((points.value.wheel_centre.z - to.value.bump).abs() < 1e-14);
-        assert!((points.rate.wheel_centre.z - to.rate.bump).abs() < 1e-13);
-    }
-}
-
-#[test]
-fn a_step_of_no_length_to_drives_far_away_is_refused() {
-    let mut corner = moved(0.02, 0.0);
-    let before = (corner.time(), corner.drives(), *corner.motion());
-    let to = |bump: f64, steer: f64| Drives {
-        bump: before.1.bump + bump,
-        steer: before.1.steer + steer,
-    };
-    for to in [to(0.1, 0.0), to(0.0, 0.3), to(f64::NAN, 0.0)] {
-        corner.step(0.0, Signal::still(to)).expect_err("far away");
-        assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
-    }
-}
-
-#[test]
-fn a_step_whose_length_is_no_number_is_refused() {
-    let mut corner = moved(0.02, 0.0);
-    let before = (corner.time(), corner.drives(), *corner.motion());
-    let stopped = corner.step(f64::NAN, Signal::still(before.1));
-    let stopped = stopped.expect_err("no length");
-    assert!(stopped.to_string().contains("not a finite number"));
-    assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
-}
-
-#[test]
 fn with_another_length_the_corner_is_assembled() {
     let points = Model::design();
     let model = Model::new(&points).expect("a regular design");
@@ -256,96 +206,4 @@ fn a_failure_is_a_sentence_for_debuggers_too() {
         .step(1.0, Signal::still(far))
         .expect_err("out of reach");
     assert_eq!(format!("{failure:?}"), failure.to_string());
-}
-
-linkage! {
-    /// A point on two links, and a chassis point that is driven and only measured.
-    mod measured {
-        fixed: left at [-3.0, 0.0, 0.0], right at [3.0, 0.0, 0.0], gauge at [0.0, 0.0, 9.0];
-        free:  top at [0.0, 4.0, 0.0];
-        link one: left -> top;
-        link two: right -> top;
-        drive height: top.z;
-        drive slide: gauge.x;
-        measure span: length(top -> gauge);
-    }
-}
-
-/// No residual has it: its drive is refused by name, and the corner stays.
-#[test]
-fn a_drive_that_only_a_measure_reads_must_be_finite() {
-    let mut corner: measured::Corner = measured::Corner::design().expect("a design");
-    let start = corner.drives();
-    let span = corner.measures().value.span;
-    for slide in [f64::NAN, f64::INFINITY] {
-        let wrong = measured::Drives { slide, ..start };
-        let rate = measured::Drives { slide, height: 0.0 };
-        let by_value = Signal::still(wrong);
-        let by_rate = Signal {
-            rate,
-            ..Signal::still(start)
-        };
-        for drives in [by_value, by_rate] {
-            for answer in [
-                corner.step(0.1, drives),
-                corner.step_towards(0.1, drives),
-                corner.advance(0.1, |_| drives),
-            ] {
-                let said = answer.expect_err("not finite").to_string();
-                assert!(said.contains("drive `slide`"), "{said}");
-            }
-        }
-    }
-    assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
-}
-
-linkage! {
-    /// A crank that an angle about its axis drives, and one that an angle from a chassis axis does.
-    mod cranks {
-        fixed: a at [0.0, 0.0, 0.0], e at [1.0, 0.0, 0.0], k at [0.0, 0.3, 0.0];
-        free:  b at [0.0, 0.3, 0.0], c at [0.0, 0.15, 0.259_807_621_135_331_6];
-        hinge crank: a, e -> b;
-        hinge other: a, e -> c;
-        drive turn:  angle(a -> k, a -> b about a -> e);
-        drive angle: angle(a -> c, y);
-    }
-}
-
-/// The equations contain the sine of a quarter of one angle and the cosine of the other, which are not monotonic beyond the
-/// range.
-#[test]
-fn an_angle_is_followed_through_its_range_and_refused_beyond() {
-    let mut corner = cranks::Corner::<f64>::design().expect("a regular design");
-    let start = corner.drives();
-    let (mut turn, mut refused) = (0.0, None);
-    while refused.is_none() && turn < 7.0 {
-        turn += 0.01;
-        let drives = cranks::Drives { turn, ..start };
-        refused = corner.step(1e-3, Signal::still(drives)).err();
-        let reached = corner.drives().turn;
-        let off = corner.points().value.b.z - 0.3 * reached.sin();
-        assert!(off.abs() < 1e-9, "{reached}: {off}");
-    }
-    assert!((turn - std::f64::consts::TAU).abs() < 0.05, "{turn}");
-    for (turn, angle) in [
-        (12.5, start.angle),
-        (-6.3, start.angle),
-        (std::f64::consts::TAU, start.angle),
-        (0.5, -1.0),
-        (0.5, 5.2),
-    ] {
-        let before = corner;
-        let drives = Signal::still(cranks::Drives { turn, angle });
-        let drive = if angle == start.angle {
-            "turn"
-        } else {
-            "angle"
-        };
-        let expected = format!("an angle is driven beyond its range: drive `{drive}`");
-        for refused in [corner.step(1e-3, drives), corner.step_towards(1e-3, drives)] {
-            let sentence = refused.expect_err("beyond the range").to_string();
-            assert!(sentence.contains(&expected), "{sentence}");
-            assert_eq!(corner.motion(), before.motion());
-        }
-    }
 }

@@ -47,7 +47,7 @@ fn what_moves_and_reads_does_not_allocate() {
         .expect_err("beyond reach");
     assert!(corner.time() > 1.0);
     let (mut points, mut measures, change) = ([0.0; 9 * 20], [0.0; 6], [1.0, 0.0]);
-    // SAFETY: the array has as many numbers as the call is told.
+    // SAFETY: the array has 60 numbers, the count that the call gets.
     let both = unsafe { InOut::from_raw(forces.as_mut_ptr()) };
     let added =
         listing::corner_add_masses(corner.get(), (&masses).into(), from(&design), 60, both, 60);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{edited, example, folder, run, text};
+use super::program::{example, folder, run, text};
 
 fn folder_with_input() -> tempfile::TempDir {
     let folder = folder();
@@ -118,7 +118,11 @@ fn a_link_to_another_result_is_the_same_place() {
 fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
     let folder = folder();
     let fine = "start = 0.0\nstop = 1.9\nstep = 0.001";
-    std::fs::write(folder.path().join("a.toml"), edited("instants", fine)).expect("written");
+    std::fs::write(
+        folder.path().join("a.toml"),
+        super::program::edited("instants", fine),
+    )
+    .expect("written");
     let program = format!(
         "ulimit -f 100 && exec '{}' motion a.toml --csv a.csv",
         super::PROGRAM

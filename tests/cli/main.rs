@@ -27,11 +27,14 @@ mod masses;
 mod notes;
 mod plots;
 mod program;
+#[cfg(target_os = "linux")]
 mod progress;
 mod range;
+mod reader_gone;
 mod results;
 mod sensitivities;
 mod sheet;
+#[cfg(unix)]
 mod signals;
 mod springs;
 mod stops;

@@ -2,8 +2,9 @@
 #![allow(dead_code)]
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
 
 /// A motion file of a corner that travels and steers, at its design position.
 pub(crate) const CORNER: &str = "\
@@ -25,6 +26,17 @@ pub(crate) fn command(folder: &Path) -> Command {
 pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = command(folder);
     command.args(arguments).output().expect("the program runs")
+}
+
+/// Starts the program with its output in pipes.
+pub(crate) fn start<A: AsRef<OsStr>>(folder: &Path, arguments: &[A]) -> Child {
+    let mut command = command(folder);
+    command
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs")
 }
 
 pub(crate) fn folder() -> tempfile::TempDir {

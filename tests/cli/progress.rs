@@ -5,7 +5,6 @@ use std::process::Command;
 use super::program::{CORNER, folder, text};
 
 /// A pseudo-terminal, of `script`, on which the program bakes a surface whose tolerance no layout of patches meets.
-#[cfg(target_os = "linux")]
 #[test]
 fn a_terminal_shows_that_a_surface_is_being_baked() {
     if Command::new("script").arg("--version").output().is_err() {

@@ -1,4 +1,4 @@
-//! A user who has enough.
+//! A user who interrupts the program.
 
 use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, Read};
@@ -6,123 +6,9 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
-use super::program::{CORNER, command, edited, example, folder, text};
-
-#[test]
-fn a_closed_standard_output_is_no_failure() {
-    let folder = folder();
-    let path = folder.path().join("long.toml");
-    let long = "start = 0.0\nstop = 1.9\nstep = 0.001";
-    std::fs::write(path, edited("instants", long)).expect("written");
-    is_no_failure_without_a_reader(folder.path(), &["motion", "long.toml", "--csv", "-"]);
-}
-
-/// The program, whose output is read.
-fn started<A: AsRef<OsStr>>(folder: &Path, arguments: &[A]) -> Child {
-    command(folder)
-        .args(arguments)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program runs")
-}
-
-/// Runs the program with a standard output whose reader goes at once; returns what it says.
-#[track_caller]
-fn succeeds_without_a_reader(folder: &Path, arguments: &[&str]) -> Vec<u8> {
-    let mut child = started(folder, arguments);
-    drop(child.stdout.take());
-    let output = child.wait_with_output().expect("the program ends");
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    output.stderr
-}
-
-#[track_caller]
-fn is_no_failure_without_a_reader(folder: &Path, arguments: &[&str]) {
-    let said = succeeds_without_a_reader(folder, arguments);
-    assert!(said.is_empty(), "{}", text(&said));
-}
-
-/// As of `suspension tune corner.toml | head`.
-#[test]
-fn a_reader_that_goes_costs_no_file() {
-    let folder = folder();
-    let tune = "[tune]\nmoves.up = { points = [\"rack\"], along = \"z\", by = [-0.01, 0.01] }\n\
-                targets.upright = { of = \"camber\", value = 0.0, within = 1.0 }\n";
-    let long = edited("instants", "start = 0.0\nstop = 1.9\nstep = 0.001");
-    for (name, content) in [
-        ("corner.toml", format!("{CORNER}{tune}")),
-        ("links.toml", example("five_link.toml")),
-        ("long.toml", long),
-    ] {
-        std::fs::write(folder.path().join(name), content).expect("written");
-    }
-    for (arguments, file) in [
-        ("tune corner.toml --out found.toml", "found.toml"),
-        (
-            "compare corner.toml corner.toml --html both.html",
-            "both.html",
-        ),
-        ("sensitivities corner.toml --csv all.csv", "all.csv"),
-        ("assemblies links.toml --csv found.csv", "found.csv"),
-        ("motion long.toml --csv - --json rows.json", "rows.json"),
-        (
-            "motion corner.toml --csv - --plots plots",
-            "plots/corner_height.svg",
-        ),
-    ] {
-        let arguments: Vec<&str> = arguments.split(' ').collect();
-        succeeds_without_a_reader(folder.path(), &arguments);
-        assert!(folder.path().join(file).exists(), "{arguments:?}");
-    }
-}
-
-/// If notes and errors cannot be written, only these are lost.
-#[cfg(unix)]
-#[test]
-fn a_full_standard_error_costs_no_result() {
-    let folder = folder();
-    std::fs::write(folder.path().join("motion.toml"), CORNER).expect("written");
-    let code = |arguments: &[&str]| {
-        let full = std::fs::File::create("/dev/full").expect("a full device");
-        let mut command = command(folder.path());
-        let status = command
-            .args(arguments)
-            .stdout(Stdio::null())
-            .stderr(full)
-            .status();
-        status.expect("the program runs").code()
-    };
-    assert_eq!(
-        code(&["motion", "motion.toml", "--csv", "all.csv"]),
-        Some(0)
-    );
-    assert!(folder.path().join("all.csv").exists());
-    assert_eq!(code(&["motion", "nothing.toml"]), Some(2));
-    assert_eq!(code(&["motion", "--nothing"]), Some(2));
-}
-
-#[cfg(unix)]
-#[test]
-fn help_that_cannot_be_written_is_a_failure() {
-    let full = std::fs::File::create("/dev/full").expect("a full device");
-    let mut command = command(Path::new("."));
-    let output = command.args(["motion", "--help"]).stdout(full).output();
-    let output = output.expect("the program runs");
-    assert_eq!(output.status.code(), Some(1));
-    let message = "standard output: cannot be written: No space left on device";
-    assert!(text(&output.stderr).starts_with(message), "{output:?}");
-}
-
-/// The same applies to results.
-#[test]
-fn help_to_a_reader_that_has_gone_is_no_failure() {
-    // The text may have been written before the reader went.
-    is_no_failure_without_a_reader(Path::new("."), &["motion", "--help"]);
-}
+use super::program::{CORNER, command, edited, example, folder, start, text};
 
 /// Runs a motion that takes seconds and ends it with a signal after a fraction of one.
-#[cfg(unix)]
 fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
     let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
     std::fs::write(folder.join("long.toml"), edited("instants", long)).expect("written");
@@ -130,20 +16,18 @@ fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
     interrupted_by(signal, folder, &arguments)
 }
 
-#[cfg(unix)]
 fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
-    ended(started(folder, arguments), &[signal])
+    ended(start(folder, arguments), &[signal])
 }
 
 /// Interrupts the program half a second after it has printed a line that starts with this text; returns the output after
 /// that line, and the exit status.
-#[cfg(unix)]
 fn interrupted_after<A: AsRef<OsStr>>(
     line: &str,
     folder: &Path,
     arguments: &[A],
 ) -> (String, Output) {
-    let mut child = started(folder, arguments);
+    let mut child = start(folder, arguments);
     let mut printed = BufReader::new(child.stdout.take().expect("standard output"));
     let mut last = String::new();
     while last.is_empty() || !last.starts_with(line) {
@@ -159,7 +43,6 @@ fn interrupted_after<A: AsRef<OsStr>>(
     (rest, output)
 }
 
-#[cfg(unix)]
 fn send(signal: &str, child: &Child) {
     let sent = Command::new("kill")
         .args([signal, &*child.id().to_string()])
@@ -168,7 +51,6 @@ fn send(signal: &str, child: &Child) {
 }
 
 /// The end of a program that is sent signals.
-#[cfg(unix)]
 fn ended(mut child: Child, signals: &[&str]) -> Output {
     for signal in signals {
         std::thread::sleep(Duration::from_millis(500));
@@ -182,7 +64,6 @@ fn ended(mut child: Child, signals: &[&str]) -> Output {
     output
 }
 
-#[cfg(unix)]
 #[test]
 fn a_signal_to_end_keeps_whole_rows() {
     for signal in ["-INT", "-TERM"] {
@@ -226,7 +107,6 @@ fn a_hang_up_ends_it_unless_it_is_ignored() {
 }
 
 /// Baking a surface whose tolerance no layout of patches meets takes seconds.
-#[cfg(unix)]
 #[test]
 fn a_surface_that_is_being_baked_is_given_up() {
     let folder = folder();
@@ -242,7 +122,6 @@ fn a_surface_that_is_being_baked_is_given_up() {
     assert!(!folder.path().join("out").exists());
 }
 
-#[cfg(unix)]
 #[test]
 fn without_a_table_no_rows_are_said_to_be_kept() {
     let folder = folder();
@@ -253,7 +132,6 @@ fn without_a_table_no_rows_are_said_to_be_kept() {
 }
 
 /// The input or the table may be a FIFO that no other program opens.
-#[cfg(unix)]
 #[test]
 fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
     let folder = folder();
@@ -276,7 +154,7 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
             "fifo: interrupted before it was read\n",
         ),
     ] {
-        let mut child = started(folder.path(), arguments);
+        let mut child = start(folder.path(), arguments);
         std::thread::sleep(Duration::from_millis(500));
         send("-INT", &child);
         let ends = (0..200).any(|_| {
@@ -293,7 +171,6 @@ fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
 }
 
 /// A live axle with a Watt linkage is one part, whose search takes seconds.
-#[cfg(unix)]
 fn watt_linkage() -> tempfile::TempDir {
     let folder = folder();
     let axle = include_str!("../../examples/live_axle_watt.toml");
@@ -301,7 +178,6 @@ fn watt_linkage() -> tempfile::TempDir {
     folder
 }
 
-#[cfg(unix)]
 #[test]
 fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
     let folder = watt_linkage();
@@ -320,7 +196,6 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
 }
 
 /// The second interrupt comes while the found assemblies are followed to the file's lengths.
-#[cfg(unix)]
 #[test]
 fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
     let folder = watt_linkage();
@@ -346,7 +221,6 @@ fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
 }
 
 /// After the first of many values has been listed.
-#[cfg(unix)]
 #[test]
 fn assemblies_that_were_found_are_kept() {
     let folder = folder();

@@ -1,4 +1,4 @@
-//! Wheels' quantities of the same name, which stand together.
+//! Rows and curves of the same quantity, one for each wheel, as groups.
 
 /// Groups the things of equal name, in the order of the first of each.
 pub(super) fn grouped<T>(things: &[T], called: impl Fn(&T) -> &String) -> Vec<Vec<&T>> {

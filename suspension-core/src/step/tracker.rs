@@ -1,8 +1,8 @@
 //! Following a motion in time: from the last good motion to the next.
 
-mod at_once;
 mod between;
 pub(crate) mod guard;
+mod two_corrections;
 
 use crate::arithmetic::magnitude::{index_of_largest, largest};
 use crate::arithmetic::scalar::Real;
@@ -97,7 +97,7 @@ impl<T: Real> Tracker<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        if let Some((next, report)) = self.at_once::<_, C, N>(linkage, change, motion) {
+        if let Some((next, report)) = self.try_two_corrections::<_, C, N>(linkage, change, motion) {
             *motion = next;
             return Ok(report);
         }

@@ -4,7 +4,7 @@ use crate::quantities::{
     AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Quantity, SIDE_ARM, SIDE_CENTRE,
 };
 
-/// Whether a quantity may have poles: instant centres are at infinity if the carrier moves parallel, the roll centre is
+/// Returns whether a quantity may have poles: an instant centre is at infinity if the carrier does not turn, the roll centre
 /// if the normals of both wheels are parallel.
 pub(super) fn has_poles(column: &Column) -> bool {
     const WITH_POLES: [&Quantity; 5] = [
@@ -17,9 +17,9 @@ pub(super) fn has_poles(column: &Column) -> bool {
     WITH_POLES.iter().any(|quantity| column.is(quantity))
 }
 
-/// The values without those that are at infinity but for rounding, and without those that are farther than 20 m and
-/// several times as far as usual on the curve: beside them an axis would not show the others. `metre` is the length of
-/// one.
+/// Removes the values that are infinite except for rounding, and those that exceed both 20 m and three times the median of
+/// the curve: with them on its axis a chart would not show the others. `metre` is the length of a metre in the unit of the
+/// values.
 pub(super) fn remove_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>> {
     const FAR: f64 = 20.0;
     const USUAL: f64 = 3.0;
@@ -33,8 +33,8 @@ pub(super) fn remove_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>>
     values.iter().map(near).collect()
 }
 
-/// Whether a curve changes from one side of a pole to the other: between two places next to each other by a large
-/// fraction of its whole range.
+/// Returns whether a curve changes from one side of a pole to the other: between two neighbouring places by a large fraction
+/// of its range.
 pub(super) fn jumps(values: &[Option<f64>]) -> bool {
     const MUCH: f64 = 0.25;
     const ROUNDING: f64 = 1e-9;

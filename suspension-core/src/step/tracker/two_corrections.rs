@@ -19,7 +19,7 @@ impl<T: Real> Tracker<T> {
     /// Makes the step if two corrections with the same factors meet every condition, as in most steps of a control
     /// loop.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn at_once<L, C, const N: usize>(
+    pub(super) fn try_two_corrections<L, C, const N: usize>(
         &self,
         linkage: &L,
         change: &Change<'_, L, N>,

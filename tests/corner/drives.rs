@@ -1,0 +1,95 @@
+//! Drives that are not finite, and angles that are driven beyond their range.
+
+use suspension_core::{Signal, linkage};
+
+linkage! {
+    /// A point on two links, and a chassis point that is driven and only measured.
+    mod measured {
+        fixed: left at [-3.0, 0.0, 0.0], right at [3.0, 0.0, 0.0], gauge at [0.0, 0.0, 9.0];
+        free:  top at [0.0, 4.0, 0.0];
+        link one: left -> top;
+        link two: right -> top;
+        drive height: top.z;
+        drive slide: gauge.x;
+        measure span: length(top -> gauge);
+    }
+}
+
+/// No residual has it: its drive is refused by name, and the corner stays.
+#[test]
+fn a_drive_that_only_a_measure_reads_must_be_finite() {
+    let mut corner: measured::Corner = measured::Corner::design().expect("a design");
+    let start = corner.drives();
+    let span = corner.measures().value.span;
+    for slide in [f64::NAN, f64::INFINITY] {
+        let wrong = measured::Drives { slide, ..start };
+        let rate = measured::Drives { slide, height: 0.0 };
+        let by_value = Signal::still(wrong);
+        let by_rate = Signal {
+            rate,
+            ..Signal::still(start)
+        };
+        for drives in [by_value, by_rate] {
+            for answer in [
+                corner.step(0.1, drives),
+                corner.step_towards(0.1, drives),
+                corner.advance(0.1, |_| drives),
+            ] {
+                let said = answer.expect_err("not finite").to_string();
+                assert!(said.contains("drive `slide`"), "{said}");
+            }
+        }
+    }
+    assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
+}
+
+linkage! {
+    /// A crank that an angle about its axis drives, and one that an angle from a chassis axis does.
+    mod cranks {
+        fixed: a at [0.0, 0.0, 0.0], e at [1.0, 0.0, 0.0], k at [0.0, 0.3, 0.0];
+        free:  b at [0.0, 0.3, 0.0], c at [0.0, 0.15, 0.259_807_621_135_331_6];
+        hinge crank: a, e -> b;
+        hinge other: a, e -> c;
+        drive turn:  angle(a -> k, a -> b about a -> e);
+        drive angle: angle(a -> c, y);
+    }
+}
+
+/// The equations contain the sine of a quarter of one angle and the cosine of the other, which are not monotonic beyond the
+/// range.
+#[test]
+fn an_angle_is_followed_through_its_range_and_refused_beyond() {
+    let mut corner = cranks::Corner::<f64>::design().expect("a regular design");
+    let start = corner.drives();
+    let (mut turn, mut refused) = (0.0, None);
+    while refused.is_none() && turn < 7.0 {
+        turn += 0.01;
+        let drives = cranks::Drives { turn, ..start };
+        refused = corner.step(1e-3, Signal::still(drives)).err();
+        let reached = corner.drives().turn;
+        let off = corner.points().value.b.z - 0.3 * reached.sin();
+        assert!(off.abs() < 1e-9, "{reached}: {off}");
+    }
+    assert!((turn - std::f64::consts::TAU).abs() < 0.05, "{turn}");
+    for (turn, angle) in [
+        (12.5, start.angle),
+        (-6.3, start.angle),
+        (std::f64::consts::TAU, start.angle),
+        (0.5, -1.0),
+        (0.5, 5.2),
+    ] {
+        let before = corner;
+        let drives = Signal::still(cranks::Drives { turn, angle });
+        let drive = if angle == start.angle {
+            "turn"
+        } else {
+            "angle"
+        };
+        let expected = format!("an angle is driven beyond its range: drive `{drive}`");
+        for refused in [corner.step(1e-3, drives), corner.step_towards(1e-3, drives)] {
+            let sentence = refused.expect_err("beyond the range").to_string();
+            assert!(sentence.contains(&expected), "{sentence}");
+            assert_eq!(corner.motion(), before.motion());
+        }
+    }
+}
