@@ -240,7 +240,7 @@ the axis as a point one metre from the centre. The turn about the axis is the wh
 A baked drive that is an angle is in radians, whatever the file's unit of angles.
 
 The tolerance is checked against the solver at 32 Chebyshev points in each segment, between the places where polynomial and
-motion meet. It holds for motions as smooth as their decay at these points shows; it is a bound from samples, not a proof.
+motion meet. The bound between these points assumes a smooth motion, as falling errors at the points indicate; it is not a proof.
 The header also has the errors of the derivatives.
 
 Outside its range a curve has no value: Rust returns an error that holds the nearest end, C returns 1. Near a turning point

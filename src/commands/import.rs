@@ -62,8 +62,8 @@ pub struct Arguments {
     /// the other.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// Write the motion file to PATH, over a file that is there; an axle's NAME_corner.linkage goes beside it, but never over
-    /// one that import would not write so. Without it the motion file is FILE with the ending .toml, which must not exist yet.
+    /// Write the motion file to PATH, replacing a file of that name. For an axle, NAME_corner.linkage goes beside it; a
+    /// different file of that name is never replaced. Without it the motion file is FILE with the ending .toml, which must not exist yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }

@@ -154,8 +154,8 @@ spring, a note names each drive of travel whose load a spring could bear. With b
 spring pulls. If the case also states a force in the same measure, the report gives the sum of both.
 
 Links: tension is positive. Joints: the force that a body or another statement exerts at each of its points, on the chassis
-or on the parts that it joins there, in the file's axes. A link is among them if it has a mass (its tension is then the
-one at its middle), or if its angle is driven or held. `damper at damper_upper` is the force at one end of the measure
+or on the parts that it joins there, in the file's axes. The table of joints also lists a link that has a mass (its tension is
+then the one at its middle), or whose angle is driven or held. `damper at damper_upper` is the force at one end of the measure
 damper: springs and stated forces in the measure together. The forces of each body balance, except for the loads, weight
 and moments that act on it. A moment about an angle acts on the part that carries the angle's lines, which passes it on:
 `bar on arm` is the moment of a torsion bar, in N m, with all that acts in the measure bar; `cross on shaft` is the moment
@@ -193,7 +193,7 @@ fn no_case(names: &Names, sprung: Option<(usize, usize)>) -> String {
     let place = names.wheels.first().map(contact_of);
     let place = place.or_else(|| names.points.get(names.chassis).cloned());
     format!(
-        "no load case; write [loads.braking] with a line for each load, as {} = [-3000.0, 0.0, 4000.0]{}",
+        "no load case; write [loads.braking] with a line for each load, as {} = [-3000.0, 0.0, 4000.0]{}; suspension loads --help explains load cases",
         place.unwrap_or_default(),
         borne.unwrap_or_default()
     )

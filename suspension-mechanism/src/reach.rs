@@ -7,5 +7,5 @@ mod station;
 
 pub use course::{DriveRange, POOR, range};
 pub use limit::{Limit, RangeEnd};
-pub use meeting::{CARRIED_ON, meeting, moves_alone};
+pub use meeting::{CARRIED_ON, holds, meeting, moves_alone};
 pub use station::Station;

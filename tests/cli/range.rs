@@ -28,13 +28,11 @@ fn both_ends_and_when_the_motion_locks() {
             assert!((value - expected).abs() <= 1e-12, "{line}");
             assert!(line.contains("turning point of the drive"), "{line}");
         }
-        let locks = number_after(report, "at the upper end at t = ");
+        let locks = number_after(report, "the upper end at t = ");
         assert!((locks - LOCKS).abs() <= 1e-9, "{locks}");
-        assert!(
-            report.contains(
-                "ends before, at its last instant, 1.95 s; carried on, it would be at the "
-            )
-        );
+        assert!(report.contains(
+            "stays in the range until its last instant, 1.95 s; continued, it would reach the "
+        ));
         assert!(report.contains("4 turning points"), "{report}");
     }
 }
@@ -49,8 +47,26 @@ fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
     std::fs::write(folder.path().join("a.toml"), both).expect("written");
     let output = run(folder.path(), &["range", "a.toml"]);
     let said = text(&output.stdout);
-    assert_eq!(said.matches("moves other drives too").count(), 2, "{said}");
+    assert_eq!(
+        said.matches("moves other drives as well").count(),
+        2,
+        "{said}"
+    );
     assert!(!said.contains("neither end"), "{said}");
+}
+
+#[test]
+fn a_drive_that_the_motion_holds_is_said_to_be_held() {
+    let folder = folder();
+    let bump = CORNER.replace("bump = 0.3", "bump = [0.3, 0.01]");
+    std::fs::write(folder.path().join("a.toml"), bump).expect("written");
+    let output = run(folder.path(), &["range", "a.toml", "--drive", "steer"]);
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("the file's motion holds this drive"),
+        "{said}"
+    );
+    assert!(!said.contains("moves other drives"), "{said}");
 }
 
 /// Both name their origin: one counts from the first instant, the other from the design position.

@@ -95,8 +95,7 @@ fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
     let [(a, to_a), (b, to_b)] = [sides[0].steering()?, sides[1].steering()?];
     (to_a * to_b < 0.0 && opposite_sides_note(sides).is_none()).then(|| {
         format!(
-            "where `{a}` of A and `{b}` of B grow they turn the wheels opposite ways: most of what differs per steer and over steer is the \
-             opposite direction"
+            "`{a}` of A and `{b}` of B turn the wheels opposite ways: this causes most differences per steer and over steer"
         )
     })
 }

@@ -7,7 +7,7 @@ use suspension_core::listing::DriveKind;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Unit, describe_change_from_design};
 use crate::number::{counted, rounded};
-use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, meeting, moves_alone};
+use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, holds, meeting, moves_alone};
 
 /// Digits of an end of a range: in radians all that are correct.
 const DIGITS: usize = 13;
@@ -82,21 +82,22 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
             if is_later {
                 let last = rounded(last, DIGITS);
                 format!(
-                    "the file's motion ends before, at its last instant, {last} s; carried on, it would be at the {end} end at t = {t} s"
+                    "the file's motion stays in the range until its last instant, {last} s; continued, it would reach the {end} end at t = {t} s"
                 )
             } else {
-                format!("the file's motion is at the {end} end at t = {t} s")
+                format!("the file's motion reaches the {end} end at t = {t} s")
             }
         }
         None if mechanism.led_by.is_some() => {
             "the file's motion is led by a measure: its end is not looked for".to_owned()
         }
+        None if holds(mechanism, range.index) => "the file's motion holds this drive".to_owned(),
         None if !moves_alone(mechanism, range.index) => {
-            "the file's motion moves other drives too, so that this range does not tell where it ends; `suspension motion` does"
+            "the file's motion moves other drives as well, so that this range does not tell where it ends; `suspension motion` does"
                 .to_owned()
         }
         None => format!(
-            "the file's motion, carried on to {CARRIED_ON} times its duration, brings this drive to \
+            "the file's motion, continued to {CARRIED_ON} times its duration, brings this drive to \
              neither end"
         ),
     }
@@ -105,7 +106,7 @@ fn motion(mechanism: &Description, range: &DriveRange) -> String {
 fn poor(range: &DriveRange, unit: Unit) -> String {
     let intervals = range.poor();
     let what = format!(
-        "for a unit of the drive the points move more than {POOR} times as far as where they move \
+        "the points move more than {POOR} times as far per unit of the drive as where they move \
          least"
     );
     if intervals.is_empty() {

@@ -5,7 +5,19 @@ use crate::mechanism::Description;
 /// The multiple of its duration to which the motion is continued beyond its last instant.
 pub const CARRIED_ON: f64 = 10.0;
 
-/// Whether the motion, continued that long, moves only the drive with this index.
+/// Returns whether the motion, continued that long, leaves the drive with this index where it is.
+pub fn holds(mechanism: &Description, index: usize) -> bool {
+    let is_still = |t| {
+        mechanism
+            .drives
+            .at(t)
+            .nth(index)
+            .is_none_or(|drive| drive.rate == 0.0)
+    };
+    looks(mechanism).all(is_still)
+}
+
+/// Returns whether the motion, continued that long, moves only the drive with this index.
 pub fn moves_alone(mechanism: &Description, index: usize) -> bool {
     looks(mechanism).all(|t| !moves_others(mechanism, index, t))
 }

@@ -83,7 +83,7 @@ fn values_of_a_steering_box_that_seem_to_count_from_its_design_are_noted() {
             steered("90.0"),
             &["bake", "a.toml", "--drive", "steer=-5:5"],
             Some(
-                "`steer` is 90 deg at the design position; changes from there are --drive steer=85:95",
+                "`steer` is 90 deg at the design position; for that range about the design write --drive steer=85:95",
             ),
         ),
         (

@@ -136,8 +136,8 @@ fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
         let output = run(folder.path(), &["bake", "a.toml", "--drive", range]);
         text(&output.stderr).to_owned()
     };
-    let own = "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design position; changes \
-               from there are --drive bump=";
+    let own = "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design position; for \
+               that range about the design write --drive bump=";
     let said = bake("bump=-0.03:0.03");
     let expected = format!("a.toml: bump cannot be baked from -0.03 to 0.03: {own}0.27:0.33\n");
     assert_eq!(said, expected);

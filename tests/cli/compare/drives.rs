@@ -192,8 +192,7 @@ fn racks_that_are_counted_opposite_ways_are_told() {
         led_by("rack.y", 0.34),
         led_by("rack along [0, -1, 0]", -0.34),
     );
-    let note = "where `steer` of A and `steer` of B grow they turn the wheels opposite ways: most of what differs per steer and over steer is \
-                the opposite direction\n";
+    let note = "`steer` of A and `steer` of B turn the wheels opposite ways: this causes most differences per steer and over steer";
     for (b, is_told) in [(&right, true), (&left, false)] {
         let (_folder, output) = compare(&left, b, &[]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");

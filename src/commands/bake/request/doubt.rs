@@ -19,7 +19,7 @@ impl Baking<'_> {
         let Drive { name, kind } = &names.drives[along.drive];
         let design = self.mechanism.design[along.drive] * Dimension::from(*kind).file_factor(*unit);
         let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
-        let way = format!("; changes from there are --drive {name}={from}:{to}");
+        let way = format!("; for that range about the design write --drive {name}={from}:{to}");
         let Some(doubt) = doubt(self.mechanism, along.drive, stated, CountedFrom::Zero, &way)
         else {
             return Ok(());

@@ -66,9 +66,9 @@ catalogue! {
         sign: "positive where the steering wheel is turned to the left: the way that turns the road wheels to the left at the \
                design position, whichever way the rack is counted",
         definition: "the angle from the design position: one turn for each rack_per_turn by which the drive of \
-                     steering moves, or steering_box_ratio times the angle by which it turns. It has no columns of \
-                     derivatives because they are constant: a turn by rack_per_turn, or steering_box_ratio, with its \
-                     sign, with respect to that drive, and zero with respect to the others",
+                     steering moves, or steering_box_ratio times the angle by which it turns. Its derivative with \
+                     respect to that drive is constant, one turn / rack_per_turn or steering_box_ratio with its sign, \
+                     and has no column",
         source: "ISO 8855",
         vehicle: "rack_per_turn or steering_box_ratio",
         shown: Shown::InTables,
