@@ -110,8 +110,9 @@ impl Arguments {
         target.refuse_input("--out")?;
         target.write(&sheet.text(language, target.path().unwrap_or(&own)))?;
         if let Some(path) = target.path() {
-            let (path, count) = (path.display(), sheet.baked.count_in_words());
-            tell(format_args!("wrote {path}: {count}"));
+            let (path, ranges) = (path.display(), sheet.about.ranges_in_words());
+            let count = sheet.baked.count_in_words();
+            tell(format_args!("wrote {path}: {ranges}, {count}"));
         }
         Ok(())
     }

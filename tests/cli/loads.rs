@@ -220,8 +220,9 @@ fn a_report_has_a_table_of_each_kind_for_each_case() {
         "a.toml: load case braking at bump = 0.3 m, steer = 0.34 m; axes of ISO 8855",
         "a.toml: load case cornering",
         "drive  bears\n",
-        "measure  bears\n",
+        "measure  bears (positive: towards a larger value)\n",
         "link     tension\n",
+        "exerts along x, y and z\n",
         "upright at lower_ball",
     ] {
         assert!(report.contains(expected), "{expected}: {report}");

@@ -14,10 +14,14 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    /// Returns the second number minus the first.
+    /// Returns the second number minus the first; zero if they differ by rounding only.
     pub(super) fn value(&self) -> f64 {
         let [a, b] = self.values;
-        b - a
+        if self.is_rounding_of(b - a) {
+            0.0
+        } else {
+            b - a
+        }
     }
 
     /// Returns whether a difference of `off` between these numbers is rounding.

@@ -30,15 +30,18 @@ impl Report<'_> {
         let on_chassis = on_chassis.filter(|line| unloaded.is_loaded(line)).collect();
         let [of_forces, of_moments, borne] = match found.places {
             1 => [
-                "force along x, y and z",
+                "exerts along x, y and z",
                 "about x, y and z",
                 "bears along x, y and z",
             ],
-            _ => ["size of the force", "size", "bears"],
+            _ => ["exerts a force of the size", "size", "bears"],
         };
         let tables = [
             (["drive", "bears"], drives),
-            (["measure", "bears"], measures),
+            (
+                ["measure", "bears (positive: towards a larger value)"],
+                measures,
+            ),
             (["link", "tension"], links),
             (["joint", of_forces], joints),
             (["moment", of_moments], moments),

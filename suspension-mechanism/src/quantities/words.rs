@@ -28,6 +28,12 @@ pub fn in_words(
     text
 }
 
+/// The columns of a line.
+const WIDTH: usize = 120;
+
+/// The indent of all lines but the first.
+const INDENT: &str = "      ";
+
 /// A name and what it names, followed by the definition, and then by sign and source.
 fn entry(text: &mut String, quantity: &Quantity, name: &str, symbol: &str) {
     let Quantity {
@@ -43,8 +49,16 @@ fn entry(text: &mut String, quantity: &Quantity, name: &str, symbol: &str) {
     } else {
         format!("; {sign}")
     };
-    let _ = write!(
-        text,
-        "  {name:<22} {title}{unit}{symbol}{sign}\n      {definition}\n      ({source})\n"
-    );
+    let first = format!("{name:<22} {title}{unit}{symbol}{sign}");
+    let source = format!("({source})");
+    for (indent, paragraph) in [
+        ("  ", first.as_str()),
+        (INDENT, definition),
+        (INDENT, &source),
+    ] {
+        let lines = textwrap::Options::new(WIDTH)
+            .initial_indent(indent)
+            .subsequent_indent(INDENT);
+        let _ = writeln!(text, "{}", textwrap::fill(paragraph, lines));
+    }
 }

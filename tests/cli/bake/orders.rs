@@ -12,7 +12,10 @@ fn without_options_the_motion_of_the_file_is_baked_under_out() {
     assert_eq!(output.status.code(), Some(0));
     let message = text(&output.stderr);
     let path = Path::new("out").join("a_wheel_by_theta.rs");
-    let wrote = format!("wrote {}: ", path.display());
+    let wrote = format!(
+        "wrote {}: theta from 0.7 to 2.1503125 rad, ",
+        path.display()
+    );
     assert!(message.starts_with(&wrote), "{message}");
     let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
     let file = file.expect("a file");
@@ -28,7 +31,10 @@ fn one_segment_is_told_in_the_singular() {
     let output = run(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let message = text(&output.stderr).trim_end();
-    assert!(message.ends_with(": 1 segment"), "{message}");
+    assert!(
+        message.ends_with(": theta from 1 to 1.0001 rad, 1 segment"),
+        "{message}"
+    );
     let file = std::fs::read_to_string(folder.path().join("out/a_wheel_by_theta.rs"));
     let file = file.expect("a file");
     assert!(file.contains("// 1 segment of degree 5, "), "{file}");

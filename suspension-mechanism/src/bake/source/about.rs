@@ -46,15 +46,18 @@ impl Ranged {
         }
     }
 
+    /// Its name and range.
+    fn in_words(&self) -> String {
+        let [from, to] = self.range.map(exact);
+        format!("{} from {from} to {to} {}", self.name, self.unit)
+    }
+
     /// A line of the header.
     fn line(&self) -> String {
-        let [from, to] = self.range.map(exact);
-        let Self { name, unit, .. } = self;
+        let range = self.in_words();
         match &self.in_place_of {
-            None => format!("Drive: {name} from {from} to {to} {unit}."),
-            Some(drive) => {
-                format!("Measure: {name} from {from} to {to} {unit}, in place of drive {drive}.")
-            }
+            None => format!("Drive: {range}."),
+            Some(drive) => format!("Measure: {range}, in place of drive {drive}."),
         }
     }
 }
@@ -67,6 +70,12 @@ impl About {
             _ => "wheel",
         };
         format!("{what}_by_{}", self.names().join("_and_"))
+    }
+
+    /// The drives with their ranges.
+    pub fn ranges_in_words(&self) -> String {
+        let ranges: Vec<String> = self.arguments.iter().map(Ranged::in_words).collect();
+        ranges.join(" and ")
     }
 
     fn names(&self) -> Vec<&str> {
