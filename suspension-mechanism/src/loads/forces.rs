@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
 use suspension_core::wheel::contact;
+use suspension_listing::Kind;
 use suspension_runtime::{AngleShare, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
@@ -13,6 +14,10 @@ use crate::mechanism::{Borne, Mass, State};
 /// The work of a force per unit of a drive below which it is rounding, as a fraction of the force; also for singular
 /// values.
 pub(super) const ROUNDING: f64 = 1e-12;
+
+/// The kinds of statements that are parts with loads of their own. Others may name the same points, for example a couple of
+/// three points of one body.
+const RIGID: [Kind; 3] = [Kind::LINK, Kind::BODY, Kind::HINGE];
 
 /// A force at a point, and the part on which it acts there.
 pub(super) struct Force {
@@ -25,7 +30,7 @@ pub(super) struct Force {
 enum On {
     /// The point itself.
     Point,
-    /// The part with these points.
+    /// The rigid part with these points.
     Having(Vec<usize>),
     /// The part with this number, which has a share in the load along an angle.
     Angle(usize),
@@ -36,7 +41,10 @@ impl Force {
     pub(super) fn is_on(&self, number: usize, statement: &Statement<'_>) -> bool {
         match &self.on {
             On::Point => false,
-            On::Having(points) => points.iter().all(|point| statement.points.contains(point)),
+            On::Having(points) => {
+                RIGID.contains(&statement.kind)
+                    && points.iter().all(|point| statement.points.contains(point))
+            }
             On::Angle(part) => *part == number,
         }
     }

@@ -55,3 +55,31 @@ fn a_note_says_that_two_points_share_a_load() {
                 points: rigid parts do not determine the shares\n";
     assert!(text(&output.stderr).contains(note), "{output:?}");
 }
+
+/// A plate on three links, and a statement that names three points of the plate without being a rigid part.
+fn plate(statement: &str, drives: &str) -> String {
+    format!(
+        "unit = \"m\"\nstatements = \"\"\"\n\
+         fixed: front_a at [0.5, 0.5, 0.3], front_b at [0.5, -0.5, 0.3], side at [-0.3, -0.5, 0.3];\n\
+         free: a at [0.0, 0.5, 0.3], b at [0.0, -0.5, 0.3], c at [-0.3, 0.0, 0.3];\n\
+         link along_a: front_a -> a;\nlink along_b: front_b -> b;\nlink across: side -> c;\nbody plate: a, b, c;\n\
+         point hub: plate at [0.1, 0.2, 0.0];\n{statement}\ndrive left: a.z;\n{drives}\"\"\"\n\
+         time = {{ instants = [0.0] }}\ndrives = {{ left = 0.3, right = 0.3 }}\n[loads.a]\nhub = [300.0, 200.0, 500.0]\n"
+    )
+}
+
+/// The plate passes the load on; the statement that names its points exerts only the force of its own equation.
+#[test]
+fn a_load_on_a_body_is_not_one_on_a_statement_that_names_the_same_points() {
+    let file = plate("couple level: a.z + b.z = 2 c.z;", "drive right: b.z;\n");
+    let row = &table(&file, &[])[0];
+    let [at_a, at_b, at_c] = ["a", "b", "c"].map(|point| force(row, &format!("a_level_{point}")));
+    assert!(at_a.z.abs() > 1.0, "{at_a}");
+    let along = [at_a, at_b, at_c / -2.0].map(|force| force - Vector3::new(0.0, 0.0, at_a.z));
+    let off: Vec<f64> = along.iter().map(Vector3::norm).collect();
+    assert!(off.iter().all(|off| *off < 1e-9), "{at_a} {at_b} {at_c}");
+    let plate = ["a", "b", "c"].map(|point| force(row, &format!("a_plate_{point}")));
+    let load = Vector3::new(300.0, 200.0, 500.0);
+    let off = plate.iter().sum::<Vector3<f64>>() - load;
+    assert!(off.norm() < 1e-9, "{plate:?}");
+}
