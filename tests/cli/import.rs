@@ -6,6 +6,7 @@ mod frames;
 mod noted;
 mod refused;
 mod rows;
+mod struts;
 
 use std::collections::BTreeMap;
 use std::path::Path;

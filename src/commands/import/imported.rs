@@ -128,6 +128,10 @@ impl Imported<'_> {
                             format!("{at:?}"),
                             format!("halfway from bar_outer to {origin}"),
                         ),
+                        None if name == "strut_low" && self.lifted().is_some() => (
+                            format!("{at:?}"),
+                            format!("a quarter of the way to top from {origin}"),
+                        ),
                         None => (format!("{at:?}"), origin),
                     }
                 }
@@ -153,8 +157,24 @@ impl Imported<'_> {
         Some([0, 1, 2].map(|axis| 0.5 * (at[axis] + outer[axis])))
     }
 
+    /// Returns the lower end of a strut that ends in the lower ball joint, moved up the strut's line: one body has no two
+    /// points in one place.
+    pub(super) fn lifted(&self) -> Option<[f64; 3]> {
+        let low = self.stated("strut_low")?;
+        let top = self.stated("top")?;
+        let lifted = [0, 1, 2].map(|axis| 0.75 * low[axis] + 0.25 * top[axis]);
+        (self.stated("lower_ball")? == low).then_some(lifted)
+    }
+
     /// Returns the coordinates of a point of the listing, if the file has it.
     pub(super) fn position(&self, name: &str) -> Option<[f64; 3]> {
+        match name {
+            "strut_low" => self.lifted().or_else(|| self.stated(name)),
+            _ => self.stated(name),
+        }
+    }
+
+    fn stated(&self, name: &str) -> Option<[f64; 3]> {
         let place = self
             .choice
             .found

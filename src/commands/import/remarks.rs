@@ -68,6 +68,7 @@ impl Imported<'_> {
             remarks.push(format!("the corner is the {side} one"));
         }
         remarks.extend(self.point_across());
+        remarks.extend(self.strut_from_ball_joint());
         let is_used = |point: &&&Hardpoint| {
             let mut found = choice.found.iter();
             found.any(|(_, used)| std::ptr::eq(*used, **point))
@@ -81,6 +82,17 @@ impl Imported<'_> {
             remarks.push(format!("not used: {}", told.join(", ")));
         }
         remarks
+    }
+
+    /// Says how a strut whose line passes through the lower ball joint is stated.
+    fn strut_from_ball_joint(&self) -> Option<String> {
+        self.lifted()?;
+        let [low, ball] = ["strut_low", "lower_ball"].map(|name| self.choice.point(name));
+        Some(format!(
+            "`{}` is in the same place as `{}`: strut_low is placed a quarter of the way from there to top. The suspension moves \
+             the same; the measure damper, from strut_low to top, is a quarter of the strut shorter",
+            low?.name, ball?.name
+        ))
     }
 
     /// Names a point that is not used and, if its name is unknown, the point that may have been meant.
