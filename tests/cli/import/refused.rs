@@ -214,7 +214,7 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
                 "tierod_inner, -68, -552, 166",
             ),
             vec![],
-            "is in the same place as point",
+            "a.toml is not written; its line 25 would be: tie_ball = [68.0, 552.0, 166.0]  # tierod_outer, a.csv:8",
         ),
     ];
     for (name, content, options, expected) in cases {
