@@ -1,5 +1,5 @@
 //! The double wishbone of G. Rill, Road Vehicle Dynamics, 2012 (listing 5.6): what the book prints at the design position (page
-//! 155), and the closed form of MiniEngine for the same hardpoints (commit d8e54e9, `tools/suspension_reference`).
+//! 155, as MiniEngine quotes it), and the closed form of MiniEngine for the same hardpoints (commit d8e54e9, `tools/suspension_reference`).
 
 use suspension_core::wheel::{Heading, SteeringAxis, camber_to_ground, caster, kingpin_angle, toe};
 

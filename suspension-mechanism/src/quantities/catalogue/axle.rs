@@ -99,8 +99,9 @@ catalogue! {
         name: "roll_camber",
         sign: "positive where the top of the wheel leans further outboard as the left wheel rises",
         definition: "the derivative of the camber angle, relative to the chassis, with respect to the roll angle of \
-                     the axle. The roll angle is that of the line through both contact points from the y axis, seen \
-                     from the front, while the left one rises as fast as the right one falls",
+                     the axle, in the roll of axle_roll_centre. The roll angle is that of the line through both \
+                     contact points from the y axis, seen from the front; there they count as the lowest points of \
+                     the wheels, not as points of the carriers",
         source: "roll camber coefficient, relative to the chassis",
         shown: Shown::InTables,
         read: |names| of_roll(names, |per_roll| per_roll.camber),
