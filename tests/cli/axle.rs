@@ -4,6 +4,7 @@ mod car;
 mod coupled;
 mod derivatives;
 mod files;
+mod rigid_bodies;
 mod roll;
 mod steering;
 mod steering_box;
