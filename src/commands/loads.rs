@@ -165,8 +165,9 @@ bodies share, such as the ends of a kingpin, along their line; if three bodies s
 
 Chassis points: the total force that links, joints, measures and driven lengths exert on a chassis point, as its bracket
 bears it, without the weight of a mass at the point itself. Chassis points that a drive moves, such as the end of a rack,
-are marked `(driven)`: along their path the drive bears the force. The line `no load in:` names the links, joints and
-moments that bear nothing at any place; the tables have their columns all the same.
+are marked `(driven)`: along their path the drive bears the force. The reaction of a `couple`, as of what holds a drive, is on
+no chassis point that the statement does not name. The line `no load in:` names the links, joints and moments that bear
+nothing at any place; the tables have their columns all the same.
 
 In drawings each force along a line is a tension: a damper that pushes its ends apart with 100 N has -100 N there.
 
