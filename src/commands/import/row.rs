@@ -11,6 +11,9 @@ const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
 /// The separators of fields; after a tab or `;` numbers may have a decimal comma.
 const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
 
+/// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
+const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
+
 /// A line that has been split into fields.
 #[derive(Debug)]
 pub(super) struct Row<'a> {
@@ -81,6 +84,17 @@ impl<'a> Row<'a> {
         behind.filter_map(|field| self.number(field)).collect()
     }
 
+    /// Returns whether a minus stands alone before a number.
+    pub(super) fn has_lone_sign(&self) -> bool {
+        let mut pairs = self.fields.windows(2);
+        pairs.any(|pair| match pair {
+            [sign, number] => {
+                sign.trim_start_matches(MINUS).is_empty() && self.number(number).is_some()
+            }
+            _ => false,
+        })
+    }
+
     /// Returns whether the row has any digit, even in a mistyped number.
     pub(super) fn has_digits(&self) -> bool {
         let mut fields = self.fields.iter();
@@ -140,6 +154,7 @@ impl<'a> Row<'a> {
 
     fn number(&self, field: &str) -> Option<f64> {
         let with_comma = matches!(self.separator, ';' | '\t');
+        let field = field.replacen(MINUS, "-", 1);
         let number: f64 = if with_comma {
             field.replace(',', ".").parse().ok()?
         } else {

@@ -39,8 +39,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point without three numbers, and at an angle or radius that cannot be read or has two
-/// values.
+/// [`Failure::Input`] at a known point without three numbers, at an angle or radius that cannot be read or has two values, and
+/// at a sign apart from its number.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -51,6 +51,9 @@ pub(super) fn add(
     let coordinates = row.coordinates();
     if let Some(name) = before_number(&name, names).filter(|_| coordinates.is_none()) {
         return Err(misread(stated, name, row, names));
+    }
+    if row.has_lone_sign() && (names.is_point(&key) || names.is_number(&key)) {
+        return Err(stated.source.refuse(&row.place, LONE_SIGN));
     }
     match (coordinates, row.numbers().as_slice()) {
         (Some(at), _) if !key.is_empty() => {
@@ -74,6 +77,8 @@ pub(super) fn add(
     }
     Ok(())
 }
+
+const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
 
 /// Returns the mistake of a row with a known name: what the row should have.
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {

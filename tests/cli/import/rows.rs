@@ -22,6 +22,35 @@ fn a_point_needs_three_numbers() {
     }
 }
 
+/// A dash before a number may be its sign or belong to the name, so it is not guessed.
+#[test]
+fn a_sign_that_stands_alone_is_refused() {
+    let numbers = "toe_angle, 0.1\ncamber_angle -1.5\n";
+    let file = table(&CORNER) + numbers;
+    for [row, other] in [
+        ["lca_rear, 150, -175, 120", "lca_rear - 150 -175 120"],
+        ["lca_rear, 150, -175, 120", "lca_rear, - 150, -175, 120"],
+        ["lca_rear, 150, -175, 120", "lca_rear \u{2212} 150 -175 120"],
+        ["camber_angle -1.5", "camber_angle - 1.5"],
+    ] {
+        let said = refusal("a.csv", &file.replace(row, other), &[]);
+        let expected = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
+        assert!(said.ends_with(expected), "{other}: {said}");
+    }
+}
+
+/// Typeset tables have the character of a minus, or an en dash, instead of a hyphen.
+#[test]
+fn a_minus_of_a_typeset_table_is_one() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    for minus in ["\u{2212}", "\u{2013}"] {
+        let typeset = table(&CORNER).replace('-', minus);
+        let imported = import(folder.path(), "a.csv", &typeset, &[]);
+        assert_eq!(imported.points(), plain.points());
+    }
+}
+
 #[test]
 fn what_is_stated_twice_is_refused() {
     for (rows, expected) in [
