@@ -1,4 +1,5 @@
-//! Rows of numbers as Parquet: each quantity is a column of `f64`, and a description is stored as the file's metadata.
+//! Rows of numbers as Parquet: each quantity is a column of `f64`, null where it has no value, and a description is stored as
+//! the file's metadata.
 //!
 //! This crate is separate so that the program is built without it unless a feature enables it.
 #![forbid(unsafe_code)]
@@ -39,7 +40,7 @@ impl<W: Write + Send> Table<W> {
     ) -> Result<Self> {
         let column = |name: &str| {
             let column = Type::primitive_type_builder(name, Physical::DOUBLE);
-            let column = column.with_repetition(Repetition::REQUIRED).build();
+            let column = column.with_repetition(Repetition::OPTIONAL).build();
             column.map(Arc::new)
         };
         let columns: Vec<_> = columns.into_iter().map(column).collect::<Result<_>>()?;
@@ -58,7 +59,7 @@ impl<W: Write + Send> Table<W> {
         })
     }
 
-    /// Adds a row with one number per column.
+    /// Adds a row with one number per column; NaN is written as null.
     ///
     /// # Errors
     ///
@@ -88,9 +89,10 @@ impl<W: Write + Send> Table<W> {
         let mut columns = self.columns.iter_mut();
         while let Some(mut column) = group.next_column()? {
             if let Some(values) = columns.next() {
-                column
-                    .typed::<DoubleType>()
-                    .write_batch(values, None, None)?;
+                let is_there: Vec<i16> = values.iter().map(|x| i16::from(!x.is_nan())).collect();
+                values.retain(|value| !value.is_nan());
+                let column = column.typed::<DoubleType>();
+                column.write_batch(values, Some(&is_there), None)?;
                 values.clear();
             }
             column.close()?;

@@ -150,8 +150,8 @@ The file:
 
 Results:
 
-Each instant has one row. Where a quantity has no value, as an instant centre of a carrier that does not turn, CSV and
-Parquet have NaN, and JSON has null. The columns have these names for attia2003; lengths and angles are in the file's units
+Each instant has one row. Where a quantity has no value, as an instant centre of a carrier that does not turn, CSV has
+NaN, and JSON and Parquet have null. The columns have these names for attia2003; lengths and angles are in the file's units
 (with angle = "deg", camber_deg in place of camber_rad and omega in deg/s):
 
 "#;
