@@ -8,6 +8,7 @@ pub mod plot;
 pub mod progress;
 pub mod record;
 pub mod summary;
+mod svg;
 pub mod table;
 pub mod text_table;
 

@@ -15,6 +15,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{Pos, VPos};
 
 use crate::mechanism::Axes;
+use crate::output::svg::{Area, Drawn, FINE, document};
 use disc::rim;
 pub use forces::{Acting, Forces, InLink};
 use labels::{Boxed, Labels, Segment};
@@ -62,8 +63,6 @@ pub struct Wheel {
 
 /// Width and height in pixels.
 pub const SIZE: (u32, u32) = (900, 640);
-/// Drawing units per pixel: plotters rounds to whole units.
-const FINE: u32 = 8;
 const MARGIN: f64 = 70.0;
 const FONT_SIZE: u32 = 14;
 
@@ -74,9 +73,6 @@ const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
 const AXIS: RGBColor = RGBColor(160, 40, 110);
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-type Drawn = Result<(), Box<dyn std::error::Error>>;
-
 /// The opacity of a mechanism that is drawn faintly.
 const FAINT: f64 = 0.25;
 
@@ -84,19 +80,10 @@ impl Drawing {
     /// Returns the drawing as an SVG document of the given width and height in pixels; `None` if there are no points.
     pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
         let view = View::fit(&self.outline(), self.axes, seen, shown, MARGIN)?;
-        let mut text = String::new();
-        let size = (shown.0 * FINE, shown.1 * FINE);
-        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        // Drawing into memory fails only by a mistake in this file.
-        self.draw(&area, &view, shown).ok()?;
-        drop(area);
-        let [drawn, shown] =
-            [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
-        Some(text.replacen(&drawn, &shown, 1))
+        document(shown, |area| self.draw(area, &view, shown))
     }
 
     fn draw(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
-        area.fill(&WHITE)?;
         axes::draw(area, view, shown, self.unit)?;
         for other in &self.others {
             self.draw_mechanism(area, view, other, FAINT)?;
@@ -104,9 +91,7 @@ impl Drawing {
         let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
         self.draw_mechanism(area, view, &design, 1.0)?;
         self.draw_forces(area, view)?;
-        self.draw_points(area, view, shown)?;
-        area.present()?;
-        Ok(())
+        self.draw_points(area, view, shown)
     }
 
     /// Draws wheel, bodies and lines at a place of the motion, with the opacity `part`.

@@ -1,10 +1,10 @@
 //! Plots as SVG: over time, or over another quantity.
 
-use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use crate::number::fixed;
+use crate::output::svg::{Area, Drawn, FINE, document};
 
 /// A plot.
 #[derive(Clone, Debug)]
@@ -32,8 +32,6 @@ pub struct Curve {
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
-/// Drawing units per pixel: plotters rounds to whole units, which would be visible as steps.
-const FINE: u32 = 8;
 const FONT: &str = "sans-serif";
 
 fn font(size: u32) -> (&'static str, u32) {
@@ -59,9 +57,7 @@ const COLOURS: [RGBColor; 8] = [
     RGBColor(120, 120, 120),
 ];
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
-type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 impl Chart {
     /// Returns the plot as an SVG document; `None` if it has no points.
@@ -72,15 +68,7 @@ impl Chart {
     /// Returns the plot with a width and a height in pixels.
     pub fn svg_of(&self, shown: (u32, u32)) -> Option<String> {
         let axes = self.axes()?;
-        let mut text = String::new();
-        let size = (shown.0 * FINE, shown.1 * FINE);
-        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        // Drawing into memory fails only by a mistake in this file.
-        self.draw(&area, &axes, shown.0).ok()?;
-        drop(area);
-        let [drawn, shown] =
-            [size, shown].map(|(width, height)| format!("width=\"{width}\" height=\"{height}\""));
-        Some(text.replacen(&drawn, &shown, 1))
+        document(shown, |area| self.draw(area, &axes, shown.0))
     }
 
     fn draw(&self, area: &Area<'_>, axes: &[Axis; 2], width: u32) -> Drawn {
@@ -90,7 +78,6 @@ impl Chart {
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
         let width = width - beside - MARGIN[0] - MARGIN[1];
-        area.fill(&WHITE)?;
         let mut plane = ChartBuilder::on(area)
             .caption(&self.title, font(22))
             .margin(MARGIN[0] * FINE)
@@ -102,7 +89,6 @@ impl Chart {
         self.draw_axes(&mut plane, axes, width, name_size)?;
         self.draw_curves(&mut plane, y)?;
         if self.curves.iter().all(|curve| curve.name.is_empty()) {
-            area.present()?;
             return Ok(());
         }
         plane
@@ -117,7 +103,6 @@ impl Chart {
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3).stroke_width(FINE))
             .draw()?;
-        area.present()?;
         Ok(())
     }
 

@@ -3,8 +3,9 @@
 use plotters::prelude::*;
 
 use super::view::{Seen, View};
-use super::{Area, CHASSIS, Drawn, FINE, FONT_SIZE, pixels};
+use super::{CHASSIS, FONT_SIZE, pixels};
 use crate::number::fixed;
+use crate::output::svg::{Area, Drawn, FINE};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 

@@ -5,7 +5,8 @@ use plotters::style::text_anchor::{Pos, VPos};
 
 use super::labels::{Boxed, Labels};
 use super::view::View;
-use super::{Area, CHASSIS, Drawing, Drawn, FINE, LINK, pixels};
+use super::{CHASSIS, Drawing, LINK, pixels};
+use crate::output::svg::{Area, Drawn, FINE};
 
 /// The force in a link, or along a measured length.
 #[derive(Clone, Debug)]
