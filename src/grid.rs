@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, evenly_spaced,
+    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, evenly_spaced, extent,
 };
 
 /// A drive and its values, for example `bump=-0.08:0.08:161`.
@@ -165,7 +165,7 @@ pub fn doubt(
     let at_design = DriveAtDesign {
         drive: named,
         design: mechanism.design[drive],
-        size: DriveAtDesign::extent(mechanism.points()),
+        size: extent(mechanism.points()).norm(),
         unit: mechanism.unit,
     };
     let scale = Dimension::from(named.kind).file_factor(mechanism.unit);

@@ -144,7 +144,7 @@ fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Ve
     let ends = [states.first(), states.last()].into_iter().flatten();
     let points = |state: &&State| {
         let points = 0..state.points.value.len();
-        points.map(|point| state.position(point).into()).collect()
+        points.map(|point| state.position(point)).collect()
     };
     let drawing = Drawing {
         others: ends.map(points).collect(),

@@ -10,15 +10,16 @@ mod start;
 mod tests;
 mod view;
 
+use nalgebra::Vector3;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{Pos, VPos};
 
 use crate::mechanism::Axes;
 use crate::output::svg::{Area, Drawn, FINE, document};
 use disc::rim;
+use forces::put;
 pub use forces::{Acting, Forces, InLink};
-use labels::{Boxed, Labels, Segment};
+use labels::{Labels, Segment};
 pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
@@ -26,8 +27,10 @@ use view::View;
 /// The contents of a drawing.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
-    /// Names and positions.
-    pub points: Vec<(String, [f64; 3])>,
+    /// The names of the points.
+    pub names: Vec<String>,
+    /// Their positions.
+    pub points: Vec<Vector3<f64>>,
     /// The axes of all positions.
     pub axes: Axes,
     /// The number of chassis points, which come first.
@@ -43,7 +46,7 @@ pub struct Drawing {
     /// The wheels.
     pub wheels: Vec<Wheel>,
     /// All points at other places of the motion, which are drawn faintly.
-    pub others: Vec<Vec<[f64; 3]>>,
+    pub others: Vec<Vec<Vector3<f64>>>,
     /// Loads and the forces in links, if the drawing shows them.
     pub forces: Option<Forces>,
     /// The symbol of the unit of lengths.
@@ -88,17 +91,22 @@ impl Drawing {
         for other in &self.others {
             self.draw_mechanism(area, view, other, FAINT)?;
         }
-        let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
-        self.draw_mechanism(area, view, &design, 1.0)?;
+        self.draw_mechanism(area, view, &self.points, 1.0)?;
         self.draw_forces(area, view)?;
         self.draw_points(area, view, shown)
     }
 
     /// Draws wheel, bodies and lines at a place of the motion, with the opacity `part`.
-    fn draw_mechanism(&self, area: &Area<'_>, view: &View, at: &[[f64; 3]], part: f64) -> Drawn {
-        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.project(*at)));
+    fn draw_mechanism(
+        &self,
+        area: &Area<'_>,
+        view: &View,
+        at: &[Vector3<f64>],
+        part: f64,
+    ) -> Drawn {
+        let pixel = |index: &usize| at.get(*index).map(|at| view.pixels(at));
         for rim in self.wheels.iter().filter_map(|wheel| rim(wheel, at)) {
-            let rim: Vec<_> = rim.map(|at| pixels(view.project(at))).collect();
+            let rim: Vec<_> = rim.map(|at| view.pixels(&at)).collect();
             area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12 * part).filled()))?;
             area.draw(&PathElement::new(
                 rim,
@@ -118,7 +126,7 @@ impl Drawing {
         for axis in self.axes(at) {
             let (dash, gap) = (14 * FINE, 4 * FINE);
             let stroke = AXIS.mix(part).stroke_width(FINE);
-            let ends = axis.map(|at| pixels(view.project(at)));
+            let ends = axis.map(|at| view.pixels(&at));
             area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?;
         }
         for line in &self.lengths {
@@ -142,15 +150,13 @@ impl Drawing {
     }
 
     /// Returns kingpin and spin axis, extended beyond their points by a part of the wheel's radius.
-    fn axes(&self, at: &[[f64; 3]]) -> Vec<[[f64; 3]; 2]> {
+    fn axes(&self, at: &[Vector3<f64>]) -> Vec<[Vector3<f64>; 2]> {
         const BEYOND: f64 = 0.4;
         let line = |([from, to], radius): ([usize; 2], f64)| {
             let (from, to) = (at.get(from)?, at.get(to)?);
-            let along: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
-            let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let part = BEYOND * radius / length;
-            let on_line = |part: f64| std::array::from_fn(|i| from[i] + part * along[i]);
-            Some([on_line(-part), on_line(1.0 + part)])
+            let along = to - from;
+            let part = BEYOND * radius / along.norm();
+            Some([-part, 1.0 + part].map(|part| from + along * part))
         };
         let of_wheel = |wheel: &Wheel| {
             let axes = wheel.kingpin.into_iter().chain([wheel.axis]);
@@ -162,11 +168,8 @@ impl Drawing {
     }
 
     fn draw_points(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
-        let places: Vec<(i32, i32)> = self
-            .points
-            .iter()
-            .map(|(_, at)| pixels(view.project(*at)))
-            .collect();
+        let places = self.points.iter().map(|at| view.pixels(at));
+        let places: Vec<(i32, i32)> = places.collect();
         for (index, &(x, y)) in places.iter().enumerate() {
             let half = 5 * FINE as i32;
             if index < self.chassis {
@@ -178,25 +181,15 @@ impl Drawing {
             }
         }
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
-        for ((name, _), place) in self.points.iter().zip(&places) {
-            let Boxed { at, anchor, leader } = labels.put(name, *place);
-            if let Some(end) = leader {
-                area.draw(&PathElement::new(
-                    [*place, end],
-                    CHASSIS.mix(0.5).stroke_width(FINE),
-                ))?;
-            }
-            let font = ("sans-serif", labels.font_size()).into_font();
-            let style = font.color(&CHASSIS).pos(Pos::new(anchor, VPos::Top));
-            area.draw(&Text::new(name.as_str(), at, style))?;
+        for (name, place) in self.names.iter().zip(places) {
+            put(area, &mut labels, (name, place), [CHASSIS; 2])?;
         }
         self.draw_numbers(area, view, &mut labels)
     }
 
     /// Returns the lines that labels must avoid.
     fn segments(&self, view: &View) -> Vec<Segment> {
-        let at: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
-        let pixel = |index: &usize| at.get(*index).map(|at| pixels(view.project(*at)));
+        let pixel = |index: &usize| self.points.get(*index).map(|at| view.pixels(at));
         let slides = self.slides.iter().map(|[from, to, _]| [*from, *to]);
         let lines = self
             .links
@@ -211,15 +204,14 @@ impl Drawing {
             let edges = hull.iter().copied().zip(next).map(|(from, to)| [from, to]);
             edges.collect::<Vec<_>>()
         });
-        let axes = self.axes(&at).into_iter();
-        let axes = axes.map(|axis| axis.map(|at| pixels(view.project(at))));
+        let axes = self.axes(&self.points).into_iter();
+        let axes = axes.map(|axis| axis.map(|at| view.pixels(&at)));
         lines.chain(edges).chain(axes).collect()
     }
 
     /// Returns all points that the drawing must contain.
-    fn outline(&self) -> Vec<[f64; 3]> {
-        let design: Vec<[f64; 3]> = self.points.iter().map(|(_, at)| *at).collect();
-        let each = [&design].into_iter().chain(&self.others);
+    fn outline(&self) -> Vec<Vector3<f64>> {
+        let each = [&self.points].into_iter().chain(&self.others);
         let with_rim = each.flat_map(|at| {
             let rims = self.wheels.iter().filter_map(|wheel| rim(wheel, at));
             at.iter().copied().chain(rims.flatten())

@@ -54,7 +54,7 @@ pub use locking::describe_change_from_design;
 pub use mass::Mass;
 pub(crate) use measure::nearest;
 pub use names::{Drive, Measure, Names};
-pub use points::Points;
+pub use points::{Points, extent};
 pub use polynomial::Polynomial;
 pub use positions::Positions;
 pub use sensitive::{CHANGES_AT_ONCE, InDesign, Sensitive};

@@ -4,7 +4,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{DriveAtDesign, describe_change_from_design};
+use crate::mechanism::{describe_change_from_design, extent};
 use crate::reach::{DriveRange, Limit, RangeEnd};
 
 /// Locks within this distance are noted: a part of the suspension's size, or an angle in radians.
@@ -15,7 +15,7 @@ pub(super) fn notes(
     mechanism: &dyn Kinematics,
     ranges: &[DriveRange],
 ) -> impl Iterator<Item = String> {
-    let (unit, size) = (mechanism.unit, DriveAtDesign::extent(mechanism.points()));
+    let (unit, size) = (mechanism.unit, extent(mechanism.points()).norm());
     let ends = ranges
         .iter()
         .flat_map(|range| range.ends.iter().map(move |end| (range, end)));

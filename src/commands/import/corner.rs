@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::choice::Choice;
 use super::hardpoints::Side;
-use crate::mechanism::Axes;
+use crate::mechanism::{Axes, extent};
 
 /// The points of a corner, in ISO 8855.
 #[derive(Debug)]
@@ -79,11 +79,6 @@ impl Corner {
 
     /// Returns the largest distance of two points along an axis.
     pub(super) fn apart(&self) -> f64 {
-        let along = |axis: usize| {
-            let values = self.at.iter().map(|at| at[axis]);
-            let least = values.clone().fold(f64::INFINITY, f64::min);
-            values.fold(f64::NEG_INFINITY, f64::max) - least
-        };
-        [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
+        extent(self.at.iter().map(|at| Vector3::from(*at))).max()
     }
 }

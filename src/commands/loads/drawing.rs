@@ -16,8 +16,8 @@ pub(super) fn drawing(
     (first, outcome): (&State, Option<&Outcome>),
 ) -> Drawing {
     let mut drawing = drawing_of(mechanism, listing, None);
-    for (number, (_, at)) in drawing.points.iter_mut().enumerate() {
-        *at = first.position(number).into();
+    for (number, at) in drawing.points.iter_mut().enumerate() {
+        *at = first.position(number);
     }
     let links = outcome.into_iter().flat_map(|outcome| &outcome.links);
     let links = links.filter_map(|(statement, tension)| {
@@ -32,10 +32,7 @@ pub(super) fn drawing(
     let links = links.chain(lengths).collect();
     let acting = structure.acting(mechanism, case, first).into_iter();
     let acting = acting.filter(|[_, force]| *force != Vector3::zeros());
-    let acting = acting.map(|[at, force]| Acting {
-        at: at.into(),
-        force: force.into(),
-    });
+    let acting = acting.map(|[at, force]| Acting { at, force });
     drawing.forces = Some(Forces {
         title: format!(
             "load case {}: tension positive and blue, compression negative and red",

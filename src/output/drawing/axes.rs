@@ -1,5 +1,6 @@
 //! Directions and sizes on a drawing: the axes of space, and a scale or rulers.
 
+use nalgebra::Vector3;
 use plotters::prelude::*;
 
 use super::view::{Seen, View};
@@ -90,9 +91,9 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
     };
     let axis = direction.iter().position(|part| *part != 0.0).unwrap_or(0);
     let at = |value: f64| {
-        let mut place = [0.0; 3];
+        let mut place = Vector3::zeros();
         place[axis] = value;
-        view.project(place)[sheet]
+        view.project(&place)[sheet]
     };
     // Compute the coordinate from two places that are far apart on the sheet, whatever the scale.
     let apart = 1.0 / view.scale;

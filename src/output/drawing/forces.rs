@@ -1,11 +1,13 @@
 //! Forces in a drawing: forces along links, and arrows for loads.
 
+use nalgebra::Vector3;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{Pos, VPos};
 
 use super::labels::{Boxed, Labels};
 use super::view::View;
-use super::{CHASSIS, Drawing, LINK, pixels};
+use super::{CHASSIS, Drawing, LINK};
+use crate::mechanism::extent;
 use crate::output::svg::{Area, Drawn, FINE};
 
 /// The force in a link, or along a measured length.
@@ -21,9 +23,9 @@ pub struct InLink {
 #[derive(Clone, Copy, Debug)]
 pub struct Acting {
     /// The point of application.
-    pub at: [f64; 3],
+    pub at: Vector3<f64>,
     /// The force in N.
-    pub force: [f64; 3],
+    pub force: Vector3<f64>,
 }
 
 /// All forces of a drawing.
@@ -49,27 +51,15 @@ const LONGEST: f64 = 0.3;
 
 impl Drawing {
     /// Returns tail and tip of each arrow.
-    pub(super) fn arrows(&self) -> Vec<[[f64; 3]; 2]> {
+    pub(super) fn arrows(&self) -> Vec<[Vector3<f64>; 2]> {
         let Some(forces) = &self.forces else {
             return Vec::new();
         };
-        let size = |acting: &Acting| acting.force.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let largest = forces.acting.iter().map(size).fold(0.0, f64::max);
-        let scale = LONGEST * self.extent() / largest;
-        let arrow = |acting: &Acting| {
-            let tip = |axis: usize| acting.at[axis] + scale * acting.force[axis];
-            [acting.at, [0, 1, 2].map(tip)]
-        };
+        let sizes = forces.acting.iter().map(|acting| acting.force.norm());
+        let largest = sizes.fold(0.0, f64::max);
+        let scale = LONGEST * extent(self.points.iter().copied()).max() / largest;
+        let arrow = |Acting { at, force }: &Acting| [*at, at + force * scale];
         forces.acting.iter().map(arrow).collect()
-    }
-
-    /// Returns the largest distance of points along an axis.
-    fn extent(&self) -> f64 {
-        let along = |axis: usize| {
-            let each = self.points.iter().map(|(_, at)| at[axis]);
-            each.clone().fold(f64::NEG_INFINITY, f64::max) - each.fold(f64::INFINITY, f64::min)
-        };
-        [0, 1, 2].map(along).into_iter().fold(0.0, f64::max)
     }
 
     /// Draws links with width and colour by their force, and the arrows.
@@ -80,15 +70,13 @@ impl Drawing {
         let largest = forces.links.iter().map(|link| link.tension.abs());
         let largest = largest.fold(f64::MIN_POSITIVE, f64::max);
         for link in &forces.links {
-            let ends = link
-                .ends
-                .map(|end| pixels(view.project(self.points[end].1)));
+            let ends = link.ends.map(|end| view.pixels(&self.points[end]));
             let width = THIN + (THICK - THIN) * link.tension.abs() / largest;
             let stroke = colour(link.tension).stroke_width((width * f64::from(FINE)) as u32);
             area.draw(&PathElement::new(ends.to_vec(), stroke))?;
         }
         for arrow in self.arrows() {
-            let ends = arrow.map(|at| pixels(view.project(at)));
+            let ends = arrow.map(|at| view.pixels(&at));
             area.draw(&PathElement::new(
                 ends.to_vec(),
                 ACTING.stroke_width(3 * FINE),
@@ -104,21 +92,14 @@ impl Drawing {
             return Ok(());
         };
         for link in &forces.links {
-            let [a, b] = link
-                .ends
-                .map(|end| pixels(view.project(self.points[end].1)));
+            let [a, b] = link.ends.map(|end| view.pixels(&self.points[end]));
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
             let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
-            put(area, labels, &text, (middle, colour(link.tension)))?;
+            put(area, labels, (&text, middle), shades(colour(link.tension)))?;
         }
         for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
-            let size = acting.force.iter().map(|x| x * x).sum::<f64>().sqrt();
-            put(
-                area,
-                labels,
-                &format!("{size:.0} N"),
-                (pixels(view.project(tip)), ACTING),
-            )?;
+            let text = format!("{:.0} N", acting.force.norm());
+            put(area, labels, (&text, view.pixels(&tip)), shades(ACTING))?;
         }
         let font = ("sans-serif", labels.font_size()).into_font();
         let corner = (12 * FINE as i32, 12 * FINE as i32);
@@ -135,9 +116,10 @@ fn colour(tension: f64) -> RGBColor {
     if tension < 0.0 { PRESSED } else { LINK }
 }
 
-/// Returns a shade that is legible on the colour and on white.
-fn dark(RGBColor(red, green, blue): RGBColor) -> RGBColor {
-    RGBColor(red / 2, green / 2, blue / 2)
+/// Returns a colour and a darker shade, which is legible on the colour and on white.
+fn shades(colour: RGBColor) -> [RGBColor; 2] {
+    let RGBColor(red, green, blue) = colour;
+    [colour, RGBColor(red / 2, green / 2, blue / 2)]
 }
 
 /// Returns the triangle at the tip of an arrow.
@@ -159,19 +141,20 @@ fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
     ]
 }
 
-fn put(
+/// Draws a text beside a place, with a leader where it is further away; the colours are those of leader and text.
+pub(super) fn put(
     area: &Area<'_>,
     labels: &mut Labels,
-    text: &str,
-    (place, colour): ((i32, i32), RGBColor),
+    (text, place): (&str, (i32, i32)),
+    [leader_colour, colour]: [RGBColor; 2],
 ) -> Drawn {
     let Boxed { at, anchor, leader } = labels.put(text, place);
     if let Some(end) = leader {
-        let stroke = colour.mix(0.5).stroke_width(FINE);
+        let stroke = leader_colour.mix(0.5).stroke_width(FINE);
         area.draw(&PathElement::new([place, end], stroke))?;
     }
     let font = ("sans-serif", labels.font_size()).into_font();
-    let style = font.color(&dark(colour)).pos(Pos::new(anchor, VPos::Top));
+    let style = font.color(&colour).pos(Pos::new(anchor, VPos::Top));
     area.draw(&Text::new(text, at, style))?;
     Ok(())
 }

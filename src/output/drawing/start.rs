@@ -16,14 +16,14 @@ pub fn drawing_of(
     let Description {
         names, unit, axes, ..
     } = &**mechanism;
-    let at = mechanism.points().into_iter().map(Into::into);
     let of_wheel = |wheel: &mechanism::Wheel| Wheel {
         axis: wheel.points.axis,
         kingpin: wheel.points.kingpin,
         radius: wheel_radius.or(wheel.radius).unwrap_or(0.3 * unit.metre()),
     };
     Drawing {
-        points: names.points.iter().cloned().zip(at).collect(),
+        names: names.points.clone(),
+        points: mechanism.points(),
         axes: *axes,
         chassis: names.chassis,
         links: listing.links(),

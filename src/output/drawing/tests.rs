@@ -10,7 +10,8 @@ fn corner() -> Drawing {
         ("upper_ball", [-0.01, 0.66, 0.44]),
     ];
     Drawing {
-        points: points.map(|(name, at)| (name.to_owned(), at)).to_vec(),
+        names: points.map(|(name, _)| name.to_owned()).into(),
+        points: points.map(|(_, at)| Vector3::from(at)).into(),
         axes: Axes::Iso,
         chassis: 2,
         links: vec![[0, 2], [1, 2]],
@@ -35,7 +36,7 @@ fn svg(drawing: &Drawing) -> String {
 #[test]
 fn names_each_point_once() {
     let svg = svg(&corner());
-    for (name, _) in corner().points {
+    for name in corner().names {
         assert_eq!(svg.matches(&name).count(), 1, "{name}");
     }
     assert_eq!(
@@ -70,9 +71,8 @@ fn each_view_has_its_axes_and_the_oblique_one_its_scale() {
 
 #[test]
 fn other_places_of_the_motion_are_drawn_too() {
-    let moved = corner().points.iter().map(|(_, at)| *at).collect();
     let with_others = Drawing {
-        others: vec![moved],
+        others: vec![corner().points],
         ..corner()
     };
     let lines = |drawing: &Drawing| svg(drawing).matches("<polyline").count();

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::pixels;
 use crate::mechanism::Axes;
 
 /// The direction from which a drawing shows the mechanism.
@@ -33,8 +34,8 @@ impl Seen {
 
     /// Returns the directions of space, in the axes of ISO 8855, that point right and up on the sheet; outboard is to the
     /// left (1) or to the right (-1).
-    fn directions(self, outboard: f64) -> [[f64; 3]; 2] {
-        match self {
+    fn directions(self, outboard: f64) -> [Vector3<f64>; 2] {
+        let directions = match self {
             Self::Oblique => {
                 let (sa, ca) = (outboard * AZIMUTH).to_radians().sin_cos();
                 let (se, ce) = ELEVATION.to_radians().sin_cos();
@@ -43,7 +44,8 @@ impl Seen {
             Self::Front => [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             Self::Side => [[-outboard, 0.0, 0.0], [0.0, 0.0, 1.0]],
             Self::Top => [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]],
-        }
+        };
+        directions.map(Vector3::from)
     }
 }
 
@@ -51,8 +53,8 @@ impl Seen {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub(super) seen: Seen,
-    pub(super) across: [f64; 3],
-    pub(super) up: [f64; 3],
+    pub(super) across: Vector3<f64>,
+    pub(super) up: Vector3<f64>,
     /// Drawing units per unit of length.
     pub(super) scale: f64,
     /// The position of the origin of space.
@@ -67,16 +69,16 @@ const ELEVATION: f64 = 20.0;
 impl View {
     /// Returns the projection that fits all points, given in these axes, with a margin; `None` if there are none.
     pub(super) fn fit(
-        points: &[[f64; 3]],
+        points: &[Vector3<f64>],
         axes: Axes,
         seen: Seen,
         (width, height): (u32, u32),
         margin: f64,
     ) -> Option<Self> {
         let [_, to_the_left, _] = axes.signs();
-        let left = to_the_left * points.iter().map(|at| at[1]).sum::<f64>();
+        let left = to_the_left * points.iter().map(|at| at.y).sum::<f64>();
         let directions = seen.directions(if left < 0.0 { -1.0 } else { 1.0 });
-        let [across, up] = directions.map(|way| axes.turned(Vector3::from(way)).into());
+        let [across, up] = directions.map(|way| axes.turned(way));
         let view = Self {
             seen,
             across,
@@ -84,7 +86,7 @@ impl View {
             scale: 1.0,
             origin: [0.0; 2],
         };
-        let flat: Vec<[f64; 2]> = points.iter().map(|at| view.project(*at)).collect();
+        let flat: Vec<[f64; 2]> = points.iter().map(|at| view.project(at)).collect();
         let ends = |axis: usize| {
             let values = flat.iter().map(|at| at[axis]);
             let low = values.clone().reduce(f64::min)?;
@@ -104,12 +106,15 @@ impl View {
     }
 
     /// Returns the position of a point on the sheet: to the right and down.
-    pub(super) fn project(&self, at: [f64; 3]) -> [f64; 2] {
-        let along = |axis: [f64; 3]| axis.iter().zip(at).map(|(a, x)| a * x).sum::<f64>();
+    pub(super) fn project(&self, at: &Vector3<f64>) -> [f64; 2] {
         [
-            self.origin[0] + self.scale * along(self.across),
-            self.origin[1] - self.scale * along(self.up),
+            self.origin[0] + self.scale * self.across.dot(at),
+            self.origin[1] - self.scale * self.up.dot(at),
         ]
+    }
+
+    pub(super) fn pixels(&self, at: &Vector3<f64>) -> (i32, i32) {
+        pixels(self.project(at))
     }
 }
 
@@ -119,13 +124,14 @@ mod tests {
 
     #[test]
     fn up_is_up_and_outboard_is_on_the_right() {
-        let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]];
+        let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]].map(Vector3::from);
         for seen in [Seen::Oblique, Seen::Front] {
             let view = View::fit(&points, Axes::Iso, seen, (100, 100), 10.0).expect("points");
-            assert!(view.project(points[2])[1] < view.project(points[1])[1]);
-            assert!(view.project(points[2])[0] > view.project(points[0])[0]);
-            for at in points {
-                assert!(view.project(at).iter().all(|x| (9.99..=90.01).contains(x)));
+            let [low_inboard, low, high] = points.map(|at| view.project(&at));
+            assert!(high[1] < low[1]);
+            assert!(high[0] > low_inboard[0]);
+            for at in [low_inboard, low, high] {
+                assert!(at.iter().all(|x| (9.99..=90.01).contains(x)));
             }
         }
     }
@@ -140,11 +146,7 @@ mod tests {
             (Seen::Top, 1.0, [0.0, 0.0, 1.0]),
         ] {
             let [a, b] = seen.directions(outboard);
-            let cross: [f64; 3] = std::array::from_fn(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                a[j] * b[k] - a[k] * b[j]
-            });
-            assert_eq!(cross, eye, "{seen:?}");
+            assert_eq!(a.cross(&b), Vector3::from(eye), "{seen:?}");
         }
     }
 }

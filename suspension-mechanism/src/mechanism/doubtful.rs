@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
@@ -18,7 +17,7 @@ pub struct DriveAtDesign<'a> {
     pub drive: &'a Drive,
     /// Its value at the design position.
     pub design: f64,
-    /// The extent of the points of the mechanism: no drive moves them as far.
+    /// The diagonal of the box around the points of the mechanism: no drive moves them as far.
     pub size: f64,
     /// The units.
     pub unit: Unit,
@@ -37,13 +36,6 @@ const NO_MOTION: f64 = 2e-4;
 const DIGITS: usize = 4;
 
 impl DriveAtDesign<'_> {
-    /// The extent of points: the diagonal of the box around them.
-    pub fn extent(points: impl IntoIterator<Item = Vector3<f64>>) -> f64 {
-        let corners = points.into_iter().map(|at| (at, at));
-        let corners = corners.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
-        corners.map_or(0.0, |(low, high)| (high - low).norm())
-    }
-
     /// Describes what is doubtful in the values between two that a drive is to take, counted `from`, with what to
     /// write instead; `way` says how to write the other way of counting. An angle about a line may well begin at zero.
     pub fn doubt(&self, ends: [f64; 2], from: CountedFrom, way: &str) -> Option<String> {

@@ -6,6 +6,7 @@ use nalgebra::DMatrix;
 use super::change::Change;
 use super::read::read;
 use crate::kinematics::Kinematics;
+use crate::mechanism::extent;
 use crate::quantities::Column;
 
 /// The distance between neighbours, as a fraction of the suspension's size.
@@ -47,7 +48,7 @@ pub(super) fn derivatives(
     change: &Change,
     columns: &[Column],
 ) -> Option<DMatrix<f64>> {
-    let step = STEP * size(mechanism);
+    let step = STEP * extent(mechanism.points()).max();
     let mut sum = DMatrix::zeros(columns.len(), 1 + mechanism.names.drives.len());
     for (steps, weight) in WEIGHTS {
         let changed = mechanism.changed(&change.per_unit.times(steps * step))?;
@@ -57,14 +58,4 @@ pub(super) fn derivatives(
         });
     }
     Some(sum / (60.0 * step))
-}
-
-/// The largest extent of the points along an axis.
-fn size(mechanism: &dyn Kinematics) -> f64 {
-    let points = mechanism.points();
-    let extent = |axis: usize| {
-        let along = points.iter().map(|point| point[axis]);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(extent).fold(0.0, f64::max)
 }

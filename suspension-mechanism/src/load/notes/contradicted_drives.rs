@@ -6,7 +6,7 @@ use crate::file::Dimension;
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::mechanism::{
-    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, evenly_spaced,
+    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, evenly_spaced, extent,
 };
 use crate::number::rounded;
 
@@ -24,7 +24,7 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
     let values = looks.map(|t| design.drives_in_file(&laws.inputs::<L::Drives>(t).drives.value));
     let values: Vec<Vec<f64>> = values.collect();
     let designed = design.drives_in_file(&design.drives);
-    let size = DriveAtDesign::extent(design.points.values());
+    let size = extent(design.points.values()).norm();
     let stated = task.file.drives.get_ref();
     let drives = task.names.drives.iter().enumerate();
     let drives = drives.filter(|(_, drive)| stated.contains_key(drive.name.as_str()));
