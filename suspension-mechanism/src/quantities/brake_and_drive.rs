@@ -75,9 +75,7 @@ pub(super) fn of_support<N: Number>(
     of_each_wheel(names, &|rolling| {
         let wheel = &names.wheels[rolling.number];
         let (share, torque) = force.share_and_torque(wheel);
-        let Some(share) = share.filter(|_| wheel.axle == Some(axle)) else {
-            return Vec::new();
-        };
+        let share = share.filter(|_| wheel.axle == Some(axle))?;
         let factor = N::still(100.0 * towards * share * wheelbase / cg_height);
         let on_ground = torque == Torque::Carrier;
         let along = side_view(names, rolling);

@@ -16,10 +16,7 @@ pub(super) fn of_moved<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let has_value = rolling.is_on_ground() || !on_ground;
-        has_value
-            .then(|| length(rolling, moved))
-            .into_iter()
-            .collect()
+        has_value.then(|| length(rolling, moved))
     })
 }
 
@@ -30,14 +27,13 @@ pub(super) fn of_moved_from_other_axle<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let axle = names.wheels[rolling.number].axle;
-        let axle = axle.filter(|_| rolling.is_on_ground());
-        let forward_reading = |axle| match axle {
+        let axle = axle.filter(|_| rolling.is_on_ground())?;
+        Some(match axle {
             Axle::Front => length(rolling, forward),
             Axle::Rear => length(rolling, move |now: &Wheel<N>, design: &Wheel<N>| {
                 -forward(now, design)
             }),
-        };
-        axle.map(forward_reading).into_iter().collect()
+        })
     })
 }
 

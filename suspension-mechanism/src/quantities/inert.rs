@@ -11,13 +11,11 @@ use crate::quantities::wheel::Rolling;
 pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let has_masses = !names.vehicle.masses.is_empty();
     of_each_wheel(names, &|rolling| {
-        let Some(drive) = rolling.travel.filter(|_| has_masses) else {
-            return Vec::new();
-        };
+        let drive = rolling.travel.filter(|_| has_masses)?;
         let together = rolling.moved_together(names);
-        vec![without_derivatives(Dimension::Mass, move |state| {
+        Some(without_derivatives(Dimension::Mass, move |state| {
             effective(state.moved_along(Movement::Travel(drive))?, &together)
-        })]
+        }))
     })
 }
 

@@ -10,7 +10,7 @@ use crate::quantities::formulas::Reading;
 use crate::quantities::in_roll::PerRoll;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
-use crate::quantities::readings::{components, of_each_wheel, reading};
+use crate::quantities::readings::{components, of_each_wheel, reading, spin_axis};
 use crate::quantities::wheel::{Along, Rolling, Wheel};
 
 /// A steer angle of a degree. If a wheel is steered by less, toe, and not the steering, determines the difference
@@ -51,6 +51,11 @@ impl Axle {
         a != b && a.and(b).is_some()
     }
 
+    fn has(&self, rolling: Rolling) -> bool {
+        let mut wheels = self.wheels.iter();
+        wheels.any(|wheel| wheel.number == rolling.number)
+    }
+
     fn is_steered(&self) -> bool {
         self.wheels.iter().all(|wheel| wheel.steer.is_some())
     }
@@ -82,19 +87,17 @@ fn opposite_wheel(names: &Names, rolling: Rolling) -> Option<Rolling> {
     })
 }
 
-/// The readings of each requested axle, under its name. (`dyn`, so that this is compiled once and not for each
-/// quantity.)
-pub(super) fn of_each_axle<N: Number>(
+/// The readings of each requested axle, under its name. (`dyn`, so that this is not compiled for each quantity.)
+pub(super) fn of_each_axle<N: Number, R: IntoIterator<Item = Reading<N>>>(
     names: &Names,
     is_wanted: &dyn Fn(&Axle) -> bool,
-    read: &dyn Fn([Rolling; 2]) -> Vec<Reading<N>>,
+    read: &dyn Fn([Rolling; 2]) -> R,
 ) -> Vec<Reading<N>> {
-    let of_one = |axle: Axle| {
-        let mut readings = read(axle.wheels);
-        for reading in &mut readings {
-            reading.wheel.clone_from(&axle.name);
-        }
-        readings
+    let of_one = |Axle { name, wheels }: Axle| {
+        read(wheels).into_iter().map(move |reading| Reading {
+            wheel: name.clone(),
+            ..reading
+        })
     };
     let axles = Axle::all(names).into_iter().filter(is_wanted);
     axles.flat_map(of_one).collect()
@@ -119,7 +122,7 @@ pub(super) fn of_both<N: Number>(
 ) -> Vec<Reading<N>> {
     let is_wanted = |axle: &Axle| axle.is_on_ground() || !on_ground;
     of_each_axle(names, &is_wanted, &|wheels| {
-        vec![both(wheels, dimension, value.clone())]
+        Some(both(wheels, dimension, value.clone()))
     })
 }
 
@@ -133,7 +136,7 @@ pub(super) fn of_both_from_design<N: Number>(
     value: FromDesign<N>,
 ) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::is_on_ground, &|wheels| {
-        vec![reading(dimension, move |reader: &Reader<'_, N>| {
+        Some(reading(dimension, move |reader: &Reader<'_, N>| {
             let number = || {
                 let [left, right] = sided(reader, wheels)?;
                 let [of_left, of_right] = [left, right].map(|rolling| reader.at_design(rolling));
@@ -141,7 +144,7 @@ pub(super) fn of_both_from_design<N: Number>(
                 Some(value(now, [of_left?, of_right?]))
             };
             number().unwrap_or_else(N::unknown)
-        })]
+        }))
     })
 }
 
@@ -165,22 +168,10 @@ pub(super) fn of_steered_wheels<N: Number>(
     angle: fn(&Vector3<N>) -> N,
 ) -> Vec<Reading<N>> {
     let axles = Axle::all(names);
-    let is_steered = |rolling: &Rolling| {
-        let mut steered = axles.iter().filter(|axle| axle.is_steered());
-        steered.any(|axle| {
-            axle.wheels
-                .iter()
-                .any(|wheel| wheel.number == rolling.number)
-        })
-    };
     of_each_wheel(names, &|rolling| {
-        let steered = is_steered(&rolling).then_some(rolling).into_iter();
-        let readings = steered.map(|rolling| {
-            reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
-                angle(&reader.wheel(rolling).axis)
-            })
-        });
-        readings.collect()
+        let mut steered = axles.iter().filter(|axle| axle.is_steered());
+        let is_steered = steered.any(|axle| axle.has(rolling));
+        is_steered.then(|| spin_axis(rolling, angle))
     })
 }
 
@@ -198,14 +189,14 @@ pub(super) fn of_turn<N: Number>(
     let steers =
         |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
     of_each_axle(names, &steers, &|wheels| {
-        vec![both(wheels, dimension, move |wheels: [&Wheel<N>; 2]| {
+        Some(both(wheels, dimension, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));
             let mut steered = [turn.inner, turn.outer].into_iter().map(N::value);
             if steered.any(|angle| angle < STRAIGHT) {
                 return N::unknown();
             }
             value(&turn, N::still(wheelbase), track(wheels))
-        })]
+        }))
     })
 }
 
@@ -217,19 +208,12 @@ pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
 /// The position of each axle's roll centre, in the front view.
 pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::rolls, &|wheels| {
-        let axes = &[Axis::Y, Axis::Z];
-        components(
-            None,
-            Dimension::Length,
-            axes,
-            move |reader: &Reader<'_, N>| {
-                let wheels = sided(reader, wheels);
-                let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-                let centre =
-                    in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
-                reader.axes.turned(centre)
-            },
-        )
+        components(&[Axis::Y, Axis::Z], move |reader| {
+            let wheels = sided(reader, wheels);
+            let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
+            let centre = in_roll.map_or(Vector3::repeat(N::unknown()), |in_roll| in_roll.centre);
+            reader.axes.turned(centre)
+        })
     })
 }
 
@@ -237,20 +221,12 @@ pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
 pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
     let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
     of_each_wheel(names, &|rolling| {
-        let is_of = |axle: &&Axle| {
-            axle.wheels
-                .iter()
-                .any(|wheel| wheel.number == rolling.number)
-        };
-        let wheels = axles.iter().find(is_of).map(|axle| axle.wheels).into_iter();
-        let readings = wheels.map(|wheels| {
-            reading(Dimension::AnglePerAngle, move |reader: &Reader<'_, N>| {
-                let wheels = sided(reader, wheels);
-                let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
-                let per_roll = in_roll.and_then(|in_roll| in_roll.per_roll(rolling.number));
-                per_roll.map_or_else(N::unknown, value)
-            })
-        });
-        readings.collect()
+        let wheels = axles.iter().find(|axle| axle.has(rolling))?.wheels;
+        Some(reading(Dimension::AnglePerAngle, move |reader| {
+            let wheels = sided(reader, wheels);
+            let in_roll = wheels.and_then(|wheels| reader.in_roll(wheels));
+            let per_roll = in_roll.and_then(|in_roll| in_roll.per_roll(rolling.number));
+            per_roll.map_or_else(N::unknown, value)
+        }))
     })
 }

@@ -19,9 +19,7 @@ pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
         if !rolling.is_on_ground() {
             return Vec::new();
         }
-        place(None, move |reader: &Reader<'_, N>| {
-            reader.wheel(rolling).contact
-        })
+        place(move |reader| reader.wheel(rolling).contact)
     })
 }
 
@@ -47,16 +45,13 @@ fn of_kingpin_at<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let ends = rolling.points.kingpin;
-        let ends = ends.filter(|_| rolling.is_on_ground() || !on_ground);
-        let kingpin_reading = |_| {
-            reading(Dimension::Length, move |reader| {
-                let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
-                kingpin.map_or_else(N::unknown, |kingpin| {
-                    offset(kingpin, &point(wheel), &wheel.heading)
-                })
+        ends.filter(|_| rolling.is_on_ground() || !on_ground)?;
+        Some(reading(Dimension::Length, move |reader| {
+            let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
+            kingpin.map_or_else(N::unknown, |kingpin| {
+                offset(kingpin, &point(wheel), &wheel.heading)
             })
-        };
-        ends.map(kingpin_reading).into_iter().collect()
+        }))
     })
 }
 
@@ -83,10 +78,7 @@ pub(super) fn of_independent<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let is_moved = rolling.coupling(names).is_moved || rolling.shares_its_carrier(names);
-        if is_moved || !is_wanted(rolling) {
-            return Vec::new();
-        }
-        let along = travel(names, rolling);
+        let along = (!is_moved && is_wanted(rolling)).then(|| travel(names, rolling))?;
         moving(rolling, along, dimension, true, value.clone())
     })
 }
@@ -98,14 +90,12 @@ pub(super) fn moving<N: Number>(
     dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + 'static,
-) -> Vec<Reading<N>> {
-    if !is_moved(&rolling, along, on_ground) {
-        return Vec::new();
-    }
-    vec![reading(dimension, move |reader| {
+) -> Option<Reading<N>> {
+    let of_reader = move |reader: &Reader<'_, N>| {
         let moving = reader.moving(along, rolling);
         moving.map_or_else(N::unknown, &value)
-    })]
+    };
+    is_moved(&rolling, along, on_ground).then(|| reading(dimension, of_reader))
 }
 
 /// Coordinates of a place that follows from the carrier's motion.
@@ -120,16 +110,11 @@ pub(super) fn of_moving_place<N: Number>(
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }
-        components(
-            None,
-            Dimension::Length,
-            axes,
-            move |reader: &Reader<'_, N>| {
-                let moving = reader.moving(along, rolling);
-                let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
-                reader.axes.turned(place)
-            },
-        )
+        components(axes, move |reader| {
+            let moving = reader.moving(along, rolling);
+            let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
+            reader.axes.turned(place)
+        })
     })
 }
 

@@ -64,31 +64,28 @@ pub(super) fn without_derivatives<N: Number>(
 pub(super) fn vector<N: Number>(
     name: Option<&str>,
     dimension: Dimension,
-    axes: &[Axis],
-    value: impl Fn(&State) -> Vector3<f64> + Clone + 'static,
+    value: impl Fn(&State) -> Vector3<f64> + Copy + 'static,
 ) -> Vec<Reading<N>> {
-    let mut readings = components(name, dimension, axes, move |reader: &Reader<'_, N>| {
-        value(reader).map(N::alone)
-    });
-    for reading in &mut readings {
-        reading.has_derivatives = false;
-    }
-    readings
+    let component = |axis| Reading {
+        name: name.map(str::to_owned),
+        axis: Some(axis),
+        ..without_derivatives(dimension, move |state| Some(value(state)[axis as usize]))
+    };
+    Axis::ALL.map(component).into()
 }
 
-/// Components of a vector, by a formula of positions.
+/// Components of a place, by a formula of positions.
 pub(super) fn components<N: Number>(
-    name: Option<&str>,
-    dimension: Dimension,
     axes: &[Axis],
-    value: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
+    place: impl Fn(&Reader<'_, N>) -> Vector3<N> + Copy + 'static,
 ) -> Vec<Reading<N>> {
     let component = |axis: &Axis| {
-        let (axis, value) = (*axis, value.clone());
+        let axis = *axis;
         Reading {
-            name: name.map(str::to_owned),
             axis: Some(axis),
-            ..reading(dimension, move |state| value(state)[axis as usize])
+            ..reading(Dimension::Length, move |reader| {
+                place(reader)[axis as usize]
+            })
         }
     };
     axes.iter().map(component).collect()
@@ -97,10 +94,9 @@ pub(super) fn components<N: Number>(
 /// The coordinates of a place in the file's axes, by a formula of positions in local coordinates and the axes of
 /// ISO 8855.
 pub(super) fn place<N: Number>(
-    name: Option<&str>,
-    local: impl Fn(&Reader<'_, N>) -> Vector3<N> + Clone + 'static,
+    local: impl Fn(&Reader<'_, N>) -> Vector3<N> + Copy + 'static,
 ) -> Vec<Reading<N>> {
-    components(name, Dimension::Length, &Axis::ALL, move |reader| {
+    components(&Axis::ALL, move |reader| {
         reader.axes.turned(local(reader) + reader.places.origin())
     })
 }
@@ -113,10 +109,8 @@ pub(super) fn point<N: Number>(
 ) -> Vec<Reading<N>> {
     let name = Some(names.points[point].as_str());
     match dimension {
-        Dimension::Velocity => vector(name, dimension, &Axis::ALL, move |state| {
-            state.points.rate[point]
-        }),
-        Dimension::Acceleration => vector(name, dimension, &Axis::ALL, move |state| {
+        Dimension::Velocity => vector(name, dimension, move |state| state.points.rate[point]),
+        Dimension::Acceleration => vector(name, dimension, move |state| {
             state.points.second_rate[point]
         }),
         _ => Axis::ALL.map(|axis| coordinate(name, point, axis)).into(),
@@ -135,17 +129,17 @@ fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Readin
     }
 }
 
-/// The readings of each wheel. (`dyn`, so that this is compiled once and not for each quantity.)
-pub(super) fn of_each_wheel<N: Number>(
+/// The readings of each wheel: several, or one or none. (`dyn`, so that this is not compiled for each quantity.)
+pub(super) fn of_each_wheel<N: Number, R: IntoIterator<Item = Reading<N>>>(
     names: &Names,
-    read: &dyn Fn(Rolling) -> Vec<Reading<N>>,
+    read: &dyn Fn(Rolling) -> R,
 ) -> Vec<Reading<N>> {
     let of_one = |(name, rolling): (&str, Rolling)| {
-        let mut readings = read(rolling);
-        for reading in &mut readings {
-            reading.wheel = (!name.is_empty()).then(|| name.to_owned());
-        }
-        readings
+        let wheel = (!name.is_empty()).then(|| name.to_owned());
+        read(rolling).into_iter().map(move |reading| Reading {
+            wheel: wheel.clone(),
+            ..reading
+        })
     };
     Rolling::each(names).flat_map(of_one).collect()
 }
@@ -155,10 +149,13 @@ pub(super) fn of_spin_axis<N: Number>(
     names: &Names,
     angle: fn(&Vector3<N>) -> N,
 ) -> Vec<Reading<N>> {
-    of_each_wheel(names, &|rolling| {
-        vec![reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
-            angle(&reader.wheel(rolling).axis)
-        })]
+    of_each_wheel(names, &|rolling| Some(spin_axis(rolling, angle)))
+}
+
+/// An angle of the spin axis of one wheel.
+pub(super) fn spin_axis<N: Number>(rolling: Rolling, angle: fn(&Vector3<N>) -> N) -> Reading<N> {
+    reading(Dimension::Angle, move |reader| {
+        angle(&reader.wheel(rolling).axis)
     })
 }
 
@@ -173,17 +170,10 @@ pub(super) fn of_kingpin_and_spin_axis<N: Number>(
     angle: impl Fn(&Vector3<N>, &Vector3<N>) -> N + Copy + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        let kingpin_reading = |_| {
-            reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
-                let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
-                kingpin.map_or_else(N::unknown, |kingpin| angle(&kingpin.direction, &wheel.axis))
-            })
-        };
-        rolling
-            .points
-            .kingpin
-            .map(kingpin_reading)
-            .into_iter()
-            .collect()
+        rolling.points.kingpin?;
+        Some(reading(Dimension::Angle, move |reader: &Reader<'_, N>| {
+            let (wheel, kingpin) = (reader.wheel(rolling), reader.kingpin(rolling));
+            kingpin.map_or_else(N::unknown, |kingpin| angle(&kingpin.direction, &wheel.axis))
+        }))
     })
 }

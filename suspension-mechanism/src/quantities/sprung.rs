@@ -81,9 +81,7 @@ pub(super) fn of_wheels<N: Number>(
 ) -> Vec<Reading<N>> {
     let has_springs = !names.vehicle.springs.is_empty();
     of_each_wheel(names, &|rolling| {
-        let Some(drive) = rolling.travel.filter(|_| has_springs) else {
-            return Vec::new();
-        };
+        let drive = rolling.travel.filter(|_| has_springs)?;
         let together = rolling.moved_together(names);
         let of_state = move |state: &State| {
             let state = state.moved_along(Movement::Travel(drive))?;
@@ -91,7 +89,7 @@ pub(super) fn of_wheels<N: Number>(
             let share = share(&together, rolling, |rolling| height(rolling).rate);
             Some(share * value(Sprung::along(height(rolling), state)))
         };
-        vec![without_derivatives(dimension, of_state)]
+        Some(without_derivatives(dimension, of_state))
     })
 }
 
@@ -127,9 +125,9 @@ fn of_sprung_axles<N: Number>(
     let has_springs = !names.vehicle.springs.is_empty();
     let is_sprung = |axle: &Axle| axle.has_travel() && has_springs;
     of_each_axle(names, &is_sprung, &|wheels| {
-        vec![without_derivatives(dimension, move |state| {
+        Some(without_derivatives(dimension, move |state| {
             value(wheels, state)
-        })]
+        }))
     })
 }
 

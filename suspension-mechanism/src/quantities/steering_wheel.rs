@@ -25,9 +25,7 @@ pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
 pub(super) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let wheel = names.vehicle.steering_wheel.as_ref();
-        let Some(wheel) = wheel.filter(|wheel| wheel.turned.contains(&rolling.number)) else {
-            return Vec::new();
-        };
+        let wheel = wheel.filter(|wheel| wheel.turned.contains(&rolling.number))?;
         let per_drive = wheel.per_drive();
         let ratio = move |moving: &Moving<N>| {
             let axis_rate = moving.carrier.omega.cross(&moving.axis);

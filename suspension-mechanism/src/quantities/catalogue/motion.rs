@@ -5,7 +5,6 @@ use suspension_core::body::{angular_acceleration, angular_velocity};
 
 use crate::file::Dimension;
 use crate::mechanism::{Names, State};
-use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::quantity::{Quantity, Shown};
@@ -107,7 +106,7 @@ fn of_carrier<N: Number>(
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let carrier = rolling.points.carrier;
-        vector(None, dimension, &Axis::ALL, move |state| {
+        vector(None, dimension, move |state| {
             which(rotation(state, carrier))
         })
     })

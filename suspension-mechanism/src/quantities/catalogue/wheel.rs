@@ -17,7 +17,7 @@ catalogue! {
         shown: Shown::InSummaries,
         read: |names| of_each_wheel(names, &|rolling| {
             let [_, centre] = rolling.points.axis;
-            place(None, move |reader| reader.places.at(centre))
+            place(move |reader| reader.places.at(centre))
         }),
     }
     CONTACT: "contact point" {
