@@ -8,13 +8,15 @@ mod surface;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use suspension_core::SolveError;
+
 use crate::bake::source::{About, Ranged, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Angle, Description, Drive, Unit};
-use crate::number::exact;
+use crate::number::{exact, number};
 
 pub use measure::WishedMeasure;
 
@@ -64,10 +66,11 @@ pub struct Baking<'a> {
     pub interrupted: &'a AtomicBool,
 }
 
-/// A drive over its range.
+/// A drive, or a measure that leads in place of it, over its range.
 struct Along {
     drive: usize,
-    /// The range in the file's coordinates.
+    measure: Option<usize>,
+    /// The range in the file's coordinates, angles in radians.
     range: [f64; 2],
     /// The range in local coordinates.
     local: [f64; 2],
@@ -93,14 +96,15 @@ impl Baking<'_> {
             angle: Angle::Radian,
             ..*unit
         };
-        let (moved, arguments, baked) = match &self.request.along {
-            Variables::Drives(drives) => self.by_drives(drives, inside)?,
+        let (along, baked) = match &self.request.along {
+            Variables::Drives(drives) => self.by_drives(drives)?,
             Variables::Measure(wished) => {
                 let along = self.along_measure(wished)?;
-                let baked = Table::Curve(self.curve_along(&along)?);
-                (vec![along.drive], vec![self.ranged(&along, inside)], baked)
+                let baked = Table::Curve(self.curve(&along)?);
+                (vec![along], baked)
             }
         };
+        let arguments = along.iter().map(|along| self.ranged(along, inside));
         let wheel = names.wheels.first();
         let wheel = wheel.map(|wheel| wheel.title("wheel"));
         let sheet = Sheet {
@@ -108,10 +112,10 @@ impl Baking<'_> {
                 file: self.file.to_owned(),
                 linkage: linkage.clone(),
                 wheel: wheel.unwrap_or_default(),
-                arguments,
+                arguments: arguments.collect(),
                 unit: unit.symbol(),
                 axes: self.mechanism.axes.meaning(),
-                held: self.held(&moved, inside),
+                held: self.held(&along, inside),
             },
             baked,
         };
@@ -134,10 +138,10 @@ impl Baking<'_> {
         Ok(())
     }
 
-    /// Lists the drives that are not `moved` with the values at which they are held, in a unit.
-    fn held(&self, moved: &[usize], unit: Unit) -> String {
+    /// Lists the drives that nothing moves with the values at which they are held, in a unit.
+    fn held(&self, along: &[Along], unit: Unit) -> String {
         let drives = self.mechanism.names.drives.iter().enumerate();
-        let held = drives.filter(|(drive, _)| !moved.contains(drive));
+        let held = drives.filter(|(drive, _)| along.iter().all(|along| along.drive != *drive));
         let held = held.map(|(drive, Drive { name, kind })| {
             let value = exact(self.given(drive, self.first(drive)));
             format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
@@ -145,21 +149,21 @@ impl Baking<'_> {
         held.collect::<Vec<_>>().join(", ")
     }
 
-    /// Returns the ranges of the drives, their description, and the baked functions; `unit` is that of the functions.
-    fn by_drives(
-        &self,
-        drives: &[Wished],
-        unit: Unit,
-    ) -> Result<(Vec<usize>, Vec<Ranged>, Table), Failure> {
-        let names = &self.mechanism.names;
+    /// Describes a drive or a measure and its range; `unit` is that of the baked functions.
+    fn ranged(&self, along: &Along, unit: Unit) -> Ranged {
+        let drive = &self.mechanism.names.drives[along.drive];
+        Ranged {
+            name: self.name(along).to_owned(),
+            unit: self.dimension(along).symbol(unit),
+            range: along.range,
+            in_place_of: along.measure.map(|_| drive.name.clone()),
+        }
+    }
+
+    /// Returns the ranges of the drives and the baked functions.
+    fn by_drives(&self, drives: &[Wished]) -> Result<(Vec<Along>, Table), Failure> {
         let drives = drives.iter().map(|wished| self.along(wished));
         let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
-        let ranged = drives.iter().map(|along| Ranged {
-            name: names.drives[along.drive].name.clone(),
-            unit: Dimension::from(names.drives[along.drive].kind).symbol(unit),
-            range: along.range,
-            in_place_of: None,
-        });
         let baked = match drives.as_slice() {
             [along] => Table::Curve(self.curve(along)?),
             [first, second] if first.drive != second.drive => {
@@ -167,8 +171,7 @@ impl Baking<'_> {
             }
             _ => return Err(self.refuse("--drive names one drive, or two different ones")),
         };
-        let moved = drives.iter().map(|along| along.drive).collect();
-        Ok((moved, ranged.collect(), baked))
+        Ok((drives, baked))
     }
 
     fn along(&self, wished: &Wished) -> Result<Along, Failure> {
@@ -178,6 +181,7 @@ impl Baking<'_> {
         let offset = self.mechanism.drive_offsets[drive];
         let along = Along {
             drive,
+            measure: None,
             range,
             local: range.map(|end| end - offset),
         };
@@ -236,13 +240,48 @@ impl Baking<'_> {
         self.mechanism.drives_at(t)[drive]
     }
 
-    fn in_words(&self, drive: usize, value: f64) -> String {
+    fn range_in_words(&self, drive: usize, range: [f64; 2]) -> String {
         let Description { names, unit, .. } = &**self.mechanism;
-        names.drive_in_words(drive, value, *unit)
+        let ends = range.map(|end| names.drive_in_words(drive, end, *unit));
+        ends.join(" to ")
     }
 
-    fn range_in_words(&self, drive: usize, range: [f64; 2]) -> String {
-        range.map(|end| self.in_words(drive, end)).join(" to ")
+    fn name(&self, along: &Along) -> &str {
+        let names = &self.mechanism.names;
+        match along.measure {
+            Some(measure) => &names.measures[measure].name,
+            None => &names.drives[along.drive].name,
+        }
+    }
+
+    fn dimension(&self, along: &Along) -> Dimension {
+        let names = &self.mechanism.names;
+        match along.measure {
+            Some(measure) => names.measures[measure].kind.into(),
+            None => names.drives[along.drive].kind.into(),
+        }
+    }
+
+    /// Converts a local value to the file's coordinates and units.
+    fn in_file(&self, along: &Along, local: f64) -> f64 {
+        let offset = match along.measure {
+            Some(measure) => self.mechanism.measure_offsets[measure],
+            None => self.mechanism.drive_offsets[along.drive],
+        };
+        (local + offset) * self.dimension(along).file_factor(self.mechanism.unit)
+    }
+
+    /// Formats a local value with its unit.
+    fn in_words(&self, along: &Along, local: f64) -> String {
+        let (name, value) = (self.name(along), number(self.in_file(along, local)));
+        let symbol = self.dimension(along).symbol(self.mechanism.unit);
+        format!("{name} = {value} {symbol}")
+    }
+
+    /// Adds to a message why the solver gave up.
+    fn cause(&self, cause: Option<SolveError<f64>>) -> String {
+        let names = &self.mechanism.names;
+        cause.map_or_else(String::new, |cause| format!(" ({})", names.cause(&cause)))
     }
 
     fn refuse(&self, message: &str) -> Failure {

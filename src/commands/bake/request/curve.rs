@@ -1,4 +1,4 @@
-//! A motion along one drive, or the possible part of it.
+//! A motion along a drive or a measure, or the possible part of it.
 
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
@@ -6,9 +6,14 @@ use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
 use crate::commands::bake::request::possible::possible_in_few_digits;
 use crate::commands::bake::request::{Along, Baking, DIGITS};
 use crate::failure::Failure;
-use crate::file::Dimension;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
+
+/// The part of a range through which a motion leads, in local coordinates, and the ends of the range that are among its own.
+pub(super) struct Within {
+    pub(super) range: [f64; 2],
+    pub(super) kept: [bool; 2],
+}
 
 impl Baking<'_> {
     pub(super) fn curve(&self, along: &Along) -> Result<Baked, Failure> {
@@ -19,71 +24,70 @@ impl Baking<'_> {
             metre,
             continuity: self.request.continuity,
         };
-        let baked = self.bake(along.drive, &wanted)?;
+        let path = self.path(along, wanted.range).map_err(Unmet::from);
+        let baked = path.and_then(|path| bake(&wanted, &*path));
+        let baked = baked.map_err(|unmet| self.unmet(along, &wanted, &unmet))?;
         Ok(baked.moved(self.mechanism.origin.into(), along.range))
     }
 
-    fn bake(&self, drive: usize, wanted: &Wanted) -> Result<Baked, Failure> {
-        let path = self.path(drive, wanted.range).map_err(Unmet::from);
-        let unmet = match path.and_then(|path| bake(wanted, &*path)) {
-            Ok(baked) => return Ok(baked),
-            Err(unmet) => unmet,
+    fn unmet(&self, along: &Along, wanted: &Wanted, unmet: &Unmet) -> Failure {
+        let (of_reach, within) = match along.measure {
+            Some(_) => self.reach_of_measure(along, unmet),
+            None => self.reach_of_drive(along, unmet),
         };
-        let (inside, locks) = self.reach(drive, wanted.range);
-        let mut kept = locks.each_ref().map(Option::is_none);
         let reason = match unmet {
             Unmet::TooManySegments { at } => format!(
                 "{MOST_SEGMENTS} segments do not meet {} m about {}",
                 rounded(self.request.tolerance, 3),
-                self.in_words(drive, self.given(drive, at))
+                self.in_words(along, *at)
             ),
-            Unmet::OutOfReach(error) if locks == [None, None] => {
-                kept = [false; 2];
-                self.lost_between(drive, &error)
-            }
-            Unmet::OutOfReach(_) => {
-                let locks: Vec<String> = locks.into_iter().flatten().collect();
-                format!("{}; {}", locks.join("; "), advice(self.file))
-            }
+            Unmet::OutOfReach(_) => of_reach,
         };
-        let possible = self.possible(
-            drive,
-            &Wanted {
-                range: inside,
-                ..*wanted
-            },
-            kept,
-        );
-        let [from, to] = wanted.range.map(|end| number(self.in_file(drive, end)));
-        let advice = possible.map_or_else(
-            || "no part of the range can be baked".to_owned(),
-            |ends| {
-                let [from, to] = ends.map(|end| rounded(end, DIGITS));
-                format!("possible is --from {from} --to {to}")
-            },
-        );
-        let name = &self.mechanism.names.drives[drive].name;
-        Err(Failure::Solver(format!(
+        let name = self.name(along);
+        let advice = match (self.possible(along, wanted, &within), along.measure) {
+            (None, _) => "no part of the range can be baked".to_owned(),
+            (Some([from, to]), None) => format!("possible is --from {from} --to {to}"),
+            (Some([from, to]), Some(_)) => format!("possible is --along {name}={from}:{to}"),
+        };
+        let [from, to] = along.local.map(|end| number(self.in_file(along, end)));
+        Failure::Solver(format!(
             "{}: {name} cannot be baked from {from} to {to}: {reason}; {advice}",
             self.file
-        )))
+        ))
+    }
+
+    /// Says what limits a drive, and how far it leads the mechanism.
+    fn reach_of_drive(&self, along: &Along, unmet: &Unmet) -> (String, Within) {
+        let (range, locks) = self.reach(along);
+        let kept = locks.each_ref().map(Option::is_none);
+        match unmet {
+            Unmet::OutOfReach(error) if locks == [None, None] => {
+                let kept = [false; 2];
+                (self.lost_between(along, error), Within { range, kept })
+            }
+            _ => {
+                let locks: Vec<String> = locks.into_iter().flatten().collect();
+                let why = format!("{}; {}", locks.join("; "), advice(self.file));
+                (why, Within { range, kept })
+            }
+        }
     }
 
     /// Returns the part of a range through which the drive leads the mechanism, and for either end, in words, what limits
     /// it.
-    pub(super) fn reach(&self, drive: usize, range: [f64; 2]) -> ([f64; 2], [Option<String>; 2]) {
+    pub(super) fn reach(&self, along: &Along) -> ([f64; 2], [Option<String>; 2]) {
         let mut locks = [None, None];
-        let now = self.first(drive);
-        let [from, to] = range;
+        let now = self.first(along.drive);
+        let [from, to] = along.local;
         let mut reached = [from.min(now), to.max(now)];
-        for ((end, wanted), in_the_way) in reached.iter_mut().zip(range).zip(&mut locks) {
+        for ((end, wanted), in_the_way) in reached.iter_mut().zip(along.local).zip(&mut locks) {
             // The path to the other end passes this end if it is beyond the first instant.
             if *end != wanted {
                 continue;
             }
-            if let Some(lock) = self.mechanism.lock_before(drive, *end) {
+            if let Some(lock) = self.mechanism.lock_before(along.drive, *end) {
                 *in_the_way = Some(self.mechanism.lock_in_words(&lock));
-                *end = lock.drives[drive] - self.mechanism.drive_offsets[drive];
+                *end = lock.drives[along.drive] - self.mechanism.drive_offsets[along.drive];
             }
         }
         let [low, high] = reached;
@@ -98,38 +102,27 @@ impl Baking<'_> {
     }
 
     /// Returns the part of a range that can be baked, in a few digits, in the file's coordinates and units.
-    fn possible(&self, drive: usize, wanted: &Wanted, kept: [bool; 2]) -> Option<[f64; 2]> {
-        possible_in_few_digits(
-            wanted.range,
-            kept,
-            |end| self.in_file(drive, end),
-            |range| {
-                let path = self.path(drive, range).ok()?;
-                widest(&Wanted { range, ..*wanted }, &*path)
-            },
-        )
+    fn possible(&self, along: &Along, wanted: &Wanted, within: &Within) -> Option<[String; 2]> {
+        let in_file = |end| self.in_file(along, end);
+        let ends = possible_in_few_digits(within.range, within.kept, in_file, |range| {
+            let path = self.path(along, range).ok()?;
+            widest(&Wanted { range, ..*wanted }, &*path)
+        })?;
+        Some(ends.map(|end| rounded(end, DIGITS)))
     }
 
-    /// Converts a local value to the file's coordinates and units.
-    fn in_file(&self, drive: usize, local: f64) -> f64 {
-        let kind = self.mechanism.names.drives[drive].kind;
-        self.given(drive, local) * Dimension::from(kind).file_factor(self.mechanism.unit)
-    }
-
-    fn path(&self, drive: usize, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        self.mechanism.path(drive, range, self.request.wish)
+    fn path(&self, along: &Along, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        let (drive, wish) = (along.drive, self.request.wish);
+        match along.measure {
+            Some(measure) => self.mechanism.led_path([measure, drive], range, wish),
+            None => self.mechanism.path(drive, range, wish),
+        }
     }
 
     /// Says at which value, within the reach of the drive, the solver lost the motion.
-    fn lost_between(&self, drive: usize, error: &OutOfReach) -> String {
-        let [from, to] = error.reached.map(|end| number(self.in_file(drive, end)));
-        let names = &self.mechanism.names;
-        let cause = error
-            .cause
-            .map(|error| format!(" ({})", names.cause(&error)));
-        format!(
-            "the motion is lost between {from} and {to}{}",
-            cause.unwrap_or_default()
-        )
+    fn lost_between(&self, along: &Along, error: &OutOfReach) -> String {
+        let [from, to] = error.reached.map(|end| number(self.in_file(along, end)));
+        let cause = self.cause(error.cause);
+        format!("the motion is lost between {from} and {to}{cause}")
     }
 }

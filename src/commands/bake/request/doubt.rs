@@ -24,7 +24,9 @@ impl Baking<'_> {
         else {
             return Ok(());
         };
-        if self.is_out_of_reach(along) {
+        let ([low, high], _) = self.reach(along);
+        let [first, last] = along.local;
+        if high <= first || low >= last {
             let [from, to] = stated.map(number);
             return Err(Failure::Solver(format!(
                 "{}: {name} cannot be baked from {from} to {to}: {doubt}",
@@ -33,12 +35,5 @@ impl Baking<'_> {
         }
         tell(format_args!("note: {}: {doubt}", self.file));
         Ok(())
-    }
-
-    /// Returns whether no part of the range is within reach of the drive.
-    fn is_out_of_reach(&self, along: &Along) -> bool {
-        let ([low, high], _) = self.reach(along.drive, along.local);
-        let [from, to] = along.local;
-        high <= from || low >= to
     }
 }

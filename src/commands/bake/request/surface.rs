@@ -4,8 +4,7 @@ use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
 use crate::commands::bake::request::{Along, Baking, interrupted};
 use crate::failure::Failure;
-use crate::file::Dimension;
-use crate::mechanism::{Drive, advice};
+use crate::mechanism::advice;
 use crate::number::{number, rounded};
 
 impl Baking<'_> {
@@ -23,33 +22,26 @@ impl Baking<'_> {
             wish: self.request.wish,
         };
         let baked = self.mechanism.bake_surface(&wanted, self.interrupted);
-        let baked = baked.map_err(|unmet| self.unmet(along, &unmet))?;
+        let baked = baked.map_err(|unmet| self.unmet_surface(along, &unmet))?;
         let ranges = along.map(|along| along.range);
         Ok(baked.moved(self.mechanism.origin.into(), ranges))
     }
 
-    fn unmet(&self, along: [&Along; 2], unmet: &UnmetSurface) -> Failure {
-        let ranges = along.map(|Along { drive, local, .. }| {
-            let (Drive { name, kind }, unit) =
-                (&self.mechanism.names.drives[*drive], self.mechanism.unit);
-            let dimension = Dimension::from(*kind);
-            let [from, to] =
-                local.map(|end| number(self.given(*drive, end) * dimension.file_factor(unit)));
-            format!("{name} = {from} to {to} {}", dimension.symbol(unit))
+    fn unmet_surface(&self, along: [&Along; 2], unmet: &UnmetSurface) -> Failure {
+        let ranges = along.map(|along| {
+            let [from, to] = along.local.map(|end| number(self.in_file(along, end)));
+            let symbol = self.dimension(along).symbol(self.mechanism.unit);
+            format!("{} = {from} to {to} {symbol}", self.name(along))
         });
         let reason = match unmet {
             UnmetSurface::Interrupted => return interrupted(self.file),
             UnmetSurface::OutOfReach { drives, cause } => {
-                let place = along.iter().zip(drives).map(|(along, local)| {
-                    self.in_words(along.drive, self.given(along.drive, *local))
-                });
+                let place = along.iter().zip(drives);
+                let place = place.map(|(along, local)| self.in_words(along, *local));
                 let place = place.collect::<Vec<_>>().join(", ");
-                let cause = cause.map(|cause| format!(" ({})", self.mechanism.names.cause(&cause)));
-                format!(
-                    "the mechanism does not reach {place}{}; {}",
-                    cause.unwrap_or_default(),
-                    advice(self.file)
-                )
+                let cause = self.cause(*cause);
+                let advice = advice(self.file);
+                format!("the mechanism does not reach {place}{cause}; {advice}")
             }
             UnmetSurface::TooManyPatches => format!(
                 "{MOST_PATCHES} patches do not meet {} m; take a larger --tolerance or shorter ranges",
