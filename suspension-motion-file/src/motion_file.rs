@@ -46,7 +46,8 @@ pub struct MotionFile {
     /// The values of the drives at which the mechanism is assembled and markers are attached.
     pub design: Option<Table<f64>>,
     /// Data of the vehicle that the listing does not state.
-    pub vehicle: Option<Spanned<VehicleTable>>,
+    #[serde(default = "VehicleTable::left_out")]
+    pub vehicle: Spanned<VehicleTable>,
     /// Springs and anti-roll bars by name.
     pub springs: Option<Table<SpringTable>>,
     /// Masses of moving parts by name.

@@ -35,3 +35,10 @@ pub struct VehicleTable {
     /// The part that bears the torque of the drive; by default the chassis, or the body that carries both wheels.
     pub drive_torque: Option<Spanned<PerWheel<Torque>>>,
 }
+
+impl VehicleTable {
+    /// The table of a file that has none.
+    pub(crate) fn left_out() -> Spanned<Self> {
+        Spanned::new(0..0, Self::default())
+    }
+}

@@ -70,13 +70,11 @@ fn is_singular<L: Suspension<N>, const N: usize>(names: &Names, design: &Design<
 
 /// The statements of a file, by either key.
 fn gears<'a>(task: &'a Task<'_>) -> Vec<Gear<'a>> {
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let keys = vehicle.map(|vehicle| {
-        [
-            (RACK, false, &vehicle.rack_per_turn),
-            (BOX, true, &vehicle.steering_box_ratio),
-        ]
-    });
+    let vehicle = task.file.vehicle.get_ref();
+    let keys = [
+        (RACK, false, &vehicle.rack_per_turn),
+        (BOX, true, &vehicle.steering_box_ratio),
+    ];
     let gear = |(key, is_of_angle, stated): (_, _, &'a Option<_>)| {
         stated.as_ref().map(|stated| Gear {
             key,
@@ -84,7 +82,7 @@ fn gears<'a>(task: &'a Task<'_>) -> Vec<Gear<'a>> {
             stated,
         })
     };
-    keys.into_iter().flatten().filter_map(gear).collect()
+    keys.into_iter().filter_map(gear).collect()
 }
 
 impl Gear<'_> {

@@ -1,5 +1,6 @@
 //! A file that is being prepared.
 
+use nalgebra::Vector3;
 use suspension_core::GeometryError;
 use suspension_core::listing::{Part, Parts};
 use toml::Spanned;
@@ -68,6 +69,11 @@ impl<'a> Task<'a> {
         let (by, unit) = (rounded(by, DIGITS), self.file.unit().symbol());
         let equation = self.names.name(Part::Equation(equation));
         format!("equation `{equation}`, by {by} {unit}")
+    }
+
+    /// The y of a local point in the file, where the middle of the vehicle is at zero.
+    pub(super) fn y_in_file(&self, point: &Vector3<f64>) -> f64 {
+        point.y + self.middle
     }
 
     /// The drives over time; drives that the file does not lead keep their values in `held`.

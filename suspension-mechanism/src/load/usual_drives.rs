@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 use suspension_core::Values;
-use toml::Spanned;
 
 use crate::load::design::Design;
 use crate::load::task::Task;
+use crate::load::vehicle::is_stated;
 use crate::mechanism::{Names, Suspension, Wheel};
 
 /// The smallest motion of a wheel up or down, or turn multiplied by the suspension's size, relative to the fastest
@@ -20,28 +20,22 @@ pub(super) fn effective_names<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
 ) -> (Names, Vec<String>) {
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let stated = [
-        vehicle.and_then(|vehicle| vehicle.travel.as_ref()),
-        vehicle.and_then(|vehicle| vehicle.steer.as_ref()),
-    ];
+    let stated = task.file.vehicle.get_ref();
     let points: Vec<_> = design.points.values().collect();
     let size = design.model.size();
     let mut names = task.names.clone();
     let mut unmoved: BTreeMap<usize, Vec<&Wheel>> = BTreeMap::new();
     for (wheel, of_task) in names.wheels.iter_mut().zip(&task.names.wheels) {
         let rates = |drive: Option<usize>| design.per(drive?);
-        let is_stated =
-            stated.map(|stated| stated.is_some_and(|stated| stated.get_ref().is_of(&wheel.name)));
         if let (Some(drive), Some(rates)) = (wheel.travel, rates(wheel.travel))
             && !rises(wheel, &rates)
         {
-            if !is_stated[0] {
+            if !is_stated(&stated.travel, wheel) {
                 unmoved.entry(drive).or_default().push(of_task);
             }
             wheel.travel = None;
         }
-        if let (false, Some(rates)) = (is_stated[1], rates(wheel.steer))
+        if let (false, Some(rates)) = (is_stated(&stated.steer, wheel), rates(wheel.steer))
             && !turns(wheel, (&points, &rates), size)
         {
             wheel.steer = None;

@@ -7,12 +7,12 @@ use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{PerWheel, VehicleTable};
+use crate::file::PerWheel;
 use crate::load::task::Task;
 use crate::mechanism::{Names, Vehicle, Wheel, is_within};
 use forces::{car, torques};
-pub(super) use per_wheel::{checked, is_positive, length};
-use per_wheel::{checked_length, for_each_wheel, optional};
+pub(super) use per_wheel::{checked, is_positive, is_stated, length};
+use per_wheel::{checked_length, for_each_wheel};
 
 /// The names of the drives of travel and of steering if the file does not name them.
 const TRAVEL: &str = "bump";
@@ -26,8 +26,7 @@ const STEER: &str = "steer";
 /// At a length that is not positive and finite, at a number that is not a share, at a name that is not that of a
 /// drive or a wheel, and if a car is described in part only.
 pub(super) fn names_with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
-    let table = task.file.vehicle.clone();
-    let table = table.unwrap_or_else(|| Spanned::new(0..0, VehicleTable::default()));
+    let table = &task.file.vehicle;
     let stated = table.get_ref();
     let mut names = task.names.clone();
     // A linkage without a wheel is treated as one with an unnamed wheel.
@@ -42,13 +41,13 @@ pub(super) fn names_with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
     drives(task, wheels, (STEER, &stated.steer), |wheel| {
         &mut wheel.steer
     })?;
-    let lengths = optional(task, wheels, &stated.wheel_radius)?;
+    let lengths = for_each_wheel(task, wheels, &stated.wheel_radius)?;
     for (wheel, radius) in wheels.iter_mut().zip(lengths) {
         wheel.radius = checked_length(task, "wheel_radius", radius)?;
     }
     let wheelbase = length(task, "wheelbase", stated.wheelbase.as_ref())?;
     let cg_height = length(task, "cg_height", stated.cg_height.as_ref())?;
-    car(task, wheels, &table)?;
+    car(task, wheels, table)?;
     torques(task, wheels, stated)?;
     let each = |drive: fn(&Wheel) -> Option<usize>| distinct(wheels.iter().filter_map(drive));
     names.vehicle = Vehicle {
@@ -81,23 +80,19 @@ fn drives(
     drive_of: fn(&mut Wheel) -> &mut Option<usize>,
 ) -> Result<(), Failure> {
     let known = task.names.drive_names();
-    let Some(stated) = stated else {
-        for wheel in wheels {
-            *drive_of(wheel) = usual_drive(&known, usual, &wheel.name);
-        }
-        return Ok(());
-    };
     let stated = for_each_wheel(task, wheels, stated)?;
     for (wheel, stated) in wheels.iter_mut().zip(stated) {
-        let Some((wanted, place)) = stated else {
-            *drive_of(wheel) = usual_drive(&known, usual, &wheel.name);
-            continue;
+        *drive_of(wheel) = match stated {
+            None => usual_drive(&known, usual, &wheel.name),
+            Some((wanted, place)) => {
+                let drive = known.iter().position(|drive| *drive == wanted);
+                let refused = || {
+                    task.source
+                        .refuse(&place, unknown("drive", &wanted, &known))
+                };
+                Some(drive.ok_or_else(refused)?)
+            }
         };
-        let Some(drive) = known.iter().position(|drive| *drive == wanted) else {
-            let message = unknown("drive", &wanted, &known);
-            return Err(task.source.refuse(&place, message));
-        };
-        *drive_of(wheel) = Some(drive);
     }
     Ok(())
 }

@@ -3,12 +3,11 @@
 use nalgebra::Vector3;
 use suspension_core::Values;
 use suspension_motion_file::Torque;
-use toml::Spanned;
 
-use crate::file::PerWheel;
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::load::usual_drives::{rises, turns};
+use crate::load::vehicle::is_stated;
 use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
 use crate::number::{number, rounded};
 
@@ -27,15 +26,10 @@ pub(in crate::load) fn notes<L: Suspension<N>, const N: usize>(
     let points: Vec<_> = design.points.values().collect();
     let of_car = wheelbase(task, &points).into_iter();
     let mut notes: Vec<String> = of_car.chain(drive_torque(task, couplings)).collect();
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
+    let vehicle = task.file.vehicle.get_ref();
     let of_wheel = |wheel: &Wheel| {
-        let is_stated = |stated: Option<&Spanned<PerWheel<String>>>| {
-            stated.is_some_and(|stated| stated.get_ref().is_of(&wheel.name))
-        };
-        let travel = vehicle.and_then(|vehicle| vehicle.travel.as_ref());
-        let steer = vehicle.and_then(|vehicle| vehicle.steer.as_ref());
-        let travel = wheel.travel.filter(|_| is_stated(travel));
-        let steer = wheel.steer.filter(|_| is_stated(steer));
+        let travel = wheel.travel.filter(|_| is_stated(&vehicle.travel, wheel));
+        let steer = wheel.steer.filter(|_| is_stated(&vehicle.steer, wheel));
         [
             travel.and_then(|drive| unlifted(task, (wheel, drive), &design.per(drive)?)),
             steer.and_then(|drive| {
@@ -45,7 +39,7 @@ pub(in crate::load) fn notes<L: Suspension<N>, const N: usize>(
         ]
     };
     notes.extend(task.names.wheels.iter().flat_map(of_wheel).flatten());
-    if vehicle.is_none_or(|vehicle| vehicle.steer.is_none()) {
+    if vehicle.steer.is_none() {
         notes.extend(steered_alone(task, design, &points));
     }
     let name = task.source.name();
@@ -146,7 +140,7 @@ fn steered_alone<L: Suspension<N>, const N: usize>(
 
 /// A note on what bears the torque of a driven axle whose wheels move each other, if the file leaves that open.
 fn drive_torque(task: &Task<'_>, couplings: &[Coupling]) -> Option<String> {
-    let vehicle = task.file.vehicle.as_ref()?.get_ref();
+    let vehicle = task.file.vehicle.get_ref();
     if vehicle.drive_share.is_none() || vehicle.drive_torque.is_some() {
         return None;
     }

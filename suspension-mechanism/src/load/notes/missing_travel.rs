@@ -1,7 +1,5 @@
 //! Wheels without a drive of travel, if the file states something that needs one.
 
-use toml::Spanned;
-
 use crate::load::task::Task;
 use crate::mechanism::{Names, Wheel, listed};
 
@@ -43,13 +41,11 @@ pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
 /// The table of the file that needs the travel of wheels. The ground under a wheel needs it if the wheel has more
 /// than one drive, or rolls together with another wheel.
 fn needed_by(task: &Task<'_>, needs_each: bool) -> Option<&'static str> {
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let is_car = vehicle.is_some_and(|vehicle| {
-        vehicle.cg_height.is_some()
-            || vehicle.brake_share.is_some()
-            || vehicle.drive_share.is_some()
-            || needs_each && vehicle.wheel_radius.is_some()
-    });
+    let vehicle = task.file.vehicle.get_ref();
+    let is_car = vehicle.cg_height.is_some()
+        || vehicle.brake_share.is_some()
+        || vehicle.drive_share.is_some()
+        || needs_each && vehicle.wheel_radius.is_some();
     if task.file.springs.is_some() {
         Some("[springs]")
     } else {

@@ -19,8 +19,7 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     listing: &Listing,
     given: &P,
 ) -> Vec<String> {
-    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let y: Vec<f64> = given.values().map(|point| point.y + task.middle).collect();
+    let y: Vec<f64> = given.values().map(|point| task.y_in_file(&point)).collect();
     let off = y.iter().fold(0.0, |off: f64, y| off.max(y.abs())) * MIDDLE;
     let parts: Vec<Statement<'_>> = listing.parts().collect();
     let points = task.names.points.iter().zip(y).enumerate();

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use toml::Spanned;
-
 use crate::load::task::Task;
 use crate::mechanism::{Instants, Length};
 use crate::number::{number, rounded};
@@ -25,14 +23,10 @@ pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     let names = &task.names;
     let radii = names.wheels.iter().filter_map(|wheel| wheel.radius);
     let radius = radii.map(|radius| length(task.file.length, "wheel_radius", radius, 0.05..5.0));
-    let vehicle = task.file.vehicle.as_ref().map(Spanned::get_ref);
-    let rack_per_turn = vehicle.and_then(|vehicle| vehicle.rack_per_turn.as_ref());
+    let rack_per_turn = task.file.vehicle.get_ref().rack_per_turn.as_ref();
+    let rack_per_turn = rack_per_turn.map(|travel| *travel.get_ref());
     let of_car = [
-        (
-            "rack_per_turn",
-            rack_per_turn.map(|travel| *travel.get_ref()),
-            0.01..0.5,
-        ),
+        ("rack_per_turn", rack_per_turn, 0.01..0.5),
         ("wheelbase", names.vehicle.wheelbase, 0.5..20.0),
         ("cg_height", names.vehicle.cg_height, 0.05..5.0),
     ];

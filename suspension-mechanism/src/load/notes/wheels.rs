@@ -61,8 +61,7 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
     let [inner, centre] = wheel.points.axis;
     let [from, to] = [inner, centre].map(|point| &names.points[point]);
     let outboard = placed[centre].y - placed[inner].y;
-    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let side = placed[centre].y + task.middle;
+    let side = task.y_in_file(&placed[centre]);
     (outboard * side < 0.0).then(|| {
         let wheel = wheel.stated("wheel");
         format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
@@ -78,8 +77,7 @@ pub(super) fn named_side(
     let axes = task.file.axes;
     let is_named = |side: &str| wheel.name.split('_').any(|word| word == side);
     let [_, centre] = wheel.points.axis;
-    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let y = placed[centre].y + task.middle;
+    let y = task.y_in_file(&placed[centre]);
     let [_, left, _] = axes.signs();
     let (named, is) = match (is_named("left"), is_named("right"), y * left) {
         (true, false, to_left) if to_left < 0.0 => ("left", "right"),

@@ -54,9 +54,7 @@ fn note_on_side<P: Values<Vector3<f64>>>(
         return None;
     }
     let [_, centre] = wheel.points.axis;
-    // Points are in local coordinates; the middle of the vehicle is at y = 0 of the file.
-    let y = given.values().map(|point| point.y + task.middle);
-    let y: Vec<f64> = y.collect();
+    let y: Vec<f64> = given.values().map(|point| task.y_in_file(&point)).collect();
     let words = || wheel.name.split('_').filter(|word| !word.is_empty());
     let is_of_wheel = |name: &str| words().all(|word| name.split('_').any(|other| other == word));
     let points = names.points.iter().zip(y.iter().copied()).enumerate();

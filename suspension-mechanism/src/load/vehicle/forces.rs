@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use super::per_wheel::{Stated, checked, optional};
+use super::per_wheel::{Stated, checked, for_each_wheel};
 use crate::failure::Failure;
 use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
@@ -22,8 +22,8 @@ pub(super) fn car(
         drive_share,
         ..
     } = stated;
-    let brakes = optional(task, wheels, brake_share)?;
-    let drives = optional(task, wheels, drive_share)?;
+    let brakes = for_each_wheel(task, wheels, brake_share)?;
+    let drives = for_each_wheel(task, wheels, drive_share)?;
     // An axle alone tells which way is away from the other one.
     let is_described = stated.cg_height.is_some() || brake_share.is_some() || drive_share.is_some();
     // A wheel between the axles of a longer vehicle belongs to neither.
@@ -74,8 +74,8 @@ pub(super) fn torques(
     wheels: &mut [Wheel],
     stated: &VehicleTable,
 ) -> Result<(), Failure> {
-    let brakes = optional(task, wheels, &stated.brake_torque)?;
-    let drives = optional(task, wheels, &stated.drive_torque)?;
+    let brakes = for_each_wheel(task, wheels, &stated.brake_torque)?;
+    let drives = for_each_wheel(task, wheels, &stated.drive_torque)?;
     let is_of_axle = |(number, wheel): (usize, &Wheel)| {
         let mut others = wheels.iter().enumerate();
         others.any(|(other, of_other)| other != number && of_other.is_across_on_one_body(wheel))

@@ -13,12 +13,21 @@ use crate::mechanism::{Wheel, is_within};
 /// A statement, with its place in the file.
 pub(in crate::load) type Stated<T> = Option<(T, Range<usize>)>;
 
-/// The statement for each wheel.
+/// Whether a file states something of a wheel.
+pub(in crate::load) fn is_stated<T>(stated: &Option<Spanned<PerWheel<T>>>, wheel: &Wheel) -> bool {
+    let stated = stated.as_ref().map(Spanned::get_ref);
+    stated.is_some_and(|stated| stated.is_of(&wheel.name))
+}
+
+/// The statement for each wheel, if there is any.
 pub(super) fn for_each_wheel<T: Clone>(
     task: &Task<'_>,
     wheels: &[Wheel],
-    stated: &Spanned<PerWheel<T>>,
+    stated: &Option<Spanned<PerWheel<T>>>,
 ) -> Result<Vec<Stated<T>>, Failure> {
+    let Some(stated) = stated else {
+        return Ok(vec![None; wheels.len()]);
+    };
     let of_some = match stated.get_ref() {
         PerWheel::All(all) => return Ok(vec![Some((all.clone(), stated.span())); wheels.len()]),
         PerWheel::Of(some) => some,
@@ -42,18 +51,6 @@ pub(super) fn for_each_wheel<T: Clone>(
         longest.map(|(_, value)| (value.get_ref().clone(), value.span()))
     };
     Ok(names.iter().map(of_wheel).collect())
-}
-
-/// The statement for each wheel, if there is any.
-pub(super) fn optional<T: Clone>(
-    task: &Task<'_>,
-    wheels: &[Wheel],
-    stated: &Option<Spanned<PerWheel<T>>>,
-) -> Result<Vec<Stated<T>>, Failure> {
-    match stated {
-        Some(stated) => for_each_wheel(task, wheels, stated),
-        None => Ok(vec![None; wheels.len()]),
-    }
 }
 
 /// A length in the unit of the file.
