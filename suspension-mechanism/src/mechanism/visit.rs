@@ -3,15 +3,8 @@
 mod place;
 mod visitor;
 
-use std::sync::atomic::AtomicBool;
-
 use crate::failure::Failure;
-use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::grid::Grid;
-use crate::mechanism::known::DerivativeOrder;
-use crate::mechanism::suspension::Suspension;
 use crate::mechanism::words::advice;
-use visitor::Visitor;
 
 pub use place::{OnPlace, Place, VisitEnd};
 
@@ -61,19 +54,5 @@ impl<R> Visited<R> {
     fn counts(&self) -> (usize, usize) {
         let missing = self.places.iter().filter(|place| place.is_none()).count();
         (self.places.len(), missing)
-    }
-}
-
-impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// Solves the mechanism at each place of a grid that it reaches; derivatives of quantities have the requested
-    /// order.
-    pub(crate) fn visit_each(
-        &self,
-        grid: &Grid,
-        order: DerivativeOrder,
-        interrupted: &AtomicBool,
-        on_place: &mut OnPlace<'_>,
-    ) -> VisitEnd {
-        Visitor::new(self, grid, order, interrupted, on_place).visit()
     }
 }

@@ -28,7 +28,7 @@ struct Reached<const N: usize> {
 }
 
 /// Takes the mechanism to all places.
-pub(super) struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
+struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     grid: &'a Grid,
     order: DerivativeOrder,
@@ -40,36 +40,40 @@ pub(super) struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
     end: VisitEnd,
 }
 
-impl<'a, 'r, L: Suspension<N>, const N: usize> Visitor<'a, 'r, L, N> {
-    pub(super) fn new(
-        mechanism: &'a Mechanism<L, N>,
-        grid: &'a Grid,
+impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// Solves the mechanism at each place of a grid that it reaches; derivatives of quantities have the requested
+    /// order.
+    pub(crate) fn visit_each(
+        &self,
+        grid: &Grid,
         order: DerivativeOrder,
-        interrupted: &'a AtomicBool,
-        on_place: &'a mut OnPlace<'r>,
-    ) -> Self {
-        Self {
-            mechanism,
+        interrupted: &AtomicBool,
+        on_place: &mut OnPlace<'_>,
+    ) -> VisitEnd {
+        let start = Reached {
+            index: 0,
+            drives: grid.start.clone(),
+            motion: self.start,
+            residual: 0.0,
+            arrival: None,
+        };
+        let visitor = Visitor {
+            mechanism: self,
             grid,
             order,
             interrupted,
             on_place,
-            lists: Lists::new(&mechanism.names),
+            lists: Lists::new(&self.names),
             positions: vec![None; grid.places().unwrap_or_default()],
             end: VisitEnd::default(),
-        }
-    }
-
-    /// Visits all places that the mechanism reaches.
-    pub(super) fn visit(mut self) -> VisitEnd {
-        let start = Reached {
-            index: 0,
-            drives: self.grid.start.clone(),
-            motion: self.mechanism.start,
-            residual: 0.0,
-            arrival: None,
         };
-        self.visit_axes(0, &start);
+        visitor.visit_from(&start)
+    }
+}
+
+impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
+    fn visit_from(mut self, start: &Reached<N>) -> VisitEnd {
+        self.visit_axes(0, start);
         if !self.end.locks.is_empty() {
             self.visit_neighbours();
         }
