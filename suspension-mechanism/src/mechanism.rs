@@ -41,6 +41,7 @@ pub use description::Description;
 pub use doubtful::DriveAtDesign;
 pub use driven_linkage::{Mechanism, WhereItStarts};
 pub use drives::{DriveLaws, Law, follow};
+pub(crate) use drives::{tracker, unit_change};
 pub use end::{End, Stop};
 pub use gradient::{DRIVES_AT_ONCE, Gradient};
 pub use grid::{Axis, CountedFrom, Grid, MOST_PLACES, evenly_spaced};

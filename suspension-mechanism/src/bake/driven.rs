@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use suspension_core::directions::Directions;
 use suspension_core::step::stepper::Stopped;
-use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Tracker, Values};
+use suspension_core::{Inputs, Motion, Signal, SolveError, Values};
 
-use crate::mechanism::{Names, Suspension};
+use crate::mechanism::{Names, Suspension, tracker};
 
 /// The requested points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,22 +97,15 @@ impl<'a, L> Driven<'a, L> {
     where
         L: Suspension<N>,
     {
-        let tracker = Tracker {
-            max_steps: 10_000,
-            ..Tracker::default()
-        };
         // The rates of the last motion belong to another way.
         *motion = Motion {
             positive_determinant: motion.positive_determinant,
             ..Motion::at_rest(motion.position)
         };
         let rate = from.combined(to, |from, to| to - from);
-        let inputs = |part: f64| {
-            let value = from.combined(&rate, |from, way| from + way * part);
-            moving(value, rate)
-        };
-        let followed = tracker.advance(self.model, inputs, 0.0, 1.0, motion);
-        followed.map(|_| ())
+        let inputs = |part: f64| Inputs::still(Signal::line(*from, rate, part));
+        let followed = tracker().advance(self.model, inputs, 0.0, 1.0, motion);
+        followed.map(drop)
     }
 
     /// The outputs with their derivatives in directions in which drives move at `rates`, at a motion's position and
@@ -163,12 +156,4 @@ impl<'a, L> Driven<'a, L> {
             Reading::Axis(_) => vec![Output::WheelCentre, Output::SpinAxis],
         }
     }
-}
-
-fn moving<D: Values<f64> + Default>(value: D, rate: D) -> Inputs<Still, D> {
-    Inputs::still(Signal {
-        value,
-        rate,
-        second_rate: D::default(),
-    })
 }

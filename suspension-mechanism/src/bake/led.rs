@@ -1,7 +1,7 @@
 //! The exact motion as a function of a measure that leads in place of a drive.
 
 use suspension_core::listing::MeasureKind;
-use suspension_core::path::{Curve, Leader, Led};
+use suspension_core::path::{Curve, Led};
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
 use crate::bake::anchors::Anchors;
@@ -73,17 +73,13 @@ impl<L: Suspension<N>, const N: usize> Way<'_, L, N> {
 
     /// Leads from one value to another, with rates per unit of the measure.
     fn follow(&self, ends: [f64; 2], led: &mut Led<f64, N>) -> Result<(), Stop> {
-        let leader = Leader {
-            max_steps: 10_000,
-            ..Leader::default()
-        };
         let target = |value| Signal {
             value,
             rate: 1.0,
             second_rate: 0.0,
         };
         let (model, held) = (self.driven.model(), |_| self.held);
-        let led = lead(leader, model, self.measure, held, target, ends, led);
+        let led = lead(model, self.measure, held, target, ends, led);
         led.map(drop)
             .map_err(|stopped| (stopped.reached, stopped.refused.map(|(_, cause)| cause)))
     }

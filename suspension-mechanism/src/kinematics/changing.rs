@@ -7,7 +7,7 @@ use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
 use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 
-use crate::mechanism::{Changing, Expansion, Mechanism};
+use crate::mechanism::{Changing, Expansion, Mechanism, unit_change};
 
 /// The fraction of the suspension's size by which a change of lengths must also be possible: close to an impossible
 /// change, as for a body that hardly closes, derivatives mean little.
@@ -59,11 +59,6 @@ where
         at_start.add(drive);
     }
     Some(Box::new(at_start))
-}
-
-/// A change of a drive by one.
-fn unit_change<D: Values<f64>>(drive: usize) -> D {
-    D::from_values([]).with(drive, 1.0)
 }
 
 /// The points and measures at the start.

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::file::{Offset, Position};
 use crate::load::task::Task;
 use crate::load::unsatisfied::Unsatisfied;
-use crate::mechanism::{DriveLaws, Suspension};
+use crate::mechanism::{DriveLaws, Suspension, unit_change};
 use crate::number::rounded;
 
 /// The configuration in which markers are attached.
@@ -36,9 +36,8 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
 
     /// The derivatives of the points with respect to a drive; `None` if the mechanism locks.
     pub(super) fn per(&self, drive: usize) -> Option<Vec<Vector3<f64>>> {
-        let change = L::Drives::from_values([]).with(drive, 1.0);
         let moved = Directions::at(&self.model, self.drives, &self.q, |directions| {
-            directions.points(change)
+            directions.points(unit_change(drive))
         });
         Some(moved.ok()?.rate.values().collect())
     }

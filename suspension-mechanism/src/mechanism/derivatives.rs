@@ -7,6 +7,7 @@ use suspension_core::Values;
 use suspension_core::directions::{Direction, Directions};
 
 use crate::mechanism::driven_linkage::Mechanism;
+use crate::mechanism::drives::unit_change;
 use crate::mechanism::known::Arrival;
 use crate::mechanism::points::Points;
 use crate::mechanism::suspension::Suspension;
@@ -50,7 +51,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
     /// The motion of the mechanism along a drive.
     pub(crate) fn along(&self, drive: usize) -> Option<&Along<L, N>> {
         let along = || {
-            let change = direction::<L, N>(drive);
+            let change = unit_change::<L::Drives>(drive);
             let direction = match self.arrival(drive) {
                 Some(arrival) => self.directions?.first_of(change, arrival.first),
                 None => self.directions?.first(change).ok()?,
@@ -90,7 +91,7 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
             let jet = self.directions?.unknowns::<3>(change).ok()?;
             Some(jet.terms[2] * 6.0)
         };
-        let single = direction::<L, N>(once);
+        let single = unit_change::<L::Drives>(once);
         if once == twice {
             return along(single);
         }
@@ -107,9 +108,4 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
         points.resize(names.points.len(), Vector3::repeat(f64::NAN));
         points.into()
     }
-}
-
-/// A change of a drive by one.
-fn direction<L: Suspension<N>, const N: usize>(drive: usize) -> L::Drives {
-    L::Drives::from_values([]).with(drive, 1.0)
 }

@@ -84,8 +84,13 @@ impl DriveLaws {
 /// The number of steps that the way from one instant to the next may take.
 pub(super) const MAX_STEPS: usize = 10_000;
 
+/// A change of one drive by one.
+pub(crate) fn unit_change<D: Values<f64>>(drive: usize) -> D {
+    D::from_values([]).with(drive, 1.0)
+}
+
 /// The settings with which motions are followed.
-fn tracker() -> Tracker<f64> {
+pub(crate) fn tracker() -> Tracker<f64> {
     Tracker {
         max_steps: MAX_STEPS,
         ..Tracker::default()

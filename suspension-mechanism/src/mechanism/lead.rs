@@ -31,7 +31,6 @@ pub struct Lead<const N: usize> {
 
 /// Leads a mechanism by a measure; angles are taken within half a turn of their target.
 pub(crate) fn lead<L: Linkage<N, Scalar = f64>, const N: usize>(
-    leader: Leader<f64>,
     model: &L,
     measure: usize,
     held: impl Fn(f64) -> Inputs<Still, L::Drives>,
@@ -39,6 +38,10 @@ pub(crate) fn lead<L: Linkage<N, Scalar = f64>, const N: usize>(
     ends: [f64; 2],
     led: &mut Led<f64, N>,
 ) -> Result<Report<f64>, Stopped<f64>> {
+    let leader = Leader {
+        max_steps: MAX_STEPS,
+        ..Leader::default()
+    };
     let [reached, _] = ends;
     let quantity = measured(model, measure).ok_or(Stopped {
         reached,
@@ -68,12 +71,8 @@ impl<const N: usize> Lead<N> {
         times: [f64; 2],
         led: &mut Led<f64, N>,
     ) -> Result<Report<f64>, Stopped<f64>> {
-        let leader = Leader {
-            max_steps: MAX_STEPS,
-            ..Leader::default()
-        };
         let (held, target) = (|t| drives.inputs(t), |t| self.law.at(t));
-        lead(leader, model, self.measure, held, target, times, led)
+        lead(model, self.measure, held, target, times, led)
     }
 
     /// The inputs `held`, with the free drive at its value in the mechanism.

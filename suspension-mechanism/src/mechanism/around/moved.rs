@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::around::Around;
+use crate::mechanism::drives::unit_change;
 use crate::mechanism::state::{Moved, Movement};
 use crate::mechanism::suspension::Suspension;
 use crate::mechanism::vehicle::Pair;
@@ -49,8 +50,7 @@ impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
     }
 
     fn drive_motion(&self, drive: usize) -> Option<Signal<L::Points>> {
-        let change = L::Drives::from_values([]).with(drive, 1.0);
-        self.directions?.points(change).ok()
+        self.directions?.points(unit_change(drive)).ok()
     }
 
     /// The motion in which the drives of travel of two wheels raise their centres at given rates, without
