@@ -1,5 +1,7 @@
 //! A motion as polynomials over segments of a drive's range.
 
+use std::array::from_fn;
+
 use suspension_core::Scalar;
 use suspension_core::baked::Curve;
 
@@ -60,12 +62,7 @@ impl Baked {
     /// Numbers indexed by segment, power and output, as in [`Curve`].
     pub fn rows(&self) -> impl Iterator<Item = [Vec<f64>; TERMS]> {
         self.segments.iter().map(|segment| {
-            let mut power = 0;
-            [(); TERMS].map(|()| {
-                let row = segment.iter().flat_map(|output| output[power]).collect();
-                power += 1;
-                row
-            })
+            from_fn(|power| segment.iter().flat_map(|output| output[power]).collect())
         })
     }
 

@@ -8,6 +8,7 @@
 //! beyond degree 31 in one segment is hidden by rounding, which the decay of its coefficients
 //! shows; it is not a proof.
 
+use std::array::from_fn;
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
@@ -54,12 +55,7 @@ impl Reached {
 
 /// The places in a segment, 0 to 1, where differences are sampled.
 pub fn places() -> [f64; SAMPLES] {
-    let mut index = 0.0;
-    [0.0; SAMPLES].map(|_| {
-        let place = 0.5 - 0.5 * (PI * (index + 0.5) / SAMPLES as f64).cos();
-        index += 1.0;
-        place
-    })
+    from_fn(|index| 0.5 - 0.5 * (PI * (index as f64 + 0.5) / SAMPLES as f64).cos())
 }
 
 /// Bounds the differences of one output over a segment of length `length` from its values at

@@ -73,8 +73,15 @@ impl Names {
         };
         let count = |kind| parts.count(kind);
         let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(count);
-        let drives = named(count(Kind::Drive), Part::Drive).into_iter();
-        let measures = named(count(Kind::Measure), Part::Measure).into_iter();
+        let drive = |drive| Drive {
+            name: parts.name(Part::Drive(drive)).to_owned(),
+            kind: parts.drive_kind(drive),
+        };
+        let measure = |measure| Measure {
+            name: parts.name(Part::Measure(measure)).to_owned(),
+            kind: parts.measure_kind(measure),
+        };
+        let wheels = (0..).map_while(|wheel| parts.wheel(wheel));
         Self {
             points: named(chassis + free + count(Kind::Marker), Part::Point),
             chassis,
@@ -85,26 +92,11 @@ impl Names {
             hinges: Vec::new(),
             guides: Vec::new(),
             driven_lengths: Vec::new(),
-            drives: (0..)
-                .zip(drives)
-                .map(|(drive, name)| Drive {
-                    name,
-                    kind: parts.drive_kind(drive),
-                })
-                .collect(),
-            measures: (0..)
-                .zip(measures)
-                .map(|(measure, name)| Measure {
-                    name,
-                    kind: parts.measure_kind(measure),
-                })
-                .collect(),
+            drives: (0..count(Kind::Drive)).map(drive).collect(),
+            measures: (0..count(Kind::Measure)).map(measure).collect(),
             equations: named(count(Kind::Unknown), Part::Equation),
             unknowns: named(count(Kind::Unknown), Part::Unknown),
-            wheels: (0..)
-                .map_while(|wheel| parts.wheel(wheel))
-                .map(Wheel::from)
-                .collect(),
+            wheels: wheels.map(Wheel::from).collect(),
             vehicle: Vehicle::default(),
         }
     }
