@@ -171,13 +171,12 @@ impl Reader<'_> {
             return Ok(Site::Point(point));
         }
         let bodies = self.listing.bodies().into_iter();
-        let having: Vec<Vec<usize>> = bodies.filter(|body| body.contains(&point)).collect();
-        match having.as_slice() {
-            [body] => match body.as_slice() {
-                [a, b, c, ..] => Ok(Site::Body(point, [*a, *b, *c])),
-                _ => refuse(format!("`{name}` is in no body that could take a moment")),
-            },
-            [] => refuse(format!("`{name}` is in no body that could take a moment")),
+        let having = bodies.filter(|body| body.contains(&point));
+        let held: Vec<Option<[usize; 3]>> =
+            having.map(|body| body.first_chunk().copied()).collect();
+        match *held {
+            [Some(body)] => Ok(Site::Body(point, body)),
+            [] | [None] => refuse(format!("`{name}` is in no body that could take a moment")),
             _ => refuse(format!(
                 "several bodies join at `{name}`: state the moment at a point of one of them alone"
             )),

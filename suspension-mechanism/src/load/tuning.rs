@@ -10,7 +10,6 @@ use crate::kinematics::Kinematics;
 use crate::tune::{Move, Target};
 use moves::Moves;
 use naming::Naming;
-use targets::Targets;
 
 /// The moves and targets of a file, in its order.
 ///
@@ -33,11 +32,10 @@ pub(super) fn tuning(
         followers: file.followers(&mechanism.names.points),
         across: mechanism.points().iter().map(|at| at.y).collect(),
     };
-    let of_targets = Targets(naming);
     let TuneTable { moves, targets } = table.get_ref();
     let moves = in_order(moves).map(|(name, each)| of_moves.read_move(name, each));
     let moves: Vec<Move> = moves.collect::<Result<_, _>>()?;
-    let targets = in_order(targets).map(|(name, each)| of_targets.read_target(name, each));
+    let targets = in_order(targets).map(|(name, each)| naming.read_target(name, each));
     let targets: Vec<Target> = targets.collect::<Result<_, _>>()?;
     match (moves.is_empty(), targets.is_empty()) {
         (false, false) => Ok((moves, targets)),

@@ -14,10 +14,7 @@ use crate::tune::{self, Reading, Target};
 /// The number of places along a drive if the file states one number for all.
 const PLACES: usize = 13;
 
-/// The parts that targets name.
-pub(super) struct Targets<'a>(pub(super) Naming<'a>);
-
-impl Targets<'_> {
+impl Naming<'_> {
     /// The target that its table states.
     pub(super) fn read_target(
         &self,
@@ -26,21 +23,17 @@ impl Targets<'_> {
     ) -> Result<Target, Failure> {
         let table = stated.get_ref();
         let column = self.column(&table.of)?;
-        let per = table
-            .per
-            .as_ref()
-            .map(|per| self.0.drive(per))
-            .transpose()?;
+        let per = table.per.as_ref().map(|per| self.drive(per)).transpose()?;
         if per.is_some() && !column.has_derivatives {
             let message = format!("`{}` has no derivatives", table.of.get_ref());
-            return Err(self.0.source.refuse(&table.of.span(), message));
+            return Err(self.source.refuse(&table.of.span(), message));
         }
         let reading = Reading { column, per };
-        let scale = reading.file_factor(self.0.mechanism);
+        let scale = reading.file_factor(self.mechanism);
         let within = *table.within.get_ref() / scale;
         if !(within.is_finite() && within > 0.0) {
             let message = "`within` must be a positive number, the largest permitted deviation from the target";
-            return Err(self.0.source.refuse(&table.within.span(), message));
+            return Err(self.source.refuse(&table.within.span(), message));
         }
         let (over, wanted) = self.wanted(name, table, scale)?;
         Ok(Target {
@@ -53,12 +46,12 @@ impl Targets<'_> {
     }
 
     fn column(&self, of: &Spanned<String>) -> Result<Column, Failure> {
-        let mut columns = columns(self.0.mechanism);
+        let mut columns = columns(self.mechanism);
         let names: Vec<String> = columns.iter().map(Column::title).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let wanted = of.get_ref();
-        let refuse = |message: String| Err(self.0.source.refuse(&of.span(), message));
-        if let Some(message) = zero_at_design(wanted, self.0.mechanism) {
+        let refuse = |message: String| Err(self.source.refuse(&of.span(), message));
+        if let Some(message) = zero_at_design(wanted, self.mechanism) {
             return refuse(message);
         }
         if let Some(found) = names.iter().position(|name| name == wanted) {
@@ -69,7 +62,7 @@ impl Targets<'_> {
                 "unknown quantity `{wanted}`; did you mean {meant}?"
             ));
         }
-        if let Some(message) = not_of_this(wanted, self.0.mechanism) {
+        if let Some(message) = not_of_this(wanted, self.mechanism) {
             return refuse(message);
         }
         let begun = |name: &&&str| wanted.starts_with(&format!("{name}_"));
@@ -82,7 +75,7 @@ impl Targets<'_> {
         // A long list is shortened where it is printed.
         let all = format!(
             "; suspension sensitivities {} prints all",
-            self.0.source.name()
+            self.source.name()
         );
         let is_answered = message.ends_with('?');
         refuse(message + if is_answered { "" } else { &all })
@@ -95,7 +88,7 @@ impl Targets<'_> {
         table: &TargetTable,
         scale: f64,
     ) -> Result<(Vec<Axis>, tune::Wanted), Failure> {
-        let refuse = |message: &str| Err(self.0.source.refuse(&name.span(), message));
+        let refuse = |message: &str| Err(self.source.refuse(&name.span(), message));
         let (stated, to_wanted): (_, fn(Vec<f64>) -> tune::Wanted) = match (
             &table.value,
             &table.change,
@@ -126,11 +119,11 @@ impl Targets<'_> {
         };
         if !wanted.iter().all(|wanted| wanted.is_finite()) {
             let message = "the target is not finite";
-            return Err(self.0.source.refuse(&stated.span(), message));
+            return Err(self.source.refuse(&stated.span(), message));
         }
         let axes = drives.into_iter().map(|along| self.axis(along, places));
         let axes = axes.collect::<Result<Vec<_>, _>>()?;
-        if let Err(too_many) = Grid::new(self.0.mechanism, axes.clone(), CountedFrom::Start) {
+        if let Err(too_many) = Grid::new(self.mechanism, axes.clone(), CountedFrom::Start) {
             return refuse(&too_many);
         }
         let wanted = wanted.iter().map(|wanted| wanted / scale);
@@ -143,9 +136,9 @@ impl Targets<'_> {
         (drive, ends): (&Spanned<String>, &Spanned<NumberList<2>>),
         places: usize,
     ) -> Result<Axis, Failure> {
-        let number = self.0.drive(drive)?;
-        let kind = self.0.mechanism.names.drives[number].kind;
-        let per = Dimension::from(kind).file_factor(self.0.mechanism.unit);
+        let number = self.drive(drive)?;
+        let kind = self.mechanism.names.drives[number].kind;
+        let per = Dimension::from(kind).file_factor(self.mechanism.unit);
         let ends = self.ends(ends)?.map(|end| end / per);
         Ok(Axis::for_drive(number, evenly_spaced(ends, places)))
     }
@@ -155,7 +148,7 @@ impl Targets<'_> {
         let is_range = ends[0] < ends[1] && ends.iter().all(|end| end.is_finite());
         is_range.then_some(ends).ok_or_else(|| {
             let message = "write [from, to], the drive's changes from the design position, for example [-0.060, 0.060]";
-            self.0.source.refuse(&stated.span(), message)
+            self.source.refuse(&stated.span(), message)
         })
     }
 }
