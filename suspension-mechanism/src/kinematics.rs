@@ -80,27 +80,16 @@ pub trait Kinematics: Deref<Target = Description> {
     /// The search for assemblies.
     fn assemblies<'a>(&'a self, watch: &'a Watch<'a>) -> Box<dyn Assembled + 'a>;
 
-    /// The motion along one drive over a range, in local coordinates, with the others held as at the first instant.
+    /// The motion along one drive over a range, or along a measure in place of the drive, by their numbers; in local
+    /// coordinates, with the other drives held as at the first instant.
     ///
     /// # Errors
     ///
-    /// [`OutOfReach`] if the mechanism cannot be driven through the range.
+    /// [`OutOfReach`] if the drive or the measure does not lead the mechanism through the range.
     fn path(
         &self,
         drive: usize,
-        range: [f64; 2],
-        wish: Wish,
-    ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
-
-    /// The motion along a measure over a range instead of a drive, by their numbers, in local coordinates, with the
-    /// other drives held as at the first instant.
-    ///
-    /// # Errors
-    ///
-    /// [`OutOfReach`] if the measure does not lead the mechanism through the range.
-    fn led_path(
-        &self,
-        measure_and_drive: [usize; 2],
+        measure: Option<usize>,
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
@@ -216,30 +205,19 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
     fn path(
         &self,
         drive: usize,
+        measure: Option<usize>,
         range: [f64; 2],
         wish: Wish,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
         let held = L::Drives::from_values(self.first_drives());
-        let path = Path::new(&self.model, &self.start, held, drive, range, wish)?;
-        Ok(Box::new(path))
-    }
-
-    fn led_path(
-        &self,
-        measure_and_drive: [usize; 2],
-        range: [f64; 2],
-        wish: Wish,
-    ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let held = L::Drives::from_values(self.first_drives());
-        let path = LedPath::new(
-            &self.model,
-            &self.start,
-            held,
-            measure_and_drive,
-            range,
-            wish,
-        )?;
-        Ok(Box::new(path))
+        let (model, start) = (&self.model, &self.start);
+        Ok(match measure {
+            None => Box::new(Path::new(model, start, held, drive, range, wish)?),
+            Some(measure) => {
+                let leads = [measure, drive];
+                Box::new(LedPath::new(model, start, held, leads, range, wish)?)
+            }
+        })
     }
 
     fn bake_surface(

@@ -112,11 +112,8 @@ impl Baking<'_> {
     }
 
     fn path(&self, along: &Along, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let (drive, wish) = (along.drive, self.request.wish);
-        match along.measure {
-            Some(measure) => self.mechanism.led_path([measure, drive], range, wish),
-            None => self.mechanism.path(drive, range, wish),
-        }
+        let wish = self.request.wish;
+        self.mechanism.path(along.drive, along.measure, range, wish)
     }
 
     /// Says at which value, within the reach of the drive, the solver lost the motion.
