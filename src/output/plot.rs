@@ -3,6 +3,7 @@
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
+use crate::mechanism::ends;
 use crate::number::fixed;
 use crate::output::svg::{Area, Drawn, FINE, document};
 
@@ -192,10 +193,7 @@ impl Axis {
         const CONSTANT: f64 = 1e-9;
         /// The range around a constant, relative to its size or to one.
         const AROUND_CONSTANT: f64 = 0.1;
-        let (low, high) = values.fold(None, |ends: Option<(f64, f64)>, value| {
-            let (low, high) = ends.unwrap_or((value, value));
-            Some((low.min(value), high.max(value)))
-        })?;
+        let [low, high] = ends(values)?;
         let size = high.abs().max(low.abs()).max(1.0);
         let middle = (low + high) / 2.0;
         let span = if high - low > CONSTANT * size {

@@ -15,7 +15,7 @@ use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Angle, Description, Drive, Unit};
+use crate::mechanism::{Angle, Description, Drive, Unit, ends};
 use crate::number::{exact, number};
 
 pub use measure::WishedMeasure;
@@ -203,9 +203,7 @@ impl Baking<'_> {
     fn range(&self, drive: usize, wished: &Wished) -> Result<[f64; 2], Failure> {
         let times = self.mechanism.instants.iter();
         let through = times.map(|t| self.given(drive, self.value(drive, t)));
-        let (low, high) = through.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
+        let [low, high] = ends(through).unwrap_or_default();
         let Description { names, unit, .. } = &**self.mechanism;
         let kind = names.drives[drive].kind;
         let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);

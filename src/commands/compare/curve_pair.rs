@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::characteristics::{Curves, Does, Line};
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel};
 use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
-use crate::mechanism::Unit;
+use crate::mechanism::{Unit, ends};
 
 /// The curves of both suspensions over the same kind of motion.
 pub(super) struct CurvePair<'a> {
@@ -57,8 +57,7 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
     let both = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
     let apart = |[a, b]: [f64; 2]| (b - a).abs();
-    let differences = both.clone().map(|(_, [a, b])| b - a);
-    let [least, greatest] = [f64::min, f64::max].map(|end| differences.clone().reduce(end));
+    let [least, greatest] = ends(both.clone().map(|(_, [a, b])| b - a))?;
     let by = |size: &dyn Fn(&Place) -> f64| both.clone().max_by(|a, b| size(a).total_cmp(&size(b)));
     let (at, values) = by(&|(_, values)| apart(*values))?;
     let mut difference = Difference {
@@ -67,7 +66,7 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
         at: Some(at),
         values,
     };
-    if difference.is_rounding_of(greatest? - least?) {
+    if difference.is_rounding_of(greatest - least) {
         difference.at = None;
         (_, difference.values) = by(&|(at, _)| -at.abs())?;
     }

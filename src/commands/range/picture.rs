@@ -1,7 +1,7 @@
 //! The plot of a drive's whole curve.
 
 use crate::file::Dimension;
-use crate::mechanism::Description;
+use crate::mechanism::{Description, ends};
 use crate::output::figures::{capitalised, upwards};
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, TOE, columns};
@@ -87,9 +87,7 @@ fn shown(mechanism: &Description, range: &DriveRange) -> Option<Drawn> {
 fn says_something(column: &Column, range: &DriveRange) -> bool {
     const ROUNDING: f64 = 1e-9;
     let varies = |value: &dyn Fn(&Station) -> f64| {
-        let values = range.curve.iter().map(value);
-        let [low, high] = [f64::min, f64::max].map(|end| values.clone().reduce(end));
-        let (low, high) = (low.unwrap_or_default(), high.unwrap_or_default());
+        let [low, high] = ends(range.curve.iter().map(value)).unwrap_or_default();
         high - low > ROUNDING * high.abs().max(low.abs()).max(1.0)
     };
     let of = |station: &Station| column.value(&station.state);

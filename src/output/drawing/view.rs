@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::pixels;
-use crate::mechanism::Axes;
+use crate::mechanism::{Axes, ends};
 
 /// The direction from which a drawing shows the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,12 +87,8 @@ impl View {
             origin: [0.0; 2],
         };
         let flat: Vec<[f64; 2]> = points.iter().map(|at| view.project(at)).collect();
-        let ends = |axis: usize| {
-            let values = flat.iter().map(|at| at[axis]);
-            let low = values.clone().reduce(f64::min)?;
-            Some([low, values.reduce(f64::max)?])
-        };
-        let (x, y) = (ends(0)?, ends(1)?);
+        let along = |axis: usize| ends(flat.iter().map(|at| at[axis]));
+        let (x, y) = (along(0)?, along(1)?);
         let sheet = [f64::from(width), f64::from(height)];
         let span = |[low, high]: [f64; 2]| (high - low).max(f64::MIN_POSITIVE);
         let fit = |ends, size| (size - 2.0 * margin) / span(ends);

@@ -1,5 +1,6 @@
 //! Curves that pass through infinity or run towards it, as that of a swing arm where the carrier moves nearly parallel.
 
+use crate::mechanism::ends;
 use crate::quantities::{
     AXLE_ROLL_CENTRE, Column, FRONT_ARM, FRONT_CENTRE, Quantity, SIDE_ARM, SIDE_CENTRE,
 };
@@ -38,9 +39,7 @@ pub(super) fn remove_far(values: &[Option<f64>], metre: f64) -> Vec<Option<f64>>
 pub(super) fn jumps(values: &[Option<f64>]) -> bool {
     const MUCH: f64 = 0.25;
     const ROUNDING: f64 = 1e-9;
-    let there = values.iter().flatten().copied();
-    let [high, low] = [f64::max, f64::min].map(|end| there.clone().reduce(end));
-    let (high, low) = (high.unwrap_or_default(), low.unwrap_or_default());
+    let [low, high] = ends(values.iter().flatten().copied()).unwrap_or_default();
     let whole = high - low;
     let is_constant = whole <= ROUNDING * high.abs().max(low.abs()).max(1.0);
     let is_far = |pair: &[Option<f64>]| {

@@ -6,7 +6,7 @@ use crate::file::Dimension;
 use crate::load::design::Design;
 use crate::load::task::Task;
 use crate::mechanism::{
-    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, evenly_spaced, extent,
+    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, ends, evenly_spaced, extent,
 };
 use crate::number::rounded;
 
@@ -30,11 +30,7 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
     let drives = drives.filter(|(_, drive)| stated.contains_key(drive.name.as_str()));
     let unit = task.file.unit();
     let doubts = drives.filter_map(|(index, drive)| {
-        let of_drive = values.iter().map(|values| values[index]);
-        let ends = of_drive.fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[least, most], value| [least.min(value), most.max(value)],
-        );
+        let ends = ends(values.iter().map(|values| values[index]))?;
         let (name, design) = (&drive.name, designed[index]);
         let in_file = design * Dimension::from(drive.kind).file_factor(unit);
         let way = format!("; write {name} = [{}, ...]", rounded(in_file, 6));
