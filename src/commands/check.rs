@@ -67,11 +67,7 @@ impl Arguments {
         let is_known = !is_singular && !is_interrupted;
         let report = Report {
             file: name,
-            linkage: &mechanism.linkage,
-            names: &mechanism.names,
-            unit: mechanism.unit,
-            axes: mechanism.axes,
-            design: &mechanism.design,
+            mechanism,
             condition,
             ranges,
             motion: is_known.then(|| in_words(motion_ends.as_deref())),

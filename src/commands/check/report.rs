@@ -3,7 +3,7 @@
 use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
 use crate::file::Dimension;
-use crate::mechanism::{Axes, Names, Unit, describe_change_from_design};
+use crate::mechanism::{Description, Names, describe_change_from_design};
 use crate::number::rounded;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
@@ -11,11 +11,7 @@ use crate::reach::{DriveRange, RangeEnd};
 /// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
-    pub(super) linkage: &'a str,
-    pub(super) names: &'a Names,
-    pub(super) unit: Unit,
-    pub(super) axes: Axes,
-    pub(super) design: &'a [f64],
+    pub(super) mechanism: &'a Description,
     pub(super) condition: Condition,
     pub(super) ranges: Vec<DriveRange>,
     /// Whether the file's own motion is within reach, in words.
@@ -35,45 +31,44 @@ const DIGITS_OF_END: usize = 4;
 impl Report<'_> {
     /// Returns the report as text.
     pub(super) fn text(&self) -> String {
-        let Self { names, unit, .. } = self;
+        let Description {
+            linkage,
+            names,
+            unit,
+            axes,
+            design,
+            ..
+        } = self.mechanism;
         let symbol = unit.symbol();
         let residual = rounded(self.condition.residual, DIGITS);
         let mut lines = vec![
-            ("points".to_owned(), self.points()),
-            ("equations".to_owned(), self.equations()),
-            ("freedom".to_owned(), self.freedom()),
+            ("points", self.points()),
+            ("equations", self.equations()),
+            ("freedom", self.freedom()),
+            ("design", names.drives_in_words(design, *unit, None)),
             (
-                "design".to_owned(),
-                names.drives_in_words(self.design, *unit, None),
-            ),
-            (
-                "residual".to_owned(),
+                "residual",
                 format!("{residual} {symbol}: the design assembles"),
             ),
-            ("rank".to_owned(), self.rank()),
-            (CONDITIONING.to_owned(), self.conditioning()),
-            ("elimination".to_owned(), self.elimination()),
+            ("rank", self.rank()),
+            (CONDITIONING, self.conditioning()),
+            ("elimination", self.elimination()),
         ];
         if !self.ranges.is_empty() {
             let from = "of each drive from the design position, the other drives held there; `suspension range` starts from the first instant";
-            lines.push(("reach".to_owned(), from.to_owned()));
+            lines.push(("reach", from.to_owned()));
             lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
         }
-        let motion = self.motion.iter();
-        lines.extend(motion.map(|motion| ("motion".to_owned(), motion.clone())));
-        let none = [("notes".to_owned(), "none".to_owned())];
-        let notes = self
-            .notes
-            .iter()
-            .map(|note| ("note".to_owned(), note.clone()));
-        let notes: Vec<_> = notes.collect();
-        lines.extend(if notes.is_empty() { none.into() } else { notes });
+        lines.extend(self.motion.iter().map(|motion| ("motion", motion.clone())));
+        lines.extend(self.notes.iter().map(|note| ("note", note.clone())));
+        if self.notes.is_empty() {
+            lines.push(("notes", "none".to_owned()));
+        }
         let (what, text): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
         format!(
-            "{}: {}, lengths in {symbol}, axes of {}\n\n{}",
+            "{}: {linkage}, lengths in {symbol}, axes of {}\n\n{}",
             self.file,
-            self.linkage,
-            self.axes.in_words(),
+            axes.in_words(),
             laid_out(0, [TextColumn::left(what), TextColumn::left(text)])
         )
     }
@@ -94,8 +89,8 @@ impl Report<'_> {
     }
 
     fn points(&self) -> String {
-        let Names { chassis, free, .. } = self.names;
-        let markers = self.names.markers().len();
+        let Names { chassis, free, .. } = &self.mechanism.names;
+        let markers = self.mechanism.names.markers().len();
         format!("{chassis} on the chassis, {free} free, {markers} carried by bodies")
     }
 
@@ -104,8 +99,8 @@ impl Report<'_> {
             equations,
             unknowns,
             ..
-        } = self.names;
-        let drives = self.names.drive_names();
+        } = &self.mechanism.names;
+        let drives = self.mechanism.names.drive_names();
         let of_drives = equations
             .iter()
             .filter(|name| drives.contains(&name.as_str()));
@@ -122,8 +117,8 @@ impl Report<'_> {
     }
 
     fn freedom(&self) -> String {
-        let drives = self.names.drive_names();
-        let left = self.names.unknowns.len() - self.condition.rank;
+        let drives = self.mechanism.names.drive_names();
+        let left = self.mechanism.names.unknowns.len() - self.condition.rank;
         let left = match left {
             0 => String::new(),
             left => format!("; {left} more that no drive leads"),
@@ -142,7 +137,7 @@ impl Report<'_> {
             undetermined,
             ..
         } = &self.condition;
-        let count = self.names.unknowns.len();
+        let count = self.mechanism.names.unknowns.len();
         if undetermined.is_empty() {
             return format!(
                 "{rank} of {count}: no equation is redundant, all unknowns are determined"
@@ -170,7 +165,7 @@ impl Report<'_> {
             equations,
             unknowns,
             ..
-        } = self.names;
+        } = &self.mechanism.names;
         let health = if elimination.growth < elimination.allowed {
             let growth = rounded(elimination.growth, DIGITS);
             let allowed = rounded(elimination.allowed, DIGITS + 1);
@@ -190,18 +185,15 @@ impl Report<'_> {
     }
 
     /// Returns the ends of a drive's range and what limits each.
-    fn reach(&self, range: &DriveRange) -> [(String, String); 2] {
-        let dimension = Dimension::from(range.kind);
-        let (symbol, scale) = (
-            dimension.symbol(self.unit),
-            dimension.file_factor(self.unit),
-        );
-        let end = |what: &str, end: &RangeEnd| {
+    fn reach<'r>(&self, range: &'r DriveRange) -> [(&'r str, String); 2] {
+        let (dimension, unit) = (Dimension::from(range.kind), self.mechanism.unit);
+        let (symbol, scale) = (dimension.symbol(unit), dimension.file_factor(unit));
+        let end = |what: &'r str, end: &RangeEnd| {
             let change = describe_change_from_design((end.value - range.start) * scale, &symbol);
             let value = rounded(end.value * scale, DIGITS_OF_END);
-            let limit = end.limit.in_words(self.unit);
+            let limit = end.limit.in_words(unit);
             let end = format!("ends at {value} {symbol}, {change}: {limit}");
-            (what.to_owned(), end)
+            (what, end)
         };
         let [lower, upper] = &range.ends;
         [end(&range.name, lower), end("", upper)]
