@@ -66,13 +66,8 @@ impl Drop for Progress {
 }
 
 fn bar(total: usize, units: &str) -> ProgressBar {
-    let bar = ProgressBar::new(total as u64);
-    let style =
-        ProgressStyle::with_template(&format!("{{bar:40}} {{percent}} % of {{len}} {units}"));
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
+    let template = format!("{{bar:40}} {{percent}} % of {{len}} {units}");
+    styled(ProgressBar::new(total as u64), &template)
 }
 
 /// Shows how many things a search of unknown length has found, once it has taken a second and only on a terminal.
@@ -174,7 +169,10 @@ fn counter(units: &str) -> ProgressBar {
 }
 
 fn spinner(template: &str) -> ProgressBar {
-    let line = ProgressBar::new_spinner();
+    styled(ProgressBar::new_spinner(), template)
+}
+
+fn styled(line: ProgressBar, template: &str) -> ProgressBar {
     match ProgressStyle::with_template(template) {
         Ok(style) => line.with_style(style),
         Err(_) => line,
