@@ -135,16 +135,10 @@ impl Arguments {
 }
 
 fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<(), Failure> {
-    let heading = |name| Heading {
-        name,
-        counts: false,
-    };
     let columns = report.numbers().map(|number| number.csv_name);
-    let headings = ["changed".to_owned()]
-        .into_iter()
-        .chain(columns)
-        .map(heading);
-    let mut table = CsvFile::create(target, &headings.collect::<Vec<_>>())?;
+    let names = ["changed".to_owned()].into_iter().chain(columns);
+    let headings: Vec<Heading> = names.map(Heading::new).collect();
+    let mut table = CsvFile::create(target, &headings)?;
     let mut row = |name: &str, numbers: Vec<f64>| {
         let numbers: Vec<String> = numbers.into_iter().map(format_in_full).collect();
         table.record([name].into_iter().chain(numbers.iter().map(String::as_str)))

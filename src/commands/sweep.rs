@@ -100,8 +100,7 @@ impl Arguments {
             table.row(place)
         });
         write(mechanism, &table, &visited.places, forms)?;
-        let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-        announce(&written);
+        announce(forms.files().map(|(path, _)| path));
         visited.failure(source).map_or(Ok(()), Err)
     }
 }
@@ -113,11 +112,11 @@ fn write(
     rows: &[Option<Vec<f64>>],
     forms: &Forms,
 ) -> Result<(), Failure> {
-    let heading = |name| Heading {
-        name,
-        counts: false,
-    };
-    let headings: Vec<Heading> = table.names(mechanism).into_iter().map(heading).collect();
+    let headings: Vec<Heading> = table
+        .names(mechanism)
+        .into_iter()
+        .map(Heading::new)
+        .collect();
     let mut file = Rows::create(forms, &Header::new(mechanism), &headings)?;
     for row in rows.iter().flatten() {
         file.add(row)?;

@@ -18,10 +18,7 @@ impl<T: 'static> Column<T> {
     /// Makes a column of real numbers.
     pub fn new(name: impl Into<String>, value: fn(&T) -> f64) -> Self {
         Self {
-            heading: Heading {
-                name: name.into(),
-                counts: false,
-            },
+            heading: Heading::new(name),
             value: Box::new(value),
         }
     }

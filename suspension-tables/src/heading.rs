@@ -13,6 +13,16 @@ pub struct Heading {
     pub counts: bool,
 }
 
+impl Heading {
+    /// The heading of real numbers.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            counts: false,
+        }
+    }
+}
+
 /// The description of the rows: the header of a JSON file.
 #[derive(Clone, Debug, Serialize)]
 pub struct Header {

@@ -183,11 +183,7 @@ fn columns(part: &Part) -> Vec<TextColumn> {
 /// Writes the comparison as comma-separated values.
 pub(super) fn table(comparison: &Comparison<'_>, target: &Target) -> Result<(), Failure> {
     let names = ["of", "quantity", "unit", "at", "a", "b", "difference"];
-    let headings = names.map(|name| Heading {
-        name: name.to_owned(),
-        counts: false,
-    });
-    let mut file = CsvFile::create(target, &headings)?;
+    let mut file = CsvFile::create(target, &names.map(Heading::new))?;
     for part in &comparison.parts {
         for difference in &part.differences {
             let [a, b] = difference.values.map(format_in_full);

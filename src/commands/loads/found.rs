@@ -2,6 +2,8 @@
 
 use std::rc::Rc;
 
+use nalgebra::Vector3;
+
 use crate::loads::{Case, Outcome, Unborne};
 
 /// The results of a case over all places that have an answer.
@@ -91,14 +93,15 @@ impl Extreme {
 
 /// Returns a number for each part, in the order of [`Found::ranges`].
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    let joints = outcome.joints.iter();
-    let joints = joints.map(|(.., force)| force.norm());
-    let moments = outcome.moments.iter();
-    let moments = moments.map(|(.., moment)| moment.norm());
-    let on_chassis = outcome.on_chassis.iter();
-    let on_chassis = on_chassis.map(|(_, force)| force.norm());
-    let vectors = joints.chain(moments).chain(on_chassis);
-    along(outcome).chain(vectors)
+    along(outcome).chain(vectors(outcome).map(Vector3::norm))
+}
+
+/// Returns the forces in joints, the moments and the forces on chassis points.
+pub(super) fn vectors(outcome: &Outcome) -> impl Iterator<Item = &Vector3<f64>> {
+    let joints = outcome.joints.iter().map(|(.., force)| force);
+    let moments = outcome.moments.iter().map(|(.., moment)| moment);
+    let on_chassis = outcome.on_chassis.iter().map(|(_, force)| force);
+    joints.chain(moments).chain(on_chassis)
 }
 
 /// Returns the forces on drives, in measures and in links.

@@ -3,7 +3,7 @@
 use crate::kinematics::Kinematics;
 use crate::mechanism::{State, Unit};
 use crate::number::number;
-use crate::quantities::{self, Column, Quantity, Reader, catalogue};
+use crate::quantities::{self, Column, Quantity, Reader};
 
 /// The quantities in the first columns of each row.
 pub(super) struct Leading {
@@ -12,12 +12,9 @@ pub(super) struct Leading {
 }
 
 impl Leading {
-    /// Selects quantities of the catalogue.
-    pub(super) fn new(mechanism: &dyn Kinematics, quantities: &[&Quantity]) -> Self {
-        let mut columns = quantities::columns(catalogue(), &mechanism.names);
-        columns.retain(|column| quantities.iter().any(|quantity| column.is(quantity)));
+    pub(super) fn new(mechanism: &dyn Kinematics, quantities: &[&'static Quantity]) -> Self {
         Self {
-            columns,
+            columns: quantities::columns(quantities.iter().copied(), &mechanism.names),
             unit: mechanism.unit,
         }
     }

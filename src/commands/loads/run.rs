@@ -178,8 +178,7 @@ impl<'a> Run<'a> {
     ) -> Result<(), Failure> {
         if let Some(rows) = rows {
             rows.finish()?;
-            let written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-            announce(&written);
+            announce(forms.files().map(|(path, _)| path));
         }
         if let (Some((folder, stem)), Some((state, outcomes))) = (&self.drawings, &first) {
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {

@@ -1,6 +1,6 @@
 //! The table of loads: one row per place.
 
-use crate::commands::loads::found::{Found, along};
+use crate::commands::loads::found::{Found, along, vectors};
 use crate::commands::loads::leading::Leading;
 use crate::commands::loads::report::{unit_in, unit_of};
 use crate::kinematics::Kinematics;
@@ -16,11 +16,7 @@ pub(super) fn headings(
 ) -> Vec<Heading> {
     let found = found.iter().flatten();
     let names = found.flat_map(|found| names(mechanism, structure, found));
-    let heading = |name| Heading {
-        name,
-        counts: false,
-    };
-    leading.names().chain(names).map(heading).collect()
+    leading.names().chain(names).map(Heading::new).collect()
 }
 
 /// Returns a row: the numbers of the place, then those of each case that has an answer anywhere, with NaN if it has none
@@ -80,10 +76,6 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
 }
 
 fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    let joints = outcome.joints.iter();
-    let joints = joints.map(|(.., force)| force);
-    let moments = outcome.moments.iter().map(|(.., moment)| moment);
-    let on_chassis = outcome.on_chassis.iter().map(|(_, force)| force);
-    let vectors = joints.chain(moments).chain(on_chassis);
-    along(outcome).chain(vectors.flat_map(|vector| [vector.x, vector.y, vector.z]))
+    let components = vectors(outcome).flat_map(|vector| [vector.x, vector.y, vector.z]);
+    along(outcome).chain(components)
 }
