@@ -16,6 +16,8 @@ use crate::load::load;
 use crate::mechanism::Description;
 use crate::option::number;
 use crate::output::files::{announce, print};
+use crate::output::heading::Header;
+use crate::output::rows::Forms;
 use crate::output::table::Table;
 use crate::output::target::Target;
 use listed::{Wish, list};
@@ -53,17 +55,18 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let csv = self.csv.map(Target::from);
+        let forms = Forms {
+            csv: self.csv.map(Target::from),
+            ..Forms::default()
+        };
         let loaded = load(&source)?;
-        if let Some(csv) = &csv {
-            csv.refuse_input("--csv")?;
-        }
+        forms.check()?;
         let wish = Wish {
             drive: self.drive,
             at: self.at,
         };
         let mechanism = loaded.at_first_instant()?;
-        enumerate(&*mechanism, source.name(), &wish, csv.as_ref(), interrupted)
+        enumerate(&*mechanism, source.name(), &wish, &forms, interrupted)
     }
 }
 
@@ -72,31 +75,23 @@ fn enumerate(
     mechanism: &dyn Kinematics,
     source: &str,
     wish: &Wish,
-    csv: Option<&Target>,
+    forms: &Forms,
     interrupted: &AtomicBool,
 ) -> Result<(), Failure> {
     let Description { names, unit, .. } = &**mechanism;
-    let columns = || report::columns(names, *unit);
-    let table = csv.map(|csv| Table::create(csv, columns()));
-    let mut table = table.transpose()?;
+    let columns = report::columns(names, *unit);
+    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
     let report = Report::new(names, *unit);
     let done = list(mechanism, source, wish, interrupted, &mut |listed| {
-        if csv != Some(&Target::Stdout) {
+        if forms.csv != Some(Target::Stdout) {
             print(&format!("{}\n", report.text(listed)))?;
         }
-        let Some(table) = &mut table else {
-            return Ok(());
-        };
         let mut assemblies = listed.assemblies.iter();
         assemblies.try_for_each(|assembly| table.add(assembly))
     });
-    if matches!(
-        done,
-        Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_))
-    ) && let Some(table) = table
-    {
+    if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
         table.finish()?;
-        announce(csv.and_then(Target::path));
+        announce(forms.files().map(|(path, _)| path));
     }
     done
 }

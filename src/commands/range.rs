@@ -14,11 +14,13 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Description, Names, Unit};
+use crate::mechanism::{Description, Names};
 use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
+use crate::output::heading::Header;
 use crate::output::progress::Busy;
+use crate::output::rows::Forms;
 use crate::output::table::Table;
 use crate::output::target::Target;
 use crate::reach::DriveRange;
@@ -50,16 +52,17 @@ impl Arguments {
     /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let csv = self.csv.clone().map(Target::from);
+        let forms = Forms {
+            csv: self.csv.clone().map(Target::from),
+            ..Forms::default()
+        };
         let loaded = load(&source)?;
-        if let Some(csv) = &csv {
-            csv.refuse_input("--csv")?;
-        }
+        forms.check()?;
         let mechanism = &*loaded.within_reach()?;
         let chosen = self.chosen(&mechanism.names);
         let chosen =
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
-        let ranges = self.ranges((mechanism, &chosen), csv.as_ref(), interrupted);
+        let ranges = self.ranges((mechanism, &chosen), &forms, interrupted);
         // At the end of an angle the curves of other drives cannot start.
         let at_end = mechanism.end_of_angle(&mechanism.drives_in_file(&mechanism.first_drives()));
         ranges.map_err(|failure| match (failure, at_end) {
@@ -92,17 +95,18 @@ impl Arguments {
     fn ranges(
         &self,
         (mechanism, chosen): (&dyn Kinematics, &[usize]),
-        csv: Option<&Target>,
+        forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Description { names, unit, .. } = &**mechanism;
         let Self { file, plots, .. } = self;
         let stem = name_of(file);
         let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
-        if let (Some(Target::File(csv)), Some(folder)) = (csv, plots) {
-            let drives = chosen.iter().map(|drive| &names.drives[*drive].name);
-            let plots: Vec<_> = drives.map(|drive| plot(folder, drive)).collect();
-            refuse_plot(csv, "--csv", &plots)?;
+        if let Some(folder) = plots {
+            let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
+            let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
+            for (table, option) in forms.files() {
+                refuse_plot(table, option, &plots)?;
+            }
         }
         let ranges = {
             let _shown = Busy::new("following the curve of each drive");
@@ -110,13 +114,8 @@ impl Arguments {
             let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
             ranges.collect::<Result<Vec<_>, _>>()?
         };
-        let mut written = Vec::new();
-        if let Some(target) = csv {
-            table(names, *unit, &ranges, target)?;
-            if let Target::File(path) = target {
-                written.push(path.clone());
-            }
-        }
+        table(mechanism, &ranges, forms)?;
+        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = plots {
             for range in &ranges {
                 let path = plot(folder, &range.name);
@@ -127,7 +126,7 @@ impl Arguments {
                 }
             }
         }
-        if csv != Some(&Target::Stdout) {
+        if forms.csv != Some(Target::Stdout) {
             print(&report::text(mechanism, &ranges))?;
         }
         announce(&written);
@@ -135,8 +134,9 @@ impl Arguments {
     }
 }
 
-fn table(names: &Names, unit: Unit, ranges: &[DriveRange], target: &Target) -> Result<(), Failure> {
-    let mut table = Table::create(target, columns::columns(names, unit))?;
+fn table(mechanism: &Description, ranges: &[DriveRange], forms: &Forms) -> Result<(), Failure> {
+    let columns = columns::columns(&mechanism.names, mechanism.unit);
+    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()

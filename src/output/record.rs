@@ -46,7 +46,7 @@ pub fn record(
     keep: usize,
     interrupted: &AtomicBool,
 ) -> Result<Outcome, Failure> {
-    let mut table = Table::in_forms(forms, &Header::new(mechanism), columns_of(mechanism))?;
+    let mut table = Table::create(forms, &Header::new(mechanism), columns_of(mechanism))?;
     let [first, _] = instants.ends();
     let mut outcome = Outcome {
         end: End::Complete,

@@ -5,7 +5,6 @@ use crate::file::Dimension;
 use crate::mechanism::{State, Unit};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
-use crate::output::target::Target;
 use crate::quantities::{self, is_driven_angle};
 
 /// A column: a name and a function from an item to a number.
@@ -55,35 +54,22 @@ pub struct Table<T> {
 }
 
 impl<T: 'static> Table<T> {
-    /// Starts a table of comma-separated values.
+    /// Starts a table in the requested formats; without any, nothing is computed.
     ///
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn create(target: &Target, columns: Vec<Column<T>>) -> Result<Self, Failure> {
-        Self::of(columns, |headings| Rows::csv(target, headings))
-    }
-
-    /// Starts a table in several formats.
-    ///
-    /// # Errors
-    ///
-    /// See [`Failure::writing`].
-    pub fn in_forms(
+    pub fn create(
         forms: &Forms,
         header: &Header,
-        columns: Vec<Column<T>>,
+        mut columns: Vec<Column<T>>,
     ) -> Result<Self, Failure> {
-        Self::of(columns, |headings| Rows::create(forms, header, headings))
-    }
-
-    fn of(
-        columns: Vec<Column<T>>,
-        rows: impl FnOnce(&[Heading]) -> Result<Rows, Failure>,
-    ) -> Result<Self, Failure> {
+        if forms.is_empty() {
+            columns.clear();
+        }
         let headings = columns.iter().map(|column| column.heading.clone());
         Ok(Self {
-            rows: rows(&headings.collect::<Vec<_>>())?,
+            rows: Rows::create(forms, header, &headings.collect::<Vec<_>>())?,
             columns,
             row: Vec::new(),
         })

@@ -103,20 +103,6 @@ impl Rows {
         })
     }
 
-    /// Starts a table of comma-separated values.
-    ///
-    /// # Errors
-    ///
-    /// See [`Failure::writing`].
-    pub fn csv(target: &Target, headings: &[Heading]) -> Result<Self, Failure> {
-        Ok(Self {
-            csv: Some(CsvFile::create(target, headings)?),
-            json: None,
-            parquet: None,
-            row: Vec::new(),
-        })
-    }
-
     /// Adds a row; zeros have no sign. A form whose reader has gone is left out from then on.
     ///
     /// # Errors
