@@ -1,7 +1,5 @@
 //! Locks so near to the design position that any suspension's travel passes them.
 
-use suspension_core::listing::DriveKind;
-
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{describe_change_from_design, extent};
@@ -20,10 +18,7 @@ pub(super) fn notes(
         .iter()
         .flat_map(|range| range.ends.iter().map(move |end| (range, end)));
     let near = ends.filter(move |(range, end)| {
-        let part = match range.kind {
-            DriveKind::Coordinate => size,
-            DriveKind::Angle | DriveKind::Turn => 1.0,
-        };
+        let part = if range.kind.is_angle() { 1.0 } else { size };
         is_lock(end) && (end.value - range.start).abs() < NEAR * part
     });
     near.map(move |(range, end)| {

@@ -19,7 +19,6 @@ impl Leading {
         }
     }
 
-    /// Returns the names of the columns.
     pub(super) fn names(&self) -> impl Iterator<Item = String> {
         let columns = self.columns.iter();
         columns.map(|column| column.csv_name(self.unit))

@@ -32,7 +32,6 @@ impl Line {
     }
 }
 
-/// Formats a force.
 pub(super) fn shown(force: f64) -> String {
     fixed(force, DECIMALS)
 }

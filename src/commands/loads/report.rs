@@ -1,15 +1,13 @@
 //! The report of a load case as text.
 
-use suspension_core::listing::{DriveKind, MeasureKind};
-
 use crate::commands::loads::found::{Extreme, Found};
 use crate::commands::loads::leading::Leading;
 use crate::commands::loads::line::{Line, shown, table};
 use crate::commands::loads::unloaded::Unloaded;
+use crate::file::Dimension;
 use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 
-/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -61,11 +59,11 @@ impl Report<'_> {
         let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
         let drives = names.drives.iter().enumerate().map(|(number, drive)| {
             let name = drive_with_bearer(names, found.case, number);
-            line(&name, unit_of(drive))
+            line(&name, unit_of(drive.kind))
         });
         let drives = drives.collect();
         let measures = first.in_measures.iter().map(|(measure, _)| {
-            let unit = unit_in(&names.measures[*measure]);
+            let unit = unit_of(names.measures[*measure].kind);
             line(&measure_with_loads(names, found.case, *measure), unit)
         });
         let measures = measures.collect();
@@ -185,7 +183,7 @@ fn measure_with_loads(names: &Names, case: &Case, measure: usize) -> String {
         _ => Some(format!("springs {}", springs.join(" and "))),
     };
     let Measure { name, .. } = &names.measures[measure];
-    let unit = unit_in(&names.measures[measure]);
+    let unit = unit_of(names.measures[measure].kind);
     let stated = case.along.iter().filter(|(along, _)| *along == measure);
     let stated = stated.map(|(_, along)| format!("the stated {} {unit}", shown(*along)));
     let acting: Vec<String> = springs.into_iter().chain(stated).collect();
@@ -195,18 +193,10 @@ fn measure_with_loads(names: &Names, case: &Case, measure: usize) -> String {
     }
 }
 
-/// Returns the unit of the load in a measure.
-pub(super) fn unit_in(measure: &Measure) -> &'static str {
-    match measure.kind {
-        MeasureKind::Angle => "N m",
-        MeasureKind::Length => "N",
-    }
-}
-
-/// Returns the unit of the load on a drive.
-pub(super) fn unit_of(drive: &Drive) -> &'static str {
-    match drive.kind {
-        DriveKind::Angle | DriveKind::Turn => "N m",
-        DriveKind::Coordinate => "N",
+/// Returns the unit of a load along a drive or in a measure.
+pub(super) fn unit_of(kind: impl Into<Dimension>) -> &'static str {
+    match kind.into() {
+        Dimension::Angle => "N m",
+        _ => "N",
     }
 }

@@ -131,7 +131,6 @@ impl<'a> Run<'a> {
         self.cases.iter().map(|_| None).collect()
     }
 
-    /// Computes each case at a state.
     fn outcomes(&self, state: &State) -> Vec<Option<Outcome>> {
         let cases = self.cases.iter();
         let outcomes = cases.map(|case| self.structure.solve(self.mechanism, case, state));

@@ -2,7 +2,7 @@
 
 use crate::commands::loads::found::{Found, along, vectors};
 use crate::commands::loads::leading::Leading;
-use crate::commands::loads::report::{unit_in, unit_of};
+use crate::commands::loads::report::unit_of;
 use crate::kinematics::Kinematics;
 use crate::loads::{Outcome, Structure};
 use crate::output::heading::Heading;
@@ -42,7 +42,7 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
     let (case, shape, statements) = (&found.case.name, &found.first, &structure.statements);
     let drives = mechanism.names.drives.iter();
     let drives = drives.map(|drive| {
-        let unit = unit_of(drive).replace(' ', "");
+        let unit = unit_of(drive.kind).replace(' ', "");
         format!("{case}_{}_{unit}", drive.name)
     });
     let bearing = shape.in_measures.iter();
@@ -51,7 +51,7 @@ fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_
         format!(
             "{case}_{}_{}",
             measure.name,
-            unit_in(measure).replace(' ', "")
+            unit_of(measure.kind).replace(' ', "")
         )
     });
     let links = shape.links.iter();

@@ -4,7 +4,6 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::Vector3;
 use suspension_core::body::{angular_velocity, pose};
-use suspension_core::listing::DriveKind;
 use suspension_core::wheel::{camber, steer_rate, toe};
 
 use crate::characteristics::Along;
@@ -56,7 +55,6 @@ pub(super) struct Rates {
 }
 
 impl Rates {
-    /// Returns the derivatives times `factor`.
     fn times(&self, factor: f64) -> Self {
         Self {
             velocity: self.velocity * factor,
@@ -134,10 +132,8 @@ impl Wheel {
     ) -> Option<Self> {
         let wheel = &mechanism.names.wheels[number];
         let metre = mechanism.unit.metre();
-        let in_metres = |drive: usize| match mechanism.names.drives[drive].kind {
-            DriveKind::Coordinate => metre,
-            DriveKind::Angle | DriveKind::Turn => 1.0,
-        };
+        let is_angle = |drive: usize| mechanism.names.drives[drive].kind.is_angle();
+        let in_metres = |drive: usize| if is_angle(drive) { 1.0 } else { metre };
         let mut read = |place: &dyn Place| {
             let state = place.state();
             let rates = |drive: usize| rates(wheel, &place.per(drive)?, &state, drive, metre);
@@ -225,7 +221,6 @@ fn angle_rates(omega: &Vector3<f64>, spin_axis: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(about_x, about_y, about_z)
 }
 
-/// Computes [`Wheel::about_x`].
 fn about_x(spin_axis: &Vector3<f64>) -> f64 {
     spin_axis.y.signum() * spin_axis.z.atan2(spin_axis.xy().norm())
 }
