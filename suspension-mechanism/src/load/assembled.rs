@@ -7,10 +7,11 @@ use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{Offset, Position, Source, StandIn, check, stand_in};
+use crate::file::{Source, StandIn, check, stand_in};
 use crate::load::design::{Design, at_design};
 use crate::load::flat_body;
 use crate::load::outlier::Outlier;
+use crate::load::points::stated_at;
 use crate::load::request::Request;
 use crate::load::task::Task;
 use crate::load::vehicle::names_with_vehicle;
@@ -143,22 +144,8 @@ fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<Stan
 
 /// The points as the file has them; relative ones are placed off the others as given.
 fn stated_points<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
-    let points = task.file.points.get_ref();
-    let each = task
-        .names
-        .points
-        .iter()
-        .map(|name| match points[name.as_str()].get_ref() {
-            Position::At(at) => Vector3::from(*at),
-            Position::Off(Offset { from, offset }) => {
-                let base = match points[from.get_ref().as_str()].get_ref() {
-                    Position::At(at) => *at,
-                    Position::Off(_) => [f64::NAN; 3],
-                };
-                Vector3::from(base) + Vector3::from(*offset)
-            }
-        });
-    P::from_values(each)
+    let each = task.names.points.iter();
+    P::from_values(each.map(|name| stated_at(&task.file.points, name)))
 }
 
 /// The model of a listing at points, with the lengths that the file states.

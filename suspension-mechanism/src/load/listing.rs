@@ -9,11 +9,11 @@ use suspension_runtime::{Fitted, Listing, Mistake, Mistakes, Model, Room, Size, 
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Offset, Position, Source, check};
+use crate::file::{MotionFile, Position, Source, check};
 use crate::kinematics::{Kinematics, changing};
 use crate::load::included;
 use crate::load::notes::listed_points;
-use crate::load::points::points;
+use crate::load::points::{points, stated_at};
 use crate::load::prepare::prepare;
 use crate::load::request::Request;
 use crate::mechanism::{Axes, Length, Mechanism};
@@ -254,16 +254,7 @@ fn add_listed_points(
             stated.insert(key, Spanned::new(place, Position::At(at.into())));
         }
     }
-    let at_coordinates = |name: &str| match stated.get(name).map(Spanned::get_ref) {
-        Some(Position::At(at)) => Vector3::from(*at),
-        _ => Vector3::repeat(f64::NAN),
-    };
-    let at = |name| match stated.get(name).map(Spanned::get_ref) {
-        Some(Position::Off(Offset { from, offset })) => {
-            at_coordinates(from.get_ref()) + Vector3::from(*offset)
-        }
-        _ => at_coordinates(name),
-    };
-    let hardpoints: Vec<Vector3<f64>> = points(&listing).map(at).collect();
+    let hardpoints = points(&listing).map(|name| stated_at(&file.points, name));
+    let hardpoints: Vec<Vector3<f64>> = hardpoints.collect();
     listing.ordered_at(&hardpoints)
 }

@@ -15,7 +15,6 @@ use suspension_core::Values;
 use suspension_runtime::Listing;
 
 use crate::load::design::Design;
-use crate::load::outlier::Outlier;
 use crate::load::task::Task;
 use crate::load::unsatisfied::{Unsatisfied, largest};
 use crate::mechanism::{Length, Suspension};
@@ -41,29 +40,22 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     given: &P,
     placed: &P,
     off: Option<Unsatisfied>,
-    outlier: Option<&Outlier>,
+    has_outlier: bool,
 ) -> Vec<String> {
     let placed_points: Vec<_> = placed.values().collect();
     let of_points = [
-        size(task, given).filter(|_| outlier.is_none()),
+        size(task, given).filter(|_| !has_outlier),
         moved(task, given, placed),
         assembled(task, given, placed, off),
     ];
     // A point in the wrong place misplaces axes too.
-    let wheels = task.names.wheels.iter().filter(|_| outlier.is_none());
+    let wheels = task.names.wheels.iter().filter(|_| !has_outlier);
     let mut sides = wheels.clone();
     let of_side = sides.find_map(|wheel| named_side(task, wheel, &placed_points));
     let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
-    let name = task.source.name();
-    let notes = of_points
-        .into_iter()
-        .flatten()
-        .chain(of_side)
-        .chain(of_wheels);
-    let notes = notes.chain(lengths(task));
-    let of_outlier = outlier.map(|outlier| outlier.note(task.source));
-    let notes = notes.map(|note| format!("{name}: {note}"));
-    of_outlier.into_iter().chain(notes).collect()
+    let of_points = of_points.into_iter().flatten();
+    let notes = of_points.chain(of_side).chain(of_wheels);
+    notes.chain(lengths(task)).collect()
 }
 
 /// Notes on markers that do not belong to a body.
@@ -91,10 +83,9 @@ pub(super) fn loose_markers<L: Suspension<N>, const N: usize>(
     };
     markers.retain(is_loose);
     markers.dedup_by_key(|[marker, ..]| *marker);
-    let name = task.source.name();
     let notes = markers.iter().map(|[marker, from, to]| {
         format!(
-            "{name}: the distance of `{from}` and `{to}`, which carry `{marker}`, is not constant, so that its distances from them \
+            "the distance of `{from}` and `{to}`, which carry `{marker}`, is not constant, so that its distances from them \
              change too; let a body carry it, or three points of one"
         )
     });

@@ -42,8 +42,10 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let couplings = couplings(&names, design);
     let drives = task.drive_laws(design.drives.values());
     let doubts = doubts(&assembled, &drives, request.instants);
-    let mut notes = remarks(&assembled, &request, (&names, &couplings));
-    notes.extend(of_drives);
+    let outlier = assembled.outlier.iter();
+    let mut notes: Vec<String> = outlier.map(|outlier| outlier.note(task.source)).collect();
+    let remarks = remarks(&assembled, &request, (&names, &couplings));
+    notes.extend(task.of_file(remarks.into_iter().chain(of_drives)));
     notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &task.file.drives)?;
@@ -93,7 +95,7 @@ fn doubts<L: Suspension<N>, const N: usize>(
     let task = &assembled.task;
     let mut doubts = contradicted_drives::doubts(task, &assembled.design, drives, instants);
     doubts.extend(wrong_side::notes(task, &assembled.given));
-    doubts
+    task.of_file(doubts).collect()
 }
 
 /// Remarks on a file whose mechanism has the given names and couplings.
@@ -103,8 +105,8 @@ fn remarks<L: Suspension<N>, const N: usize>(
     (names, couplings): (&Names, &[Coupling]),
 ) -> Vec<String> {
     let (task, design) = (&assembled.task, &assembled.design);
-    let (given, outlier) = (&assembled.given, assembled.outlier.as_ref());
-    let mut notes = notes(task, given, &design.points, design.off, outlier);
+    let (given, has_outlier) = (&assembled.given, assembled.outlier.is_some());
+    let mut notes = notes(task, given, &design.points, design.off, has_outlier);
     if let Some(listing) = request.listing {
         notes.extend(loose_markers(task, design, listing));
         notes.extend(one_sided::note(task, listing));

@@ -71,6 +71,15 @@ impl<'a> Task<'a> {
         format!("equation `{equation}`, by {by} {unit}")
     }
 
+    /// Notes with the name of the file before them.
+    pub(super) fn of_file(
+        &self,
+        notes: impl IntoIterator<Item = String>,
+    ) -> impl Iterator<Item = String> {
+        let name = self.source.name();
+        notes.into_iter().map(move |note| format!("{name}: {note}"))
+    }
+
     /// The y of a local point in the file, where the middle of the vehicle is at zero.
     pub(super) fn y_in_file(&self, point: &Vector3<f64>) -> f64 {
         point.y + self.middle

@@ -110,11 +110,11 @@ pub(super) fn turn_rate(wheel: &Wheel, points: &[Vector3<f64>], rates: &[Vector3
 
 /// A note with what to write if other drives move the wheels up and down.
 fn note(task: &Task<'_>, drive: usize, wheels: &[&Wheel]) -> String {
-    let (file, drive) = (task.source.name(), &task.names.drives[drive].name);
+    let drive = &task.names.drives[drive].name;
     let titles: Vec<String> = wheels.iter().map(|wheel| wheel.title("wheel")).collect();
     let stated = task.names.travel_in_file(wheels.iter().copied());
     format!(
-        "{file}: the drive `{drive}` does not move the {} up or down; write travel = {stated} under [vehicle] where another does",
+        "the drive `{drive}` does not move the {} up or down; write travel = {stated} under [vehicle] where another does",
         titles.join(" and the ")
     )
 }

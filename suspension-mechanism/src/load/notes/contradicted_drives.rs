@@ -42,8 +42,5 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
         };
         at_design.doubt(ends, CountedFrom::Zero, &way)
     });
-    let name = task.source.name();
-    doubts
-        .map(|doubt| format!("{name}: [drives]: {doubt}"))
-        .collect()
+    doubts.map(|doubt| format!("[drives]: {doubt}")).collect()
 }

@@ -42,8 +42,7 @@ pub(in crate::load) fn notes<L: Suspension<N>, const N: usize>(
     if vehicle.steer.is_none() {
         notes.extend(steered_alone(task, design, &points));
     }
-    let name = task.source.name();
-    notes.iter().map(|note| format!("{name}: {note}")).collect()
+    notes
 }
 
 /// A note that the wheelbase differs from that of the points.

@@ -16,7 +16,7 @@ pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
     let has_several = all(|drives| drives > 1);
     let needed_by = needed_by(task, has_several || names.wheels.len() > 1)?;
     let titles: Vec<String> = without.iter().map(|wheel| wheel.title("wheel")).collect();
-    let (file, titles) = (task.source.name(), titles.join(" and the "));
+    let titles = titles.join(" and the ");
     if has_several {
         let drives = first
             .lifted_by
@@ -25,13 +25,13 @@ pub(in crate::load) fn note(task: &Task<'_>, names: &Names) -> Option<String> {
         let drives = listed(drives.map(|name| format!("`{name}`")));
         let centre = &names.points[first.points.axis[1]];
         return Some(format!(
-            "{file}: {drives} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \
+            "{drives} together move the {titles} up and down, and quantities of {needed_by} that need a drive of travel for each wheel are \
              left out; in place of these write one for each, as `drive NAME: {centre}.z;`"
         ));
     }
     all(|drives| drives == 1).then(|| {
         format!(
-            "{file}: no drive is named as the travel of the {titles}, and quantities of {needed_by} that need it are left out; write \
+            "no drive is named as the travel of the {titles}, and quantities of {needed_by} that need it are left out; write \
              travel = {} under [vehicle]",
             names.travel_in_file(without.iter().copied())
         )

@@ -28,9 +28,9 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
         let [part, other] = is_of_neither.then(|| parts_on_both_sides(&parts, point)).flatten()?;
         let side = side_of(part.name)?;
         let (part, other) = (part.name, other.name);
-        let (file, unit, y) = (task.source.name(), task.file.unit().symbol(), rounded(y.abs(), 4));
+        let (unit, y) = (task.file.unit().symbol(), rounded(y.abs(), 4));
         Some(format!(
-            "{file}: `{name}` is named for neither side and lies {y} {unit} off the middle of the vehicle: `{part}` and `{other}` both join it, \
+            "`{name}` is named for neither side and lies {y} {unit} off the middle of the vehicle: `{part}` and `{other}` both join it, \
              one of them across the vehicle; name it `{side}_{name}` where each side has its own"
         ))
     });

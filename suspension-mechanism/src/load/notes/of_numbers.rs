@@ -11,10 +11,10 @@ pub(in crate::load) fn short_of_stop(task: &Task<'_>, instants: &Instants) -> Op
     let time = task.file.time.get_ref();
     let (stop, step) = (time.stop.as_ref()?, time.step.as_ref()?);
     let [_, last] = instants.ends();
-    let (name, stop, step) = (task.source.name(), *stop.get_ref(), *step.get_ref());
+    let (stop, step) = (*stop.get_ref(), *step.get_ref());
     (last != stop).then(|| {
         let [last, stop, step] = [last, stop, step].map(|seconds| rounded(seconds, 9));
-        format!("{name}: the motion ends at t = {last} s: its stop at {stop} s is not a whole number of steps of {step} s")
+        format!("the motion ends at t = {last} s: its stop at {stop} s is not a whole number of steps of {step} s")
     })
 }
 

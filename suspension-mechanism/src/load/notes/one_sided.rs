@@ -26,8 +26,7 @@ pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String
         _ => ("have", "them"),
     };
     Some(format!(
-        "{}: [masses] has {}, and {} of the other side {verb} no mass; state {them} too",
-        task.source.name(),
+        "[masses] has {}, and {} of the other side {verb} no mass; state {them} too",
         all(0),
         all(1)
     ))

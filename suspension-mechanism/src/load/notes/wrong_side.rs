@@ -36,10 +36,10 @@ pub fn only_on_wrong_side<T>(
 
 /// Notes on points that were given on the other side of the vehicle than their wheels.
 pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Vec<String> {
-    let name = task.source.name();
     let wheels = task.names.wheels.iter();
-    let across = wheels.filter_map(|wheel| note_on_side(task, given, wheel));
-    across.map(|note| format!("{name}: {note}")).collect()
+    wheels
+        .filter_map(|wheel| note_on_side(task, given, wheel))
+        .collect()
 }
 
 /// A note on a point on the other side of the vehicle than its wheel, pick-up points included. The point belongs to a

@@ -20,7 +20,6 @@ pub(super) struct Moves<'a> {
 }
 
 impl Moves<'_> {
-    /// The move that its table states.
     pub(super) fn read_move(
         &self,
         name: &Spanned<String>,

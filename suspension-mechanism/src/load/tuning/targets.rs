@@ -15,7 +15,6 @@ use crate::tune::{self, Reading, Target};
 const PLACES: usize = 13;
 
 impl Naming<'_> {
-    /// The target that its table states.
     pub(super) fn read_target(
         &self,
         name: &Spanned<String>,

@@ -34,7 +34,6 @@ pub(super) fn kept(listing: &Listing, file: &MotionFile, points: &Points<'_>) ->
     doubtful.collect()
 }
 
-/// The note on these points.
 pub(super) fn note(
     kept: &[[usize; 2]],
     points: &Points<'_>,
