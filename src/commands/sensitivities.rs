@@ -159,7 +159,6 @@ fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<
     Ok(())
 }
 
-/// The default number of suspensions.
 const SAMPLES: usize = 1000;
 const SEED: u64 = 1;
 

@@ -125,7 +125,6 @@ impl Arguments {
         Ok((text, missing))
     }
 
-    /// Returns the number of the wheel.
     fn number(&self, mechanism: &dyn Kinematics) -> Result<usize, Failure> {
         let wheels = &mechanism.names.wheels;
         if wheels.is_empty() {

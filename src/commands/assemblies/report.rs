@@ -32,7 +32,6 @@ pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     columns
 }
 
-/// The report of assemblies as text.
 pub(super) struct Report {
     unit: Unit,
     /// The columns of the wheel.

@@ -8,7 +8,6 @@ use crate::number::rounded;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
 
-/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -29,7 +28,6 @@ const DIGITS: usize = 3;
 const DIGITS_OF_END: usize = 4;
 
 impl Report<'_> {
-    /// Returns the report as text.
     pub(super) fn text(&self) -> String {
         let Description {
             linkage,

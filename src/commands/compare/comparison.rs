@@ -14,7 +14,6 @@ pub(super) struct Comparison<'a> {
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares two suspensions.
     pub(super) fn new(sides: [&'a Side; 2]) -> Self {
         let design =
             |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));

@@ -10,7 +10,6 @@ use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
 
-/// Returns the page as HTML.
 pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let body = html! {

@@ -29,7 +29,6 @@ pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
     })
 }
 
-/// Returns the heading of a table.
 pub(super) fn heading(part: &Part) -> String {
     match (part.of.as_str(), &part.across) {
         (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
@@ -42,7 +41,6 @@ pub(super) fn heading(part: &Part) -> String {
     }
 }
 
-/// Returns the comparison as text.
 pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");

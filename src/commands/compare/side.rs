@@ -78,7 +78,6 @@ impl Side {
         })
     }
 
-    /// Returns whether a drive steers.
     pub(super) fn steers(&self) -> bool {
         self.ways.iter().any(|way| way.does == Does::Steer)
     }

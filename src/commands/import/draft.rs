@@ -203,7 +203,6 @@ impl<'a> Draft<'a> {
         text
     }
 
-    /// Returns the number of drives.
     pub(super) fn drives(&self) -> usize {
         self.listing.count(Kind::Drive)
     }

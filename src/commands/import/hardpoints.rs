@@ -20,7 +20,6 @@ pub(super) enum Side {
 }
 
 impl Side {
-    /// Returns the other side.
     pub(super) fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,

@@ -51,7 +51,6 @@ impl Names {
         spellings(&self.numbers, number)
     }
 
-    /// Returns the names of all points.
     pub(super) fn all_of_points(&self) -> impl Iterator<Item = &str> {
         self.points.keys().flat_map(|point| self.of_point(point))
     }

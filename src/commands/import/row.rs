@@ -71,7 +71,6 @@ impl<'a> Row<'a> {
         self.found().map(|(_, at)| at)
     }
 
-    /// Returns all numbers.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let fields = self.fields.iter();
         fields.filter_map(|field| self.number(field)).collect()

@@ -41,7 +41,6 @@ pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart
     })
 }
 
-/// A curve to draw.
 struct Drawn {
     title: String,
     /// The label of the axis.

@@ -12,7 +12,6 @@ use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, holds, meeting, moves
 /// Digits of an end of a range: in radians all that are correct.
 const DIGITS: usize = 13;
 
-/// Returns the report.
 pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
     let mut out = format!(
         "Linkage {}, axes of {}\n",

@@ -15,7 +15,6 @@ use crate::sensitivities::Sensitivities;
 /// Finite differences of constants are smaller than this: rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,

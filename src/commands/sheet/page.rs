@@ -12,7 +12,6 @@ use crate::output::figures::capitalised;
 use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
 
-/// The contents of the page.
 pub(super) struct Page<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
@@ -32,7 +31,6 @@ pub(super) struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// Returns the page as HTML.
     pub(super) fn html(&self) -> String {
         let Description {
             linkage,

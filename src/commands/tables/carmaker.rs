@@ -22,7 +22,6 @@ const LENGTHS: [(&str, &[&str]); 3] = [
 /// What the file says where the axle is not known.
 const ASSUMED: &str = "## SuspF is assumed: the file does not say which axle this is, as axle = \"rear\" under [vehicle] would\n";
 
-/// Returns the lines of an infofile.
 pub(super) fn text(
     file: &str,
     mechanism: &Description,

@@ -27,7 +27,6 @@ const TABLES: [Row; 5] = [
 
 const DIGITS: usize = 7;
 
-/// Returns the text of the file.
 pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
     let number = |value: f64| rounded(without_rounding(value), DIGITS);
     let side = if wheel.side < 0.0 { "right" } else { "left" };

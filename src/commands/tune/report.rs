@@ -8,7 +8,6 @@ use crate::tune::{Deviations, Move, Target, Tuned, Wanted};
 /// Digits of moves and of deviations from targets.
 const DIGITS: usize = 4;
 
-/// The contents of the report.
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,

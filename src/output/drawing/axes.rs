@@ -131,7 +131,6 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
     Ok(())
 }
 
-/// The font size of a ruler.
 const SMALL: u32 = 12;
 
 fn font(size: u32) -> TextStyle<'static> {

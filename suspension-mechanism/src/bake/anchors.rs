@@ -2,7 +2,6 @@
 
 use crate::bake::exact::{OutOfReach, Stop};
 
-/// The number of anchors.
 const COUNT: u32 = 65;
 
 /// Configurations, each with the value that leads there.

@@ -91,7 +91,6 @@ fn largest_between(seen: f64, beyond: f64) -> f64 {
     (seen + beyond) * between_samples + beyond
 }
 
-/// The largest sample.
 fn largest_sample(samples: &[Vector3<f64>]) -> f64 {
     samples.iter().map(Vector3::norm).fold(0.0, f64::max)
 }

@@ -149,7 +149,6 @@ impl<'a, L> Driven<'a, L> {
         }
     }
 
-    /// The outputs' names.
     pub(super) fn outputs(&self) -> Vec<Output> {
         match &self.reading {
             Reading::From(_, names) => names.iter().cloned().map(Output::Point).collect(),

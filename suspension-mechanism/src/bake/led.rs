@@ -63,7 +63,6 @@ impl<L: Suspension<N>, const N: usize> Way<'_, L, N> {
         self.driven.model().measure_kind(self.measure)
     }
 
-    /// The value of the measure.
     fn measured(&self, led: &Led<f64, N>) -> f64 {
         let model = self.driven.model();
         let measures = model.measures(&led.points(model, &self.held)).value;

@@ -117,7 +117,6 @@ struct Read<'a> {
 }
 
 impl Read<'_> {
-    /// The dimension of the drive.
     fn drive_dimension(&self) -> Dimension {
         Dimension::from(self.along.kind)
     }

@@ -142,7 +142,6 @@ impl GridTable {
         row
     }
 
-    /// The columns with derivatives, by number.
     fn columns_with_derivatives(&self) -> impl Iterator<Item = (usize, &Column)> {
         let columns = self.quantities.iter().map(|(column, _)| column).enumerate();
         columns.filter(|(_, column)| has_derivatives(column))

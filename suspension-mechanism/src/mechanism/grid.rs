@@ -96,7 +96,6 @@ impl Grid {
         counts.try_fold(1_usize, usize::checked_mul)
     }
 
-    /// The drives at a place.
     pub(crate) fn drives_at(&self, place: usize) -> Vec<f64> {
         let mut drives = self.start.clone();
         for (axis, at) in self.axes.iter().zip(self.axis_positions(place)) {

@@ -56,7 +56,6 @@ pub(crate) struct Lists {
 }
 
 impl Lists {
-    /// The lists for a mechanism's points.
     pub(crate) fn new(names: &Names) -> Self {
         let all = |number: f64| -> Points {
             let each = names.points.iter();

@@ -153,7 +153,6 @@ struct AtLock<const N: usize> {
     along: SVector<f64, N>,
 }
 
-/// A model at an instant.
 struct Place<'a, L: Linkage<N>, const N: usize> {
     model: &'a L,
     fixed: L::Fixed,

@@ -13,7 +13,6 @@ use crate::mechanism::locking::Lock;
 use crate::mechanism::polynomial::Polynomial;
 use crate::mechanism::suspension::Suspension;
 
-/// A mechanism in motion.
 pub(crate) enum Moving<'a, const N: usize> {
     /// Its drives lead it.
     Driven(Motion<f64, N>),

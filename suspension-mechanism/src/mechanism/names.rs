@@ -122,7 +122,6 @@ impl Names {
         links.map(|&length| (self.lengths[length].as_str(), length))
     }
 
-    /// The number of a link's length.
     pub(crate) fn link(&self, name: &str) -> Option<usize> {
         let found = self.links().find(|(link, _)| *link == name);
         found.map(|(_, length)| length)

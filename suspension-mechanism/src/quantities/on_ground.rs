@@ -13,7 +13,6 @@ use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
-/// The contact point.
 pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         if !rolling.is_on_ground() {

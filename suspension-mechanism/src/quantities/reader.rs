@@ -65,7 +65,6 @@ impl<'a, N: Number> Reader<'a, N> {
         }
     }
 
-    /// A wheel.
     pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel<N> {
         let wheel = &self.cells(rolling).wheel;
         wheel.get_or_init(|| Wheel::read(&self.places, rolling))

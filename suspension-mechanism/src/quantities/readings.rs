@@ -117,7 +117,6 @@ pub(super) fn point<N: Number>(
     }
 }
 
-/// A coordinate of a point.
 fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Reading<N> {
     let component = axis as usize;
     Reading {
@@ -144,7 +143,6 @@ pub(super) fn of_each_wheel<N: Number, R: IntoIterator<Item = Reading<N>>>(
     Rolling::each(names).flat_map(of_one).collect()
 }
 
-/// An angle of the spin axis.
 pub(super) fn of_spin_axis<N: Number>(
     names: &Names,
     angle: fn(&Vector3<N>) -> N,
@@ -159,7 +157,6 @@ pub(super) fn spin_axis<N: Number>(rolling: Rolling, angle: fn(&Vector3<N>) -> N
     })
 }
 
-/// An angle of the kingpin.
 pub(super) fn of_kingpin<N: Number>(names: &Names, angle: fn(&Vector3<N>) -> N) -> Vec<Reading<N>> {
     of_kingpin_and_spin_axis(names, move |kingpin, _| angle(kingpin))
 }

@@ -32,7 +32,6 @@ impl Bounds {
     }
 }
 
-/// The result of a fit.
 pub(super) struct Fit {
     /// The place where the sum of squares is smallest; `None` if there are no residuals at the start.
     pub(super) at: Option<DVector<f64>>,

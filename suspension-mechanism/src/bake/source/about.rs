@@ -46,13 +46,11 @@ impl Ranged {
         }
     }
 
-    /// Its name and range.
     fn in_words(&self) -> String {
         let [from, to] = self.range.map(exact);
         format!("{} from {from} to {to} {}", self.name, self.unit)
     }
 
-    /// A line of the header.
     fn line(&self) -> String {
         let range = self.in_words();
         match &self.in_place_of {

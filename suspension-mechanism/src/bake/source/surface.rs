@@ -16,7 +16,6 @@ struct Sheet<'a> {
     baked: &'a BakedSurface,
 }
 
-/// The text of a file.
 pub(super) fn text(titled: Titled<'_>, baked: &BakedSurface, language: Language) -> String {
     let sheet = Sheet { titled, baked };
     match language {

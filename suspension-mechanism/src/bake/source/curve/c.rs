@@ -4,14 +4,12 @@ use crate::bake::scheme::TERMS;
 use crate::bake::source::c::header;
 use crate::bake::source::curve::Sheet;
 
-/// The text of a header.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let segments = sheet.coefficients(["{", "}"]);
     let code = [numbers(sheet, &segments), function(sheet)];
     header(&sheet.titled, &sheet.header(), &segments, &code.join("\n"))
 }
 
-/// The numbers that describe the curve.
 fn numbers(sheet: &Sheet<'_>, segments: &str) -> String {
     let name = &sheet.titled.name;
     let upper = name.to_uppercase();

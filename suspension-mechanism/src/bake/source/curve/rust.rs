@@ -3,7 +3,6 @@
 use crate::bake::source::curve::Sheet;
 use crate::bake::source::rust::module;
 
-/// The text of a module.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let [from, to] = sheet.baked.wanted.range;
     let per_unit = sheet.baked.segments_per_unit();

@@ -6,7 +6,6 @@ use crate::bake::scheme::TERMS;
 use crate::bake::source::about::commented;
 use crate::bake::source::curve::Sheet;
 
-/// The text of a file.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let mut text = commented("#", &sheet.header());
     let reached = sheet.baked.reached;

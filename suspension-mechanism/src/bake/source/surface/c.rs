@@ -4,7 +4,6 @@ use crate::bake::scheme::TERMS;
 use crate::bake::source::c::header;
 use crate::bake::source::surface::Sheet;
 
-/// The text of a header.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let patches = sheet.coefficients(["{", "}"]);
     let name = &sheet.titled.name;
@@ -13,7 +12,6 @@ pub(super) fn text(sheet: &Sheet<'_>) -> String {
     header(&sheet.titled, &sheet.header(), &patches, &code.join("\n"))
 }
 
-/// The numbers that describe the surface.
 fn numbers(sheet: &Sheet<'_>, patches: &str) -> String {
     let name = &sheet.titled.name;
     let upper = name.to_uppercase();

@@ -3,7 +3,6 @@
 use crate::bake::source::rust::module;
 use crate::bake::source::surface::Sheet;
 
-/// The text of a module.
 pub(super) fn text(sheet: &Sheet<'_>) -> String {
     let ranges = sheet.baked.wanted.ranges;
     let per_unit = sheet.baked.patches_per_unit();
