@@ -15,9 +15,12 @@ pub(super) fn rim(
     let [inner, centre] = wheel.axis;
     let (inner, centre, radius) = (*at.get(inner)?, *at.get(centre)?, wheel.radius);
     let [across, up] = perpendicular_to(centre - inner);
+    // Arrays, because operators of vectors are slow in code that is not optimised, as this crate's.
+    let [centre, across, up]: [[f64; 3]; 3] = [centre, across, up].map(Into::into);
     Some((0..=CORNERS).map(move |corner| {
         let (sine, cosine) = (TAU * corner as f64 / CORNERS as f64).sin_cos();
-        centre + (across * cosine + up * sine) * radius
+        let at = |axis: usize| centre[axis] + radius * (cosine * across[axis] + sine * up[axis]);
+        Vector3::new(at(0), at(1), at(2))
     }))
 }
 
