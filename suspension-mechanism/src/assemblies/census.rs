@@ -106,11 +106,6 @@ impl PartTally {
 }
 
 impl Tally {
-    /// Whether there is good reason to believe that the list is complete.
-    pub fn is_complete(&self) -> bool {
-        self.doubts().is_empty()
-    }
-
     /// The reasons why the list may not be complete. There are none only if all assemblies of a general mechanism are
     /// known, and where each of them leads.
     pub fn doubts(&self) -> Vec<String> {

@@ -89,10 +89,7 @@ pub(super) fn fit(
 
 /// Zero, or the nearest value to it in the boxes.
 pub(super) fn start(boxes: &[Bounds]) -> DVector<f64> {
-    let each = boxes
-        .iter()
-        .map(|bounds| 0_f64.clamp(bounds.least, bounds.greatest));
-    DVector::from_vec(each.collect())
+    clamp_to_boxes(boxes, &DVector::zeros(boxes.len()))
 }
 
 struct Here {

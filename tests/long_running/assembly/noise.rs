@@ -50,7 +50,7 @@ fn instants(model: &Model) -> Vec<Instant> {
             tracked.expect("a regular motion");
             last = t;
             let census = search.at(&inputs(t)).expect("a census");
-            assert!(census.tally.is_complete(), "t = {t}: {census:?}");
+            assert!(census.tally.doubts().is_empty(), "t = {t}: {census:?}");
             let instant = Instant {
                 t,
                 configuration: motion.position,
