@@ -1,6 +1,5 @@
 //! `suspension compare`: two suspensions side by side.
 
-mod alone;
 mod by_wheel;
 mod comparison;
 mod curve_pair;

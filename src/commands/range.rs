@@ -1,6 +1,5 @@
 //! `suspension range`: the range of each drive, and the curve beyond it.
 
-mod columns;
 mod picture;
 mod report;
 
@@ -14,16 +13,17 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Description, Names};
+use crate::mechanism::{Description, Names, Unit};
 use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
 use crate::output::heading::Header;
 use crate::output::progress::Busy;
 use crate::output::rows::Forms;
-use crate::output::table::Table;
+use crate::output::table::{Column, Table};
 use crate::output::target::Target;
-use crate::reach::DriveRange;
+use crate::quantities::{self, DRIVES, Shown, catalogue};
+use crate::reach::{DriveRange, Station};
 
 /// The arguments of `suspension range`.
 #[derive(Args, Clone, Debug)]
@@ -135,11 +135,31 @@ impl Arguments {
 }
 
 fn table(mechanism: &Description, ranges: &[DriveRange], forms: &Forms) -> Result<(), Failure> {
-    let columns = columns::columns(&mechanism.names, mechanism.unit);
+    let columns = columns(&mechanism.names, mechanism.unit);
     let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()
+}
+
+/// Returns the columns: the drives, and all quantities of the catalogue that positions determine.
+fn columns(names: &Names, unit: Unit) -> Vec<Column<Station>> {
+    let of_state = |column| Column::of_state(column, unit, |station: &Station| &station.state);
+    let of_positions = quantities::columns(catalogue(), names)
+        .into_iter()
+        .filter(|column| {
+            column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries
+        });
+    let (drives, others): (Vec<_>, Vec<_>) = of_positions.partition(|column| column.is(&DRIVES));
+    let mut columns = vec![
+        Column::new("freed", |station: &Station| station.freed as f64 + 1.0),
+        Column::new("turns", |station| f64::from(u8::from(station.turns))),
+    ];
+    columns.extend(drives.into_iter().map(of_state));
+    let speed = format!("speed_{}", unit.symbol());
+    columns.push(Column::new(speed, |station| station.speed));
+    columns.extend(others.into_iter().map(of_state));
+    columns
 }
 
 const NOTES: &str = "\

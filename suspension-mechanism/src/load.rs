@@ -16,7 +16,6 @@ mod outlier;
 mod own_motion;
 mod points;
 mod prepare;
-mod request;
 mod springs;
 mod start;
 mod stated;

@@ -5,7 +5,6 @@
 //! changes with the drives held. The derivatives are exact, except for the effects of springs and for a model that
 //! `linkage!` has written: these are differences.
 
-mod change;
 mod difference;
 mod exact;
 mod read;
@@ -21,7 +20,14 @@ use crate::quantities::{Axis, Column};
 use exact::Exact;
 pub(crate) use read::read;
 
-pub use change::Change;
+/// A change of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Its name: `tie_ball.z`, `length tie_rod`, or the name of a move.
+    pub name: String,
+    /// The change for one unit of length.
+    pub per_unit: Changes,
+}
 
 /// The effect of a change.
 #[derive(Clone, Debug, PartialEq)]

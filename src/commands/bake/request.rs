@@ -3,7 +3,6 @@
 mod curve;
 mod doubt;
 mod measure;
-mod possible;
 mod surface;
 
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -3,11 +3,10 @@
 use std::fmt::Write;
 
 use crate::characteristics::{Curves, Parameter};
-use crate::commands::compare::alone::alone;
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
 use crate::commands::compare::comparison::Comparison;
 use crate::commands::compare::differences::{
-    Difference, EVERYWHERE, Part, both, same_ways, unmatched,
+    Difference, EVERYWHERE, Part, both, is_same, same_ways, unmatched,
 };
 use crate::commands::compare::side::Side;
 use crate::failure::Failure;
@@ -74,6 +73,34 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let notes = notes.chain(opposite_steering(sides));
     let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
     notes.collect()
+}
+
+/// Names the quantities that only `own` has, in a sentence in which `called` is its file; `None` if the other has all of
+/// them.
+fn alone(own: &Side, other: &Side, called: &str) -> Option<String> {
+    let has = |parameter: &Parameter| {
+        let mut theirs = other.parameters.iter();
+        theirs.any(|of_other| {
+            is_same([&parameter.title, &of_other.title]) && parameter.symbol == of_other.symbol
+        })
+    };
+    let mut names: Vec<String> = Vec::new();
+    for parameter in own.parameters.iter().filter(|own| !has(own)) {
+        let wheel = &parameter.title.wheel;
+        let of_wheel = || {
+            own.parameters
+                .iter()
+                .filter(|own| own.title.wheel == *wheel)
+        };
+        let name = match wheel {
+            Some(wheel) if !of_wheel().any(has) => format!("all of `{wheel}`"),
+            _ => format!("{} ({})", parameter.title, parameter.symbol),
+        };
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    (!names.is_empty()).then(|| format!("only {called} has: {}", names.join(", ")))
 }
 
 /// Notes that steering holds the wheels at their height in only one of the suspensions.

@@ -5,7 +5,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 use suspension_core::step::bounded::Outputs;
 
 use crate::bake::Wish;
-use crate::detail::need::Detail;
+use crate::detail::Detail;
 
 /// One measurement of a table, without the columns that are not needed here.
 #[derive(Clone, Debug, serde::Deserialize)]

@@ -12,8 +12,7 @@ use crate::load::design::{Design, at_design};
 use crate::load::flat_body;
 use crate::load::outlier::Outlier;
 use crate::load::points::stated_at;
-use crate::load::request::Request;
-use crate::load::task::Task;
+use crate::load::task::{Request, Task};
 use crate::load::vehicle::names_with_vehicle;
 use crate::mechanism::{Names, Suspension};
 

@@ -15,7 +15,7 @@ use crate::load::included;
 use crate::load::notes::listed_points;
 use crate::load::points::{points, stated_at};
 use crate::load::prepare::prepare;
-use crate::load::request::Request;
+use crate::load::task::Request;
 use crate::mechanism::{Axes, Length, Mechanism};
 
 /// The listing of a motion file.

@@ -8,7 +8,7 @@ use crate::file::{MotionFile, Position, Source, check, tell};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::prepare;
-use crate::load::request::{Request, Start};
+use crate::load::task::{Request, Start};
 use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit};
 
 /// A motion file that was read. Its mechanism is prepared on demand.

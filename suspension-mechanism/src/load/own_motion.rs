@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
 use crate::load::loaded::Loaded;
-use crate::load::request::Start;
+use crate::load::task::Start;
 use crate::mechanism::{End, Instants};
 
 /// The number of instants at which an interrupt is checked on the way.

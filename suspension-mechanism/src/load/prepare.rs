@@ -11,9 +11,9 @@ use crate::load::notes::{
     contradicted_drives, contradicted_wheels, loose_markers, missing_travel, neither_side, notes,
     one_sided, short_of_stop, wrong_side,
 };
-use crate::load::request::{Request, Start};
 use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
+use crate::load::task::{Request, Start};
 use crate::load::usual_drives::effective_names;
 use crate::load::{columns, led, start};
 use crate::mechanism::{

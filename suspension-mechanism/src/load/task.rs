@@ -1,16 +1,38 @@
-//! A file that is being prepared.
+//! A file that is being prepared, and what is to be made of it.
 
 use nalgebra::Vector3;
 use suspension_core::GeometryError;
 use suspension_core::listing::{Part, Parts};
+use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, Table};
-use crate::load::request::Request;
 use crate::load::unsatisfied::Unsatisfied;
-use crate::mechanism::{DriveLaws, Names, Polynomial};
+use crate::mechanism::{DriveLaws, Instants, Names, Polynomial};
 use crate::number::{number, rounded};
+
+/// The mechanism to be prepared.
+#[derive(Clone, Copy)]
+pub(super) struct Request<'a> {
+    pub(super) source: &'a Source,
+    pub(super) file: &'a MotionFile,
+    /// Its listing, if that was read at run time.
+    pub(super) listing: Option<&'a Listing>,
+    pub(super) instants: &'a Instants,
+    pub(super) to: Start,
+}
+
+/// The place of a mechanism when work on it starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Start {
+    /// The first instant of its motion.
+    FirstInstant,
+    /// The first instant or, if that is out of reach, the design position, with a note.
+    WithinReach,
+    /// The design position, held by drives and not by a measure.
+    Design,
+}
 
 /// A file whose mechanism is being prepared.
 pub(super) struct Task<'a> {

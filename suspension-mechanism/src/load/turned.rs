@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::load::loaded::Loaded;
-use crate::load::request::{Request, Start};
+use crate::load::task::{Request, Start};
 use crate::mechanism::Axes;
 
 impl Loaded<'_> {

@@ -3,7 +3,7 @@
 
 use nalgebra::DMatrix;
 
-use super::change::Change;
+use super::Change;
 use super::read::read;
 use crate::kinematics::Kinematics;
 use crate::mechanism::extent;

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::change::Change;
+use super::Change;
 use crate::characteristics::columns_in;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Changing, DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive, State};
