@@ -15,14 +15,13 @@ pub fn in_words(
     let mut text = String::new();
     for quantity in quantities {
         let columns = columns([quantity], names);
-        let [first, .., last] = columns.as_slice() else {
-            if let [only] = columns.as_slice() {
-                let name = only.csv_name(unit);
-                entry(&mut text, quantity, &name, &only.dimension.symbol(unit));
-            }
+        let (Some(first), Some(last)) = (columns.first(), columns.last()) else {
             continue;
         };
-        let name = format!("{} to {}", first.csv_name(unit), last.csv_name(unit));
+        let name = match columns.len() {
+            1 => first.csv_name(unit),
+            _ => format!("{} to {}", first.csv_name(unit), last.csv_name(unit)),
+        };
         entry(&mut text, quantity, &name, &first.dimension.symbol(unit));
     }
     text
