@@ -80,7 +80,7 @@ impl Arguments {
         let structure = Structure::new(loaded.listing());
         if cases.is_empty() {
             let mut sprung = |place: &dyn Place| structure.sprung(mechanism, &place.state());
-            let sprung = mechanism.at_start(interrupted, &mut sprung).flatten();
+            let sprung = mechanism.at_start(&mut sprung).flatten();
             return Err(source.refuse(&(0..0), no_case(&mechanism.names, sprung)));
         }
         let run = Run {

@@ -86,7 +86,7 @@ impl Arguments {
         let ways = ways(mechanism, name, spans, unit, interrupted)?;
         let failures = ways.iter().filter_map(|along| along.visited.failure(name));
         let failures: Vec<Failure> = failures.collect();
-        let parameters = parameters(mechanism, unit, interrupted);
+        let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
         let page = Page {
             file: name,

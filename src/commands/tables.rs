@@ -106,7 +106,7 @@ impl Arguments {
                 "{file}: the mechanism is singular at its design position"
             ))
         };
-        let of = |number: usize| Wheel::compute(mechanism, number, &travel, interrupted);
+        let of = |number: usize| Wheel::compute(mechanism, number, &travel);
         let wheel = of(number).ok_or_else(locked)?;
         let text = match self.program {
             Program::Carsim => carsim::text(file, mechanism, &wheel),

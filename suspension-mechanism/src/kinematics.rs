@@ -138,10 +138,11 @@ impl dyn Kinematics + '_ {
         Visited { places, end }
     }
 
-    /// Reads the place where the mechanism starts; `None` if it locks there, or if the user interrupts.
-    pub fn at_start<R>(&self, interrupted: &AtomicBool, read: &mut Read<'_, R>) -> Option<R> {
+    /// Reads the place where the mechanism starts, the only one of a grid without axes.
+    pub fn at_start<R>(&self, read: &mut Read<'_, R>) -> Option<R> {
         let here = Grid::new(self, Vec::new(), CountedFrom::Start).ok()?;
-        let visited = self.visit(&here, DerivativeOrder::First, interrupted, read);
+        let never = AtomicBool::new(false);
+        let visited = self.visit(&here, DerivativeOrder::First, &never, read);
         visited.places.into_iter().flatten().next()
     }
 }

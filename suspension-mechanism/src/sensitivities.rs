@@ -98,7 +98,7 @@ pub fn sensitivities(
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
     let design = mechanism.changing();
-    let state = mechanism.at_start(interrupted, &mut |place| place.state());
+    let state = mechanism.at_start(&mut |place| place.state());
     let exact = design.as_ref().zip(state);
     let exact = exact.map(|(design, state)| Exact::new(mechanism, &**design, state));
     let derivatives_of = |changes: &[Change]| match &exact {

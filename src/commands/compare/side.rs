@@ -61,7 +61,7 @@ impl Side {
         });
         let named = drives.iter();
         let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
-        let parameters = parameters(mechanism, unit, interrupted);
+        let parameters = parameters(mechanism, unit);
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),

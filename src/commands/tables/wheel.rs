@@ -1,7 +1,5 @@
 //! The motion of a wheel for vehicle models: in metres and radians, in the axes of ISO 8855.
 
-use std::sync::atomic::AtomicBool;
-
 use nalgebra::Vector3;
 use suspension_core::body::{angular_velocity, pose};
 use suspension_core::wheel::{camber, steer_rate, toe};
@@ -128,7 +126,6 @@ impl Wheel {
         mechanism: &dyn Kinematics,
         number: usize,
         travel: &Along,
-        interrupted: &AtomicBool,
     ) -> Option<Self> {
         let wheel = &mechanism.names.wheels[number];
         let metre = mechanism.unit.metre();
@@ -148,7 +145,7 @@ impl Wheel {
             };
             Some((state, of_travel, of_steer))
         };
-        let (design, of_travel, of_steer) = mechanism.at_start(interrupted, &mut read)??;
+        let (design, of_travel, of_steer) = mechanism.at_start(&mut read)??;
         let per_compression = of_travel.times(1.0 / of_travel.velocity.z);
         let at_height = |steer: Rates| steer.plus(&per_compression.times(-steer.velocity.z));
         let to_the_left = |steer: Rates| steer.times(steer.angles.z.signum());

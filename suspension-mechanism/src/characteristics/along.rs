@@ -61,7 +61,7 @@ pub fn ways(
         return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
     }
     let mut ways: Vec<Along> = Vec::new();
-    for course in Course::all(mechanism, interrupted) {
+    for course in Course::all(mechanism) {
         let option = usize::from(course.does == Does::Steer);
         let kind = names.drives[course.drives[0].0].kind;
         let (span, metres) = (spans[option], USUAL[option]);

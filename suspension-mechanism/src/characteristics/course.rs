@@ -1,7 +1,5 @@
 //! The motions for curves: heave and roll of axles, travel of single wheels, steering.
 
-use std::sync::atomic::AtomicBool;
-
 use nalgebra::{Matrix2, Vector2};
 
 use crate::characteristics::way::Does;
@@ -41,9 +39,9 @@ impl Course {
 
     /// Heave and roll of each axle whose wheels have a drive of travel each, travel of all other wheels, and
     /// steering.
-    pub(super) fn all(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Vec<Self> {
+    pub(super) fn all(mechanism: &dyn Kinematics) -> Vec<Self> {
         let names = &mechanism.names;
-        let rises = Rises::compute(mechanism, interrupted);
+        let rises = Rises::compute(mechanism);
         let mut of_axles = Vec::new();
         let mut courses = Vec::new();
         for pair in Pair::all(&names.wheels) {
@@ -105,7 +103,7 @@ fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
 struct Rises(Vec<Vec<Option<f64>>>);
 
 impl Rises {
-    fn compute(mechanism: &dyn Kinematics, interrupted: &AtomicBool) -> Self {
+    fn compute(mechanism: &dyn Kinematics) -> Self {
         let wheels = &mechanism.names.wheels;
         let mut read = |place: &dyn Place| {
             let state = place.state();
@@ -117,8 +115,7 @@ impl Rises {
             let row = |wheel| wheels.iter().map(|of| rise(wheel, of)).collect();
             Self(wheels.iter().map(row).collect())
         };
-        let rises = mechanism.at_start(interrupted, &mut read);
-        rises.unwrap_or(Self(Vec::new()))
+        mechanism.at_start(&mut read).unwrap_or(Self(Vec::new()))
     }
 
     fn rise_per_drive(&self, wheel: usize, drive_of: usize) -> Option<f64> {

@@ -1,7 +1,5 @@
 //! The quantities at the design position, with their derivatives.
 
-use std::sync::atomic::AtomicBool;
-
 use crate::characteristics::title::Title;
 use crate::characteristics::way::Way;
 use crate::file::Dimension;
@@ -72,12 +70,8 @@ pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Col
     columns
 }
 
-/// All quantities of the mechanism at its start, with lengths in `unit`: a grid without a drive is that place alone.
-pub fn parameters(
-    mechanism: &dyn Kinematics,
-    unit: Unit,
-    interrupted: &AtomicBool,
-) -> Vec<Parameter> {
+/// All quantities of the mechanism at its start, with lengths in `unit`.
+pub fn parameters(mechanism: &dyn Kinematics, unit: Unit) -> Vec<Parameter> {
     let ways = Way::of_drives(&mechanism.names);
     let columns = columns(mechanism);
     let mut read = |place: &dyn Place| -> Vec<Parameter> {
@@ -92,8 +86,7 @@ pub fn parameters(
         let parameter = |column| parameter(column, [mechanism.unit, unit], &state, &per);
         columns.iter().map(parameter).collect()
     };
-    let parameters = mechanism.at_start(interrupted, &mut read);
-    parameters.unwrap_or_default()
+    mechanism.at_start(&mut read).unwrap_or_default()
 }
 
 /// The dimension of a drive, and the state with derivatives with respect to it; `None` if the mechanism locks.

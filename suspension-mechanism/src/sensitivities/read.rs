@@ -1,7 +1,5 @@
 //! The quantities of a design.
 
-use std::sync::atomic::AtomicBool;
-
 use crate::kinematics::Kinematics;
 use crate::mechanism::Place;
 use crate::quantities::{Column, Reader};
@@ -29,5 +27,5 @@ pub(crate) fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec
         };
         columns.iter().map(of_column).collect()
     };
-    mechanism.at_start(&AtomicBool::new(false), &mut of_place)
+    mechanism.at_start(&mut of_place)
 }
