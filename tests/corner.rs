@@ -96,6 +96,31 @@ fn a_lock_is_named_and_the_corner_stands_before_it() {
     assert!((corner.points().value.wheel_centre.z - corner.drives().bump).abs() < 1e-12);
 }
 
+/// The rocker locks where the pushrod can press it no further, the steering where the tie rod can: `suspension range`
+/// names these links. The smallest pivot is that of the drop link, which hangs on the rocker and does not lock.
+#[test]
+fn a_lock_names_what_moves_there() {
+    for (drive, moves) in [
+        (
+            [0.5, 0.0],
+            ["pushrod_upper", "damper_outer", "bar_end"].as_slice(),
+        ),
+        ([0.0, 0.3], ["tie_ball", "wheel_centre"].as_slice()),
+    ] {
+        let mut corner = design();
+        let start = corner.drives();
+        let [bump, steer] = drive;
+        let far = Drives {
+            bump: start.bump + bump,
+            steer: start.steer + steer,
+        };
+        let stopped = corner.step(1.0, Signal::still(far));
+        let told = stopped.expect_err("beyond a lock").to_string();
+        let named = |point: &&str| told.contains(&format!("unknown `{point}."));
+        assert!(moves.iter().any(named), "{moves:?}: {told}");
+    }
+}
+
 #[test]
 fn a_refused_step_changes_nothing() {
     let mut corner = moved(0.02, 0.0);

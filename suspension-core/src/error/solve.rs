@@ -28,9 +28,10 @@ pub enum SolveError<T> {
         /// The unknown that moved farthest.
         part: Part,
     },
-    /// `pivot <= threshold`: to rounding, the equations do not determine this unknown.
+    /// `pivot <= threshold`: to rounding, the equations do not determine the motion.
     Singular {
-        /// The unknown whose column has no usable pivot.
+        /// The unknown that moves farthest in the motion that the equations leave free. Where no rates are asked for,
+        /// or the pivot is zero to rounding, the unknown of its column, which says less.
         part: Part,
         /// The largest candidate for the pivot.
         pivot: T,

@@ -104,7 +104,7 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let lu = with_pivoting(linkage, q, fixed, least_pivot())?;
+    let lu = with_pivoting(linkage, q, fixed, T::zero())?;
     check_rates(linkage, &lu)?;
     Ok(work(&lu))
 }
@@ -128,21 +128,35 @@ where
     L: Linkage<N, Scalar = T>,
 {
     let direction = least_determined(factors);
+    let part = Part::Unknown(farthest(&direction));
     let still = L::Fixed::default();
     let curvature = linkage.curvature(&direction, &still, &direction, &still);
     let change = factors.solve(&curvature).norm();
     let rounding = T::EPSILON * linkage.size();
     let by_rounding = change * change * rounding / curvature.norm();
     let most = T::constant(CHANGE_BY_ROUNDING);
-    let (unknown, pivot) = factors.smallest_pivot();
-    if by_rounding > most {
+    let (_, pivot) = factors.smallest_pivot();
+    let least = least_pivot();
+    if by_rounding > most || pivot <= least {
         return Err(SolveError::Singular {
-            part: Part::Unknown(unknown),
+            part,
             pivot,
-            threshold: pivot * (by_rounding / most).sqrt(),
+            threshold: least.max(pivot * (by_rounding / most).sqrt()),
         });
     }
     Ok(())
+}
+
+/// The unknown with the largest entry of a direction. The column of the smallest pivot says little of where a
+/// mechanism locks, because a singularity of any part shows in the last pivots.
+fn farthest<T: Real, const N: usize>(direction: &SVector<T, N>) -> usize {
+    let (mut farthest, mut most) = (0, T::zero());
+    for (unknown, entry) in direction.iter().enumerate() {
+        if entry.abs() > most {
+            (farthest, most) = (unknown, entry.abs());
+        }
+    }
+    farthest
 }
 
 /// The factors of a Jacobian, to keep.
