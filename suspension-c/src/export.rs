@@ -41,9 +41,8 @@ macro_rules! functions {
 ///
 /// The arguments are the path of the listing, the number type `f32` or `f64`, and the prefix of all names.
 /// `design` adds the positions that a listing states, if it states all; `wheel` and `kingpin` add functions
-/// for listings with these statements.
-/// points are.
-/// `four_bar_f32::INTERFACE` prints the header.
+/// for listings with these statements. `four_bar_f32::INTERFACE` prints the header, which begins with the comment `///`
+/// before `pub mod`.
 ///
 /// Functions get their names with `#[unsafe(export_name)]`: no other function of the program may have the
 /// same names, and the calling crate may not forbid `unsafe_code`.

@@ -97,7 +97,10 @@ fn own(f: &mut Formatter<'_>, interface: &Interface, guard: &str, types: &str) -
     for line in interface.docs {
         writeln!(f, " *{}", Commented(line))?;
     }
-    f.write_str(" *\n * suspension.h documents the rules for every function.\n */\n")?;
+    if !interface.docs.is_empty() {
+        f.write_str(" *\n")?;
+    }
+    f.write_str(" * suspension.h documents the rules for every function.\n */\n")?;
     guarded(f, guard, &["\"suspension.h\""], |f| {
         f.write_str(types)?;
         body(f, interface)

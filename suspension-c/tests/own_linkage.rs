@@ -50,6 +50,16 @@ suspension_c::export!(
     mod rod_f64 = rod, f64, "my_rod_f64"
 );
 
+suspension_c::export!(mod rod_f32 = rod, f32, "my_rod_f32");
+
+/// A linkage that is exported without a comment, as in the example of `export!`.
+#[test]
+fn a_header_without_a_comment_of_its_own_begins_with_the_rules() {
+    let header = rod_f32::INTERFACE.to_string();
+    let rules = "/*\n * suspension.h documents the rules for every function.\n */\n";
+    assert!(header.starts_with(rules), "{}", &header[..120]);
+}
+
 /// C has no empty structs, so the struct has an unused member.
 #[test]
 fn without_measures_has_a_member_that_means_nothing() {
