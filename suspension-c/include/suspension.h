@@ -121,8 +121,8 @@ typedef struct {
 typedef struct {
     /** The status that the call returns. */
     susp_status status;
-    /** The point, length, equation or unknown concerned, by its name in the listing; NULL if there
-     * is none. Lives as long as the program, or with a listing from text as long as the object. */
+    /** The drive, point, length, equation or unknown concerned, by its name in the listing; NULL if
+     * there is none. Lives as long as the program, or with a listing from text as long as the object. */
     const char *culprit;
     /** The residual, correction, pivot or other number to which `status` refers, in the unit of the
      * points; 0 if there is none. */
@@ -301,8 +301,8 @@ typedef struct {
 typedef struct {
     /** The status that the call returns. */
     susp_status status;
-    /** The point, length, equation or unknown concerned, by its name in the listing; NULL if there
-     * is none. Lives as long as the program, or with a listing from text as long as the object. */
+    /** The drive, point, length, equation or unknown concerned, by its name in the listing; NULL if
+     * there is none. Lives as long as the program, or with a listing from text as long as the object. */
     const char *culprit;
     /** The residual, correction, pivot or other number to which `status` refers, in the unit of the
      * points; 0 if there is none. */

@@ -37,8 +37,8 @@ structures! {
     Failure {
         /// The status that the call returns.
         status: Status,
-        /// The point, length, equation or unknown concerned, by its name in the listing; NULL if there
-        /// is none. Lives as long as the program, or with a listing from text as long as the object.
+        /// The drive, point, length, equation or unknown concerned, by its name in the listing; NULL if
+        /// there is none. Lives as long as the program, or with a listing from text as long as the object.
         culprit: Text,
         /// The residual, correction, pivot or other number to which `status` refers, in the unit of the
         /// points; 0 if there is none.
