@@ -38,6 +38,33 @@ use clock::Clock;
 /// assert!(per_bump.measures.rate.damper < 0.0); // the motion ratio: the damper gets shorter
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// A corner is plain data. A copy of it saves its state: the same steps from the copy give the same bits. A simulator
+/// resets a corner by a copy that it made before, and moves it elsewhere by a [`step`](Corner::step) of any length
+/// above zero. Other hardpoints make another corner, which then steps to the present drives:
+///
+/// ```
+/// use suspension_core::Signal;
+/// use suspension_core::linkage::Designed;
+/// use suspension_core::linkages::double_wishbone::{Corner, Drives, Model};
+///
+/// let home: Corner = Corner::design()?;
+/// let drives = Drives { bump: 0.34, ..home.drives() };
+/// let mut corner = home;
+/// corner.step(1.0, Signal::still(drives))?; // 40 mm of bump travel
+/// let saved = corner;
+///
+/// let mut hardpoints = Model::design(); // as drawn, not as they stand in `corner.points()`
+/// hardpoints.rack.z += 0.005;
+/// let mut changed: Corner = Corner::new(&hardpoints)?;
+/// changed.step(1.0, Signal::still(corner.drives()))?;
+/// let toe = |corner: Corner| corner.wheel().map_or(0.0, |wheel| wheel.toe.to_degrees());
+/// assert_eq!(format!("{:.3}, {:.3} deg", toe(saved), toe(changed)), "-0.188, -0.465 deg");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// To store a state in a file, keep a [`Motion`], whose fields are public, with its drives, and step it with a
+/// [`Tracker`].
 #[derive(Clone, Copy)]
 pub struct Corner<L: Linkage<N>, const N: usize>
 where

@@ -92,7 +92,9 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
 
     /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Forces at chassis
     /// points go into the chassis, or into the drive that moves the point. A force at a marker loads nothing: like a
-    /// force at any other place of a body it must first be [`spread()`] over three points of that body.
+    /// force at any other place of a body it must first be [`spread()`] over three points of that body. A force along a
+    /// measure loads the drives with itself times the measure's motion ratios, also between markers: see
+    /// [`Corner::per`](crate::Corner::per).
     ///
     /// # Errors
     ///

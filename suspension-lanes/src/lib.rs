@@ -47,7 +47,11 @@ impl Instructions {
 
 /// `LANES` models of the listing `G`, each with its motion, on still chassis.
 ///
-/// A lane that fails keeps its motion and returns the reason; the other lanes are not affected. It must catch up
+/// All lanes are of one listing, on either side: a car whose axles have different layouts takes one `Lanes` for each.
+/// Lanes that remain may hold copies, at no cost.
+///
+/// A lane that fails keeps its motion and returns the reason, which names the part if it is printed with the model:
+/// `error.named(model)`. The other lanes are not affected. A lane that has failed must catch up
 /// before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion). `N` is the number of
 /// unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it. See [`Bounded`] for
 /// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together, so results differ from those of
