@@ -1,10 +1,13 @@
-//! Forces that cannot be borne.
+//! The work of forces at points on the drives, and forces that cannot be borne.
 
-use suspension_core::SolveError;
 use suspension_core::linkages::double_wishbone::{Corner, Points};
+use suspension_core::linkages::{double_wishbone_pushrod, five_link};
 use suspension_core::listing::{Part, Parts};
 use suspension_core::nalgebra::Vector3;
 use suspension_core::statics::Loads;
+use suspension_core::{Linkage, SolveError, Values};
+
+use crate::support::five_link_rough;
 
 /// Both ways to load the design; either the drive that bears a force, or the part whose force is refused.
 fn steer_under(forces: &Points) -> [Result<f64, Part>; 2] {
@@ -66,4 +69,59 @@ fn what_is_not_finite_at_a_driven_chassis_point_is_refused_at_its_drive() {
         }),
         [Ok(300.0); 2]
     );
+}
+
+suspension_core::linkage! {
+    /// A body on a chassis point that a drive moves, so that this point carries a marker too.
+    mod raised {
+        fixed: anchor at [0.0, 0.3, 0.5], fore at [0.3, 0.4, 0.2], aft at [-0.3, 0.35, 0.25];
+        free:  foot at [0.0, 0.6, 0.2], knee at [0.1, 0.5, 0.4];
+        body leg: anchor, foot, knee;
+        point mark: leg at [0.05, 0.5, 0.32];
+        link lower: fore -> foot;
+        link upper: aft -> knee;
+        drive bump:  foot.z;
+        drive level: anchor.y;
+    }
+}
+
+/// Each drive bears the work of the forces at all points, markers included, per unit of the drive.
+fn check_work<L, const N: usize>(corner: &suspension_core::Corner<L, N>)
+where
+    L: Linkage<N, Scalar = f64>,
+{
+    let (model, position) = (corner.model(), &corner.motion().position);
+    let force = |x: usize| Vector3::new(1.0, -2.0, 3.0) * (x as f64 * 1.7).sin();
+    let forces = L::Points::from_values((1..=64).map(force));
+    let by_statics = corner
+        .statics()
+        .map_err(drop)
+        .expect("no lock")
+        .under(&forces);
+    let loads = Loads::new(model, corner.drives(), position, &forces);
+    for loads in [by_statics, loads] {
+        let on_drives = loads.expect("finite forces").on_drives();
+        for (drive, borne) in on_drives.values().enumerate() {
+            let change = L::Drives::default().with(drive, 1.0);
+            let moved = corner
+                .per(change)
+                .map_err(drop)
+                .expect("no lock")
+                .points
+                .rate;
+            let works = moved.values().zip(forces.values());
+            let work: f64 = works.map(|(moved, force)| moved.dot(&force)).sum();
+            assert!(
+                (borne - work).abs() < 1e-10,
+                "drive {drive}: {borne}, {work}"
+            );
+        }
+    }
+}
+
+#[test]
+fn drives_bear_the_work_of_forces_at_markers() {
+    check_work(&five_link::Corner::<f64>::new(&five_link_rough()).expect("a geometry"));
+    check_work(&double_wishbone_pushrod::Corner::<f64>::design().expect("a geometry"));
+    check_work(&raised::Corner::<f64>::design().expect("a geometry"));
 }

@@ -315,9 +315,9 @@ susp_status susp_attia2003_f64_read_derivatives(
         susp_attia2003_f64_point_rates *points,
         susp_f64_failure *failure);
 
-/** The effects of forces at the free points, N in the axes of the points, on the mechanism at rest
- * at the position of a motion. Forces at markers have no effect here; forces at chassis points act
- * on the drive that moves them. `drives` receives the work of the forces per unit of each drive,
+/** The effects of forces at the points, N in the axes of the points, on the mechanism at rest at the
+ * position of a motion. A force at a marker acts on its body, a force at a chassis point on the
+ * drive that moves it. `drives` receives the work of the forces per unit of each drive,
  * which is the load on its actuator; `equations` the multiplier of each equation. The multiplier
  * of a link is the force in it, positive in tension; if a drive prescribes the link's angle from
  * an axis, the part of the force along the link that the drive causes is not included. The rates
@@ -334,9 +334,8 @@ susp_status susp_attia2003_f64_read_loads(
 
 /** Adds weight and inertia of masses to `forces`, for `read_loads`. `points` come from
  * `read_points` with their accelerations; `design` are the points at which the masses are stated.
- * A mass refers to chassis points and free points only: SUSP_ERROR_ARGUMENT for a marker, because
- * forces at markers have no effect in `read_loads`, SUSP_ERROR_ABSENT for a number without a
- * point. SUSP_ERROR_NO_DIRECTION if the three points of a body are in line. */
+ * A mass may refer to any points; SUSP_ERROR_ABSENT for a number without a point,
+ * SUSP_ERROR_NO_DIRECTION if the three points of a body are in line. */
 susp_status susp_attia2003_f64_add_masses(
         const susp_f64_masses *masses,
         const susp_attia2003_f64_points *design,

@@ -69,7 +69,6 @@ macro_rules! export {
 
             const POINTS: &[&str] = listing::Listing::PARTS.points;
             const FIXED: &[&str] = listing::Listing::PARTS.chassis;
-            const BEFORE_MARKERS: usize = POINTS.len() - listing::Listing::PARTS.markers;
             const DRIVES: &[&str] = listing::Listing::PARTS.drives;
             const MEASURES: &[&str] = listing::Listing::PARTS.measures;
             const LENGTHS: &[&str] = listing::Listing::PARTS.lengths;

@@ -41,10 +41,8 @@ pub fn add_at<T: Real>(forces: &mut [[T; 3]], point: usize, force: Vector3<T>) {
     }
 }
 
-/// Returns the position and motion of a chassis point or free point by its number, which is below
-/// `before_markers`.
+/// Returns the position and motion of a point by its number.
 pub fn place<T: Real, const COUNT: usize>(
-    before_markers: usize,
     design: &Values<[T; 3], COUNT>,
     points: &Rates<Values<[T; 3], COUNT>>,
     point: usize,
@@ -54,9 +52,6 @@ pub fn place<T: Real, const COUNT: usize>(
         found.map(Vector3::from).ok_or(Status::Absent)
     };
     let stated = at(design)?;
-    if point >= before_markers {
-        return Err(Status::Argument);
-    }
     let moving = Signal {
         value: at(&points.value)?,
         rate: at(&points.rate)?,

@@ -11,7 +11,6 @@ use suspension_c::of::{f32 as of_f32, f64 as of_f64};
 use suspension_c::shared::{Mass, Masses};
 use suspension_c::{In, InOut, Status};
 use suspension_core::inertia::{RigidBody, rod};
-use suspension_core::linkage::Designed as _;
 use suspension_core::linkages::double_wishbone_pushrod::{self as compiled, Drives};
 use suspension_core::nalgebra::{Matrix3, Vector3};
 use suspension_core::{Signal, Values};
@@ -218,7 +217,7 @@ fn wrong(point: u32, points: u32) -> Vec<(Mass<f64>, Status)> {
     ]
 }
 
-/// Masses of a compiled linkage; a force at a marker would have no effect.
+/// Masses of a compiled linkage, of which point 10 is a marker.
 #[test]
 fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
     let design = five_link::DESIGN;
@@ -243,45 +242,9 @@ fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
     for (mass, expected) in wrong(5, 11) {
         assert_eq!(add(rounded(&mass)), (expected, false), "{mass:?}");
     }
-    let at_marker = rounded(&mass(&[10], 1.0));
-    assert_eq!(add(at_marker), (Status::Argument, false));
-    assert_eq!(add(rounded(&mass(&[9], 1.0))), (Status::Ok, true));
-}
-
-suspension_core::linkage! {
-    /// A bar between two arms, whose twist is driven: unknowns other than coordinates stand beside those of
-    /// the points.
-    mod bar {
-        fixed: left_end at [0.0, 0.3, 0.3], right_end at [0.0, -0.3, 0.3];
-        free:  left at [-0.2, 0.4, 0.3], right at [-0.2, -0.4, 0.3], nose at [-0.2, 0.42, 0.35];
-        hinge left_arm:  right_end, left_end -> left, nose;
-        hinge right_arm: right_end, left_end -> right;
-        point mark: left_arm at [-0.1, 0.4, 0.3];
-        drive lift:  left.z;
-        drive twist: angle(left_end -> left, right_end -> right about right_end -> left_end);
+    for point in [9, 10] {
+        assert_eq!(add(rounded(&mass(&[point], 1.0))), (Status::Ok, true));
     }
-}
-suspension_c::export!(mod bar_f64 = bar, f64, "bar_f64");
-
-#[test]
-fn a_marker_is_none_of_the_points_whatever_unknowns_there_are() {
-    let design: Vec<Vector3<f64>> = bar::Model::<f64>::design().values().collect();
-    let values: [[f64; 3]; 6] = core::array::from_fn(|point| design[point].into());
-    let design = bar_f64::Points { values };
-    let mut forces = bar_f64::Points {
-        values: [[0.0; 3]; 6],
-    };
-    let points = bar_f64::PointRates {
-        value: design,
-        rate: forces,
-        second_rate: forces,
-    };
-    let mut add = |point| {
-        let masses = in_field(&[mass(&[point], 10.0)], GRAVITY);
-        let (masses, design, points) = ((&masses).into(), (&design).into(), (&points).into());
-        bar_f64::add_masses(masses, design, points, (&mut forces).into())
-    };
-    assert_eq!([4, 5].map(&mut add), [Status::Ok, Status::Argument]);
 }
 
 fn rounded(mass: &of_f64::Mass) -> of_f32::Mass {

@@ -194,6 +194,17 @@ pub trait Linkage<const N: usize>: Parts {
         fixed_second_rate: &Self::Fixed,
     ) -> Self::Points;
 
+    /// Adds the effect of forces at markers to the forces at chassis points and free points: each acts on the three points
+    /// that carry the marker. Does nothing if the listing has no markers.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn carry_forces(
+        &self,
+        _q: &SVector<Self::Scalar, N>,
+        _fixed: &Self::Fixed,
+        _forces: &mut Self::Points,
+    ) {
+    }
+
     /// The unknowns of a set of points.
     fn unknowns(&self, points: &Self::Points) -> SVector<Self::Scalar, N>;
 

@@ -90,20 +90,20 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
         })
     }
 
-    /// Loads the linkage with a force at each of its free points, in the axes of the hardpoints. Forces at chassis
-    /// points go into the chassis, or into the drive that moves the point. A force at a marker loads nothing: like a
-    /// force at any other place of a body it must first be [`spread()`] over three points of that body. A force along a
-    /// measure loads the drives with itself times the measure's motion ratios, also between markers: see
-    /// [`Corner::per`](crate::Corner::per).
+    /// Loads the linkage with a force at each of its points, in the axes of the hardpoints. Forces at chassis points go
+    /// into the chassis, or into the drive that moves the point. A force at a marker acts on the body that carries it: at
+    /// the three points from which the marker is found. A force at any other place of a body must first be [`spread()`]
+    /// over three points of that body.
     ///
     /// # Errors
     ///
     /// [`SolveError::Overflow`] if a force that the equations or a drive must bear, or a force that results from it, is
     /// not finite.
     pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
-        let on_unknowns = on_unknowns(self.at.linkage, forces);
+        let forces = self.at.carried(forces);
+        let on_unknowns = on_unknowns(self.at.linkage, &forces);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
-        Loads::checked(self.at, multipliers, forces)
+        Loads::checked(self.at, multipliers, &forces)
     }
 }
 
@@ -130,12 +130,13 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
         let at = Configuration::new(linkage, drives, position);
-        let on_unknowns = on_unknowns(linkage, forces);
+        let forces = at.carried(forces);
+        let on_unknowns = on_unknowns(linkage, &forces);
         let fixed = &at.fixed;
         let multipliers = with_factors(linkage, position, fixed, least_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
-        Self::checked(at, multipliers, forces)
+        Self::checked(at, multipliers, &forces)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

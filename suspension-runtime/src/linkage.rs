@@ -170,6 +170,10 @@ where
         )
     }
 
+    fn carry_forces(&self, q: &SVector<T, N>, fixed: &Self::Fixed, forces: &mut Self::Points) {
+        self.carry_forces(q, fixed, forces);
+    }
+
     fn unknowns(&self, points: &Self::Points) -> SVector<T, N> {
         self.unknowns(points)
     }

@@ -47,6 +47,26 @@ where
         points
     }
 
+    /// Adds the effect of forces at markers to the forces at the points that carry them.
+    pub(crate) fn carry_forces(
+        &self,
+        q: &SVector<T, N>,
+        fixed: &Few<Vector3<T>, N>,
+        forces: &mut Points<Vector3<T>, N>,
+    ) {
+        let plan = self.plan();
+        let sites = Sites::new(q.as_slice(), fixed);
+        let markers = plan.markers.iter().zip(self.markers.as_slice());
+        for (marker, (carriers, constant)) in (plan.chassis + plan.free..).zip(markers) {
+            if let Some([a, b, c]) = sites.get_each(*carriers) {
+                let parts = constant.by_frame(forces.get(marker), &Frame::new(a, b, c));
+                for (site, part) in carriers.iter().zip(parts) {
+                    *forces.place(self.point(*site)) += part;
+                }
+            }
+        }
+    }
+
     /// The frame of three sites among all points.
     pub(crate) fn frame_of(&self, sites: [Site; 3], points: &Points<Vector3<T>, N>) -> Frame<T> {
         let [a, b, c] = sites.map(|site| points.get(self.point(site)));

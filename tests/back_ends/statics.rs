@@ -92,21 +92,16 @@ where
     fn check(&self, rng: &mut Rng) {
         let count = self.model.count(Kind::ChassisPoint) + self.model.count(Kind::FreePoint);
         let points = self.points();
-        let mut forces: Vec<Vector3<f64>> = points.iter().map(|_| random(rng)).collect();
-        let directly = forces.clone();
-        for (marker, carriers) in self.listing.carriers() {
-            let force = forces[marker];
-            let at = carriers.map(|point| points[point]);
-            let parts = spread(at, force, points[marker], Vector3::zeros());
-            for (point, part) in carriers.into_iter().zip(parts) {
-                forces[point] += part;
-            }
-        }
+        let forces: Vec<Vector3<f64>> = points.iter().map(|_| random(rng)).collect();
+        let by_name = Values::from_values(forces.iter().copied());
         let statics = Statics::new(self.model, self.drives, &self.q).expect("not singular");
-        let loads = statics.under(&Values::from_values(forces.iter().copied()));
-        let loads = loads.expect("finite");
-        self.virtual_work(&directly, &loads);
-        self.free_bodies(&points, &forces[..count], &loads);
+        let loads = statics.under(&by_name).expect("finite");
+        self.virtual_work(&forces, &loads);
+        let mut carried = by_name;
+        let fixed = Values::from_values(points.iter().copied());
+        self.model.carry_forces(&self.q, &fixed, &mut carried);
+        let carried: Vec<_> = carried.values().take(count).collect();
+        self.free_bodies(&points, &carried, &loads);
     }
 
     fn points(&self) -> Vec<Vector3<f64>> {

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use suspension_core::error::{Explain, Facts};
 use suspension_core::nalgebra::Vector3;
-use suspension_core::statics::{Loads, spread};
+use suspension_core::statics::Loads;
 use suspension_core::{Corner, Linkage, Values};
 use suspension_runtime::{Listing, Model, PartForces, Room, Size};
 
@@ -20,8 +20,6 @@ use crate::status::Status;
 pub(super) struct Structure {
     /// The statements that hold points, without drives.
     pub(super) parts: Vec<Part>,
-    /// Markers, each with three points of the body that carries it.
-    pub(super) carriers: Vec<(usize, [usize; 3])>,
 }
 
 /// A statement.
@@ -43,7 +41,6 @@ impl Structure {
         });
         Self {
             parts: parts.collect(),
-            carriers: listing.carriers(),
         }
     }
 }
@@ -71,7 +68,7 @@ where
     let at = corner.points().value;
     let (forces, _) = forces.as_chunks();
     let forces = Values::from_values(forces.iter().copied().map(Vector3::from));
-    let loads = statics.under(&with_markers(structure, &at, forces));
+    let loads = statics.under(&forces);
     let loads = loads.map_err(|error| error.facts())?;
     write(loads.on_drives().values(), wanted.drives);
     let tensions = structure.parts.iter().map(|part| part.tension(&loads, &at));
@@ -110,21 +107,6 @@ where
 
 fn nth<P: Values<Vector3<f64>>>(all: &P, point: usize) -> Vector3<f64> {
     all.values().nth(point).unwrap_or_default()
-}
-
-/// Distributes the forces at markers over the points of their bodies.
-fn with_markers<P: Values<Vector3<f64>>>(structure: &Structure, at: &P, forces: P) -> P {
-    let of = nth;
-    let mut spreaded = forces;
-    for (marker, body) in &structure.carriers {
-        let points = body.map(|point| of(at, point));
-        let force = of(&forces, *marker);
-        let parts = spread(points, force, of(at, *marker), Vector3::zeros());
-        for (point, part) in body.iter().zip(parts) {
-            spreaded = spreaded.with(*point, of(&spreaded, *point) + part);
-        }
-    }
-    spreaded
 }
 
 impl Part {

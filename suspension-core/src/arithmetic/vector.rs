@@ -5,6 +5,12 @@ use nalgebra::Vector3;
 
 use crate::arithmetic::scalar::Scalar;
 
+/// `a + b`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn sum<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {
+    Vector3::new(a.x + b.x, a.y + b.y, a.z + b.z)
+}
+
 /// `a - b`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub fn difference<T: Scalar>(a: Vector3<T>, b: Vector3<T>) -> Vector3<T> {

@@ -4,6 +4,7 @@ use nalgebra::{SVector, Vector3};
 
 use crate::arithmetic::scalar::Real;
 use crate::linkage::Linkage;
+use crate::listing::Kind;
 use crate::signal::{Inputs, Signal};
 use crate::solve::motion::Prescribed;
 use crate::values::Values;
@@ -42,6 +43,19 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Configuration<'a, L
             rates: drives.rate,
             position: *position,
         }
+    }
+
+    /// Forces at chassis points and free points that do the same work as forces at all points.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn carried(&self, forces: &L::Points) -> L::Points {
+        let linkage = self.linkage;
+        let before = linkage.count(Kind::ChassisPoint) + linkage.count(Kind::FreePoint);
+        let mut at_markers = forces.values().skip(before);
+        let mut carried = *forces;
+        if at_markers.any(|force| force != Vector3::zeros()) {
+            linkage.carry_forces(&self.position, &self.fixed, &mut carried);
+        }
+        carried
     }
 
     /// The work of forces per unit of each drive: through the equations, and at the chassis points that the drive

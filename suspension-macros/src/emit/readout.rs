@@ -45,6 +45,7 @@ pub(super) fn points_impl(system: &System) -> TokenStream {
 pub(super) fn points(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
     let unknowns = unknowns(system);
+    let carry_forces = carry_forces(system);
     let [points, velocities, accelerations] = [
         ("position", "fixed", [].as_slice()),
         ("velocity", "fixed_rate", &["at"]),
@@ -84,6 +85,8 @@ pub(super) fn points(system: &System) -> TokenStream {
             Points::all(fixed_second_rate, &free, markers)
         }
 
+        #carry_forces
+
         fn unknowns(&self, points: &Points<T>) -> SVector<T, #n> {
             #unknowns
         }
@@ -104,6 +107,29 @@ fn markers(system: &System, method: &str, fixed: &str, before: &[&str]) -> Token
         quote!(self.#name.#method(#(&#before,)* &#last))
     });
     quote!([#(#markers),*])
+}
+
+/// `carry_forces`, if there are markers.
+fn carry_forces(system: &System) -> Option<TokenStream> {
+    let (forces, free, fixed) = (ident("forces"), ident("free"), ident("fixed"));
+    let markers = system.markers.iter().map(|marker| {
+        let name = &marker.named.name;
+        let frame = frames::frame_from_free(system, &marker.frame, &free, &fixed);
+        let at_frame = marker.frame.iter().map(|site| &site.name);
+        quote!(self.#name.carry_force(#forces.#name, &#frame, [#(&mut #forces.#at_frame),*]);)
+    });
+    let body = quote!(#(#markers)*);
+    let n = Literal::usize_unsuffixed(system.size());
+    let of_chassis = parameter("fixed", &quote!(&Fixed<T>), &body);
+    (!system.markers.is_empty()).then(|| {
+        quote! {
+            #[cfg_attr(not(debug_assertions), inline(always))]
+            fn carry_forces(&self, q: &SVector<T, #n>, #of_chassis, #forces: &mut Points<T>) {
+                let #free = Free::of(q);
+                #body
+            }
+        }
+    })
 }
 
 /// The coordinates of the free points and the scalars, from the struct `points`.

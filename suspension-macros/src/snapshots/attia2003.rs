@@ -836,6 +836,22 @@ pub mod attia2003 {
             Points::all(fixed_second_rate, &free, markers)
         }
 
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn carry_forces(
+            &self,
+            q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            forces: &mut Points<T>,
+        ) {
+            let free = Free::of(q);
+            self.p11
+                .carry_force(
+                    forces.p11,
+                    &free.p6_p7_p8_frame(),
+                    [&mut forces.p6, &mut forces.p7, &mut forces.p8],
+                );
+        }
+
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
             Free {
                 p6: points.p6,

@@ -746,6 +746,26 @@ pub mod five_link {
             Points::all(fixed_second_rate, &free, markers)
         }
 
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn carry_forces(
+            &self,
+            q: &SVector<T, 15>,
+            _fixed: &Fixed<T>,
+            forces: &mut Points<T>,
+        ) {
+            let free = Free::of(q);
+            self.wheel_centre
+                .carry_force(
+                    forces.wheel_centre,
+                    &free.knuckle_frame(),
+                    [
+                        &mut forces.lower_front_outer,
+                        &mut forces.upper_front_outer,
+                        &mut forces.upper_rear_outer,
+                    ],
+                );
+        }
+
         fn unknowns(&self, points: &Points<T>) -> SVector<T, 15> {
             Free {
                 lower_front_outer: points.lower_front_outer,

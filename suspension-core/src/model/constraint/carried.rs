@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::Frame;
 use crate::arithmetic::scalar::{Real, Scalar};
 use crate::arithmetic::vector::{
-    cross, difference, minus_multiple, multiple, opposite, plus_cross, plus_multiple,
+    cross, difference, minus_multiple, multiple, opposite, plus_cross, plus_multiple, sum,
 };
 
 /// A point `p` of a rigid body, carried by the body's frame: `F = p - (o + a u + b v + c u x v)`.
@@ -94,6 +94,14 @@ impl<T: Scalar> Carried<T> {
         let by_third = plus_cross(multiple(gradient, self.b), gradient, u);
         let by_origin = difference(difference(gradient, by_second), by_third);
         [by_origin, by_second, by_third]
+    }
+
+    /// Adds a force at the carried point to the forces at the frame's three points, so that they do its work: a force is a gradient of work.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn carry_force(&self, force: Vector3<T>, frame: &Frame<T>, at_frame: [&mut Vector3<T>; 3]) {
+        for (at, part) in at_frame.into_iter().zip(self.by_frame(force, frame)) {
+            *at = sum(*at, part);
+        }
     }
 
     /// `C(v, w)`, where `v` and `w` are frames of rates. The point itself enters linearly.
