@@ -177,7 +177,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_evenly_spaced_and_exact_at_the_ends() {
+    fn grid_values_are_evenly_spaced_and_exact_at_the_ends() {
         let swept: Swept = "bump=-0.08:0.08:161".parse().expect("a drive");
         let values = swept.values();
         assert_eq!((values[0], values[80], values[160]), (-0.08, 0.0, 0.08));
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_grid_is_refused_with_the_way_to_write_one() {
+    fn an_invalid_grid_is_refused_with_the_syntax_to_write() {
         for (text, expected) in [
             ("bump", "write NAME=FROM:TO:COUNT"),
             ("bump=1:2", "write NAME=FROM:TO:COUNT"),

@@ -13,7 +13,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sentence_ends_at_its_full_stop_or_with_the_paragraph() {
+    fn first_sentence_ends_at_its_full_stop_or_with_the_paragraph() {
         let text = "//! An arm, 0.4 m long,\n//! rear left. More.\n//!\n//! Axes.\nfixed: a;\n";
         assert_eq!(first_sentence(text), "An arm, 0.4 m long, rear left.");
         assert_eq!(first_sentence("//! An arm\n//!\n//! Axes.\n"), "An arm");

@@ -51,9 +51,9 @@ fn files_of(folder: &Path) -> Vec<String> {
         .collect()
 }
 
-/// Or its tests would not run, and nobody would know.
+/// Tests of a file that is no module would silently not run.
 #[test]
-fn every_file_is_a_module() {
+fn every_test_file_is_a_module_of_its_program() {
     let programs = [
         ("", "all", include_str!("all.rs")),
         ("long_running", "main", include_str!("long_running/main.rs")),

@@ -65,9 +65,9 @@ fn nine_distances_assemble_as_published() {
     assert!((q - published).amax() < 5e-15);
 }
 
-/// A root whose knuckle is mirrored is refused by whatever could return it.
+/// Every method that could return a root with a mirrored knuckle refuses it.
 #[test]
-fn a_mirrored_knuckle_is_never_a_success() {
+fn no_method_returns_a_mirrored_knuckle() {
     let model: attia2003::Model<f64> = support::attia_model();
     let inputs = support::attia_inputs(0.0);
     let plain = Newton {
@@ -115,8 +115,8 @@ fn a_coplanar_knuckle_of_distances_is_refused() {
             point: support::P9.index()
         }
     );
-    let told = error.named(&attia2003::Listing).to_string();
-    assert!(told.contains("`p9`") && told.contains("`body`"));
+    let message = error.named(&attia2003::Listing).to_string();
+    assert!(message.contains("`p9`") && message.contains("`body`"));
     let points = flat(0.0);
     let mut points = points.values();
     let design = five_link::Points::from_fn(|_| points.next().unwrap_or_default());
@@ -185,7 +185,7 @@ fn far_jumps_stay_in_the_assembly() {
 
 /// A start so far away that its rounding error is larger than the mechanism proves nothing.
 #[test]
-fn a_start_at_astronomical_distance_is_no_excuse() {
+fn a_start_at_astronomical_distance_returns_no_false_root() {
     let model: five_link::Model<f64> = support::five_link_model();
     for exponent in [6, 10, 12, 14, 20, 60, 100] {
         for unknown in 0..15 {
@@ -204,7 +204,7 @@ fn a_start_at_astronomical_distance_is_no_excuse() {
 /// Near a fold the position is known only to the square root of rounding, and no digit of the velocity: it is refused, not
 /// guessed.
 #[test]
-fn no_velocity_beside_a_fold() {
+fn no_velocity_is_returned_beside_a_fold() {
     suspension_core::linkage! {
         mod pendulum {
             fixed: a;
@@ -241,7 +241,7 @@ fn no_velocity_beside_a_fold() {
 
 /// A failed solve leaves the state as it was and says why.
 #[test]
-fn failures_leave_the_state_untouched() {
+fn a_failed_solve_leaves_the_state_untouched() {
     let model: attia2003::Model<f64> = support::attia_model();
     let start = Reference::load().unknowns(4, "");
     let attempt = |drive: f64| {
@@ -275,7 +275,7 @@ fn failures_leave_the_state_untouched() {
 
 /// At theta = 0 the cosine has no slope: the drive does not determine the motion.
 #[test]
-fn a_singular_drive_is_an_error() {
+fn a_drive_that_does_not_determine_the_motion_is_an_error() {
     let design = attia2003::Points::from_fn(|name| match name {
         "p6" => support::chassis_point("p1") + Vector3::new(0.0, 0.0, 0.4),
         "p11" => support::table2_point("p8", 4) + Vector3::new(0.0, 0.1, 0.0),

@@ -112,7 +112,7 @@ where
 }
 
 #[test]
-fn any_rigid_motion_of_the_chassis() {
+fn results_are_invariant_under_rigid_motion_of_the_chassis() {
     let model: attia2003::Model<f64> = support::attia_model();
     let motions = support::motions(&model, &support::attia_rough(), support::attia_inputs);
     assert_invariant(&model, &motions, "p1");
@@ -127,7 +127,7 @@ fn any_rigid_motion_of_the_chassis() {
 
 /// The paper's chassis heave: all points rise with it, and the drive is unchanged.
 #[test]
-fn heave_adds_to_every_point() {
+fn heave_of_the_chassis_adds_to_every_point() {
     let model: attia2003::Model<f64> = support::attia_model();
     let motions = support::motions(&model, &support::attia_rough(), support::attia_inputs);
     let heave = Signal {
@@ -225,7 +225,7 @@ fn assert_steps_invariant<L>(
 }
 
 #[test]
-fn steps_of_fixed_cost_on_a_flying_chassis() {
+fn bounded_steps_are_invariant_under_rigid_motion_of_the_chassis() {
     let model: attia2003::Model<f64> = support::attia_model();
     let start = support::motions(&model, &support::attia_rough(), support::attia_inputs)[0];
     assert_steps_invariant(&model, start, support::attia_inputs);

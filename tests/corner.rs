@@ -26,7 +26,7 @@ fn moved(bump: f64, steer: f64) -> Corner {
 }
 
 #[test]
-fn the_design_is_at_rest_where_the_listing_has_it() {
+fn a_corner_at_the_design_is_at_rest_at_the_stated_points() {
     let stated: Points<f64> = Model::design();
     let corner = design();
     let points = corner.points();
@@ -40,7 +40,7 @@ fn the_design_is_at_rest_where_the_listing_has_it() {
 }
 
 #[test]
-fn derivatives_per_drive_are_those_of_differences() {
+fn derivatives_per_drive_agree_with_differences() {
     const H: f64 = 1e-3;
     let corner = moved(0.03, 0.01);
     for change in [
@@ -77,7 +77,7 @@ fn derivatives_per_drive_are_those_of_differences() {
 }
 
 #[test]
-fn a_lock_is_named_and_the_corner_stands_before_it() {
+fn an_advance_names_the_lock_and_stops_before() {
     let mut corner = design();
     let start = corner.drives();
     let rate = Drives {
@@ -85,11 +85,11 @@ fn a_lock_is_named_and_the_corner_stands_before_it() {
         steer: 0.0,
     };
     let stopped = corner.advance(2.0, |time| Signal::line(start, rate, time));
-    let told = stopped
+    let message = stopped
         .expect_err("the wheel does not rise by two metres")
         .to_string();
-    assert!(told.starts_with("stopped at time 0."), "{told}");
-    assert!(told.contains('`'), "a name: {told}");
+    assert!(message.starts_with("stopped at time 0."), "{message}");
+    assert!(message.contains('`'), "a name: {message}");
     let time = corner.time();
     assert!(time > 0.05 && time < 1.0, "{time}");
     assert!((corner.drives().bump - start.bump - time).abs() < 1e-15);
@@ -122,7 +122,7 @@ fn a_lock_names_what_moves_there() {
 }
 
 #[test]
-fn a_refused_step_changes_nothing() {
+fn a_refused_step_leaves_the_corner_unchanged() {
     let mut corner = moved(0.02, 0.0);
     let before = (corner.time(), corner.drives(), *corner.motion());
     let far = Drives {
@@ -135,9 +135,9 @@ fn a_refused_step_changes_nothing() {
     assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
 }
 
-/// The way of a step from rest to rest, as a function of time, leads to the same lock.
+/// The motion of a step from rest to rest, written as a function of time, stops at the same lock.
 #[test]
-fn what_is_beyond_reach_is_advanced_to_until_it_locks() {
+fn step_towards_drives_out_of_reach_stops_at_the_lock() {
     const DT: f64 = 0.5;
     let (mut corner, mut led) = (design(), design());
     let start = corner.drives();
@@ -171,7 +171,7 @@ fn what_is_beyond_reach_is_advanced_to_until_it_locks() {
 }
 
 #[test]
-fn with_another_length_the_corner_is_assembled() {
+fn a_corner_with_a_changed_length_is_assembled() {
     let points = Model::design();
     let model = Model::new(&points).expect("a regular design");
     let mut lengths: Lengths<f64> = model.lengths();
@@ -190,7 +190,7 @@ fn with_another_length_the_corner_is_assembled() {
 }
 
 #[test]
-fn a_listing_read_at_run_time_has_the_same_corner() {
+fn a_listing_read_at_run_time_gives_the_same_corner() {
     let listings = suspension_core::linkages::LISTINGS;
     let (_, text) = listings
         .iter()
@@ -221,7 +221,7 @@ fn a_listing_read_at_run_time_has_the_same_corner() {
 
 /// A program whose `main` returns the error prints it so.
 #[test]
-fn a_failure_is_a_sentence_for_debuggers_too() {
+fn the_debug_text_of_a_failure_is_its_message() {
     let mut corner = design();
     let far = Drives {
         bump: 9.0,

@@ -186,32 +186,32 @@ fn inputs<T: Real, L: Linkage<15, Scalar = T>>(
 }
 
 #[test]
-fn distances_in_both_precisions() {
+fn derivatives_of_distances_agree_with_differences_in_f64_and_f32() {
     distance::<f64>();
     distance::<f32>();
 }
 
 #[test]
-fn carried_points_in_both_precisions() {
+fn derivatives_of_carried_points_agree_with_differences() {
     carried::<f64>();
     carried::<f32>();
 }
 
 #[test]
-fn the_papers_list_in_both_precisions() {
+fn derivatives_of_attia2003_agree_with_differences() {
     listing(&support::attia_model::<f64>());
     listing(&support::attia_model::<f32>());
 }
 
 #[test]
-fn the_rigid_knuckle_in_both_precisions() {
+fn derivatives_of_five_link_agree_with_differences() {
     listing(&support::five_link_model::<f64>());
     listing(&support::five_link_model::<f32>());
 }
 
 /// Every kind of measure against central differences in time, of points that move as polynomials.
 #[test]
-fn measures() {
+fn derivatives_of_measures_agree_with_differences() {
     suspension_core::linkage! {
         mod gauge {
             fixed: a;
@@ -287,7 +287,7 @@ fn measures() {
 
 /// The chain rule of a driving angle against differences of `L cos(theta)` in time.
 #[test]
-fn a_driving_angle() {
+fn derivatives_of_a_driving_angle_agree_with_differences() {
     let at = |t: f64| angle_to_coordinate(0.45, support::theta(t));
     let (t, h) = (0.8, 1e-4);
     let rate = (at(t + h).value - at(t - h).value) / (2.0 * h);

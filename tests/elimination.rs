@@ -91,7 +91,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn both_factorisations_solve(by in prop::collection::vec(-0.03_f64..0.03, 33)) {
+    fn fixed_order_and_partial_pivoting_give_the_same_solution(by in prop::collection::vec(-0.03_f64..0.03, 33)) {
         use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
         agree::<f64, Listed<f64>, 15>(&support::attia_rough(), &by, 1)?;
         agree::<f32, Listed<f32>, 15>(&support::attia_rough(), &by, 1)?;
@@ -100,7 +100,7 @@ proptest! {
     }
 
     #[test]
-    fn with_carried_points_too(by in prop::collection::vec(-0.03_f64..0.03, 54)) {
+    fn both_factorisations_agree_with_carried_points(by in prop::collection::vec(-0.03_f64..0.03, 54)) {
         use carried::{common_point, held_by_carried, in_the_next_frame, pushrod, scattered};
         agree::<f64, pushrod::Model<f64>, 21>(&scattered(), &by, 1)?;
         agree::<f32, pushrod::Model<f32>, 21>(&scattered(), &by, 1)?;
@@ -110,7 +110,7 @@ proptest! {
     }
 }
 
-/// Or the comparison above would be of nothing.
+/// With unhealthy pivots the comparison above would skip the fixed order.
 #[test]
 fn carried_points_are_eliminated_with_healthy_pivots() {
     fn growth<L: Build<N, Scalar = f64, Listing: Default>, const N: usize>() -> f64 {
@@ -131,7 +131,7 @@ fn carried_points_are_eliminated_with_healthy_pivots() {
 /// With link 6-1 perpendicular to an axis its derivative along that axis is zero, and along x or y it is the pivot that the
 /// design chose.
 #[test]
-fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
+fn a_zero_pivot_is_detected_and_solved_by_partial_pivoting() {
     use suspension_core::linkages::attia2003::{Listing, Model, Points};
     let design = support::attia_rough::<f64>();
     let square_to = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)];
@@ -155,7 +155,7 @@ fn a_zero_pivot_is_seen_and_solved_with_pivoting() {
 
 /// Newton's method with the fixed order converges to the same result as with partial pivoting.
 #[test]
-fn newton_does_not_notice() {
+fn newton_converges_alike_in_fixed_order_and_partial_pivoting() {
     let motions = support::motions(
         &support::five_link_model::<f64>(),
         &support::five_link_rough(),
@@ -175,7 +175,7 @@ fn newton_does_not_notice() {
 
 /// Over the published motion the fixed order is healthy: partial pivoting is for other geometries.
 #[test]
-fn the_published_motion_stays_in_the_fixed_order() {
+fn the_published_motion_needs_no_partial_pivoting() {
     fn worst_growth<L: Build<15, Scalar = f64, Listing: Default>>(
         model: &L,
         motions: &[Motion<f64, 15>],

@@ -27,7 +27,7 @@ fn steer_under(forces: &Points) -> [Result<f64, Part>; 2] {
 
 /// A force on a free point is borne by the equations; the first that has no finite number is the first link here.
 #[test]
-fn what_is_not_finite_at_a_free_point_is_refused_at_an_equation() {
+fn a_non_finite_force_at_a_free_point_is_refused_at_an_equation() {
     let corner: Corner = Corner::design().expect("a regular design");
     let lower_ball = Vector3::new(0.0, 0.0, f64::NAN);
     for refused in steer_under(&Points {
@@ -49,7 +49,7 @@ fn what_is_not_finite_at_a_free_point_is_refused_at_an_equation() {
 
 /// The force on the rack is in no equation: its drive alone bears it.
 #[test]
-fn what_is_not_finite_at_a_driven_chassis_point_is_refused_at_its_drive() {
+fn a_non_finite_force_at_a_driven_chassis_point_names_its_drive() {
     let corner: Corner = Corner::design().expect("a regular design");
     for force in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let rack = Vector3::new(0.0, force, 0.0);

@@ -51,7 +51,7 @@ fn has_test(text: &str, name: &str) -> bool {
 }
 
 #[test]
-fn each_names_tests_that_exist() {
+fn each_guarantee_names_tests_that_exist() {
     let guarantees = guarantees();
     let rows = guarantees.group.iter().flat_map(|group| &group.row);
     let mut named = 0;
@@ -73,7 +73,7 @@ fn each_names_tests_that_exist() {
 }
 
 #[test]
-fn the_page_is_rendered_from_them() {
+fn guarantees_md_is_rendered_from_guarantees_toml() {
     let page = rendered(&guarantees());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(RENDERED);
     if std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| value == "1") {

@@ -215,7 +215,7 @@ fn collect(folder: &Path, within: &[String], files: &mut BTreeMap<Module, File>)
 }
 
 #[test]
-fn files_import_each_other_in_no_circle() {
+fn no_files_import_each_other_in_a_cycle() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut arrows = Vec::new();
     for of in CRATES {
@@ -232,7 +232,7 @@ fn files_import_each_other_in_no_circle() {
 }
 
 #[test]
-fn a_circle_is_found_through_what_is_exported_and_through_paths_in_code() {
+fn an_import_cycle_through_exports_or_paths_in_code_is_found() {
     let file = |imported: &[&str], exported: &[&str], inline: &[&str]| {
         let owned = |list: &[&str]| list.iter().map(|path| (*path).to_owned()).collect();
         File {

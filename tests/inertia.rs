@@ -64,7 +64,7 @@ fn force_and_moment(
 }
 
 #[test]
-fn weight_and_inertia_are_those_of_all_particles() {
+fn weight_and_inertia_of_a_body_equal_those_of_its_particles() {
     let mut rng = Rng::with_seed(31);
     let gravity = Vector3::new(0.3, -0.2, -9.81);
     for case in 0..100 {
@@ -103,7 +103,7 @@ fn weight_and_inertia_are_those_of_all_particles() {
 
 /// A rod is a body of many particles in line.
 #[test]
-fn a_rod_is_particles_in_line() {
+fn weight_and_inertia_of_a_rod_equal_those_of_its_particles() {
     let mut rng = Rng::with_seed(32);
     let gravity = Vector3::new(0.0, 0.0, -9.81);
     let ends = [vector(&mut rng, 0.4), vector(&mut rng, 0.4)];

@@ -24,7 +24,7 @@ const COUNTED: &str = "*steps_of_fixed_cost*counted_step*";
 const WRITTEN_AFTER: &str = "*counted_step*";
 
 #[test]
-fn one_number_for_a_thousand_different_steps() {
+fn a_bounded_step_takes_the_same_instructions_for_any_data() {
     if !has_valgrind() {
         return;
     }
@@ -48,7 +48,7 @@ fn has_valgrind() -> bool {
     // The test harness captures what eprintln! writes, but not this.
     writeln!(
         std::io::stderr(),
-        "SKIPPED one_number_for_a_thousand_different_steps: there is no valgrind"
+        "SKIPPED a_bounded_step_takes_the_same_instructions_for_any_data: there is no valgrind"
     )
     .expect("standard error");
     false

@@ -25,15 +25,18 @@ fn a_refused_step_names_the_unknown_and_the_inequality() {
 }
 
 #[test]
-fn a_geometry_names_the_point_and_the_remedy() {
+fn a_geometry_error_names_the_point_and_the_remedy() {
     let error = GeometryError::Flat { point: 9 };
-    let told = error.named(five_link::Listing).to_string();
-    assert!(told.contains("point `track_rod_outer`"), "{told}");
-    assert!(told.contains("state these points as a `body`"), "{told}");
+    let message = error.named(five_link::Listing).to_string();
+    assert!(message.contains("point `track_rod_outer`"), "{message}");
+    assert!(
+        message.contains("state these points as a `body`"),
+        "{message}"
+    );
 }
 
 #[test]
-fn parts_that_do_not_fit_together_are_told_so() {
+fn lengths_that_do_not_fit_together_are_reported() {
     let corner: Corner = Corner::design().expect("a design");
     let lengths = double_wishbone::Lengths {
         tie_rod: 5.0,
@@ -41,15 +44,15 @@ fn parts_that_do_not_fit_together_are_told_so() {
     };
     let model = corner.model().with_lengths(&lengths).expect("a model");
     let failed = Corner::assembled(model, &corner.points().value);
-    let told = failed.map(|_| ()).expect_err("no assembly").to_string();
+    let message = failed.map(|_| ()).expect_err("no assembly").to_string();
     assert!(
-        told.ends_with("; in assembling, see that lengths and drives fit together"),
-        "{told}"
+        message.ends_with("; in assembling, see that lengths and drives fit together"),
+        "{message}"
     );
 }
 
 #[test]
-fn an_advance_says_how_far_it_came_and_a_model_gives_names_too() {
+fn a_stopped_advance_reports_its_progress_and_names_of_parts() {
     let model = support::five_link_model::<f64>();
     let mut motion = support::five_link_start(&model);
     let beyond = |t: f64| {
@@ -62,13 +65,13 @@ fn an_advance_says_how_far_it_came_and_a_model_gives_names_too() {
     let stopped: Stopped<f64> = Tracker::default()
         .advance(&model, beyond, 0.0, 2.0, &mut motion)
         .expect_err("a lock at 2.178 rad");
-    let told = stopped.named(&model).to_string();
-    assert!(told.starts_with("stopped at time 1.478"), "{told}");
-    assert!(told.contains(": unknown `"), "{told}");
+    let message = stopped.named(&model).to_string();
+    assert!(message.starts_with("stopped at time 1.478"), "{message}");
+    assert!(message.contains(": unknown `"), "{message}");
 }
 
 #[test]
-fn an_advance_whose_steps_were_shortened_in_vain_does_not_ask_for_shorter_ones() {
+fn a_stopped_advance_does_not_ask_for_shorter_steps() {
     let refused = SolveError::<f64>::Diverging {
         part: Part::Unknown(2),
         step: 1.0,
@@ -87,7 +90,10 @@ fn an_advance_whose_steps_were_shortened_in_vain_does_not_ask_for_shorter_ones()
 }
 
 #[test]
-fn a_refusal_is_a_sentence() {
-    let told = Refusal::Unhealthy.to_string();
-    assert!(told.contains("pivots") && told.contains("; "), "{told}");
+fn a_refusal_has_a_message_with_a_remedy() {
+    let message = Refusal::Unhealthy.to_string();
+    assert!(
+        message.contains("pivots") && message.contains("; "),
+        "{message}"
+    );
 }

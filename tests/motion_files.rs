@@ -1,4 +1,4 @@
-//! What the fuzz target of motion files demands of any text, demanded of the shipped examples, whole and cut short after each line.
+//! The shipped examples, whole and truncated after each line, against the conditions of the fuzz target of motion files.
 
 #[path = "fuzz/fuzz_targets/motion_file/demand.rs"]
 mod demand;
@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 #[test]
-fn examples_and_their_beginnings_move_or_are_refused_in_a_sentence() {
+fn examples_and_their_prefixes_move_or_are_refused_in_a_sentence() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let files = fs::read_dir(folder)
         .expect("a folder")

@@ -278,19 +278,19 @@ fn five_link<T: Real>() -> Case<T, suspension_core::linkages::five_link::Model<T
 }
 
 #[test]
-fn attia2003_does_not_allocate() {
+fn solving_attia2003_does_not_allocate() {
     attia::<f64>().check();
     attia::<f32>().check();
 }
 
 #[test]
-fn five_link_does_not_allocate() {
+fn solving_five_link_does_not_allocate() {
     five_link::<f64>().check();
     five_link::<f32>().check();
 }
 
 #[test]
-fn lanes_do_not_allocate() {
+fn steps_of_lanes_do_not_allocate() {
     use suspension_core::linkages::{attia2003, five_link};
     lanes::<f64, attia2003::Listing>(&attia());
     lanes::<f32, five_link::Listing>(&five_link());
@@ -298,6 +298,6 @@ fn lanes_do_not_allocate() {
 
 #[test]
 #[should_panic(expected = "a box allocates")]
-fn an_allocation_is_seen() {
+fn an_allocation_is_detected() {
     without_allocating("a box", || Box::new(black_box(1.0)));
 }

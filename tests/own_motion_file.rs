@@ -1,5 +1,5 @@
-//! Motion files of a linkage of one's own, whose drives are coordinates (the catalogue has none):
-//! the same far from the origin.
+//! Motion files of a user's own linkage, whose drives are coordinates (the catalogue has no such linkage): the same results far
+//! from the origin.
 
 use std::sync::atomic::AtomicBool;
 
@@ -117,7 +117,7 @@ fn states(mechanism: &Wishbone) -> Vec<State> {
 }
 
 #[test]
-fn a_file_for_another_linkage_is_refused() {
+fn a_motion_file_for_another_linkage_is_refused() {
     let other = file([0.0; 3]).replace("double_wishbone", "five_link");
     let source = Source::new("a.toml", other);
     let loaded = load_own::<double_wishbone::Model<f64>, 9>("double_wishbone", &source);
@@ -129,31 +129,31 @@ fn a_file_for_another_linkage_is_refused() {
 }
 
 #[test]
-fn a_motion_far_from_the_origin() {
+fn a_motion_far_from_the_origin_is_only_shifted() {
     let [home, away] = [[0.0; 3], AWAY].map(mechanism);
-    let [here, there] = [&home, &away].map(states);
-    assert_eq!([here.len(), there.len()], [3; 2]);
-    for (here, there) in here.iter().zip(&there) {
-        assert_shifted(&home, here, there);
+    let [near, far] = [&home, &away].map(states);
+    assert_eq!([near.len(), far.len()], [3; 2]);
+    for (near, far) in near.iter().zip(&far) {
+        assert_shifted(&home, near, far);
     }
     let names = home.names.drive_names();
     let bump = names.iter().position(|name| *name == "bump");
-    assert_eq!(here[0].drives[bump.expect("a drive")], 0.18);
+    assert_eq!(near[0].drives[bump.expect("a drive")], 0.18);
 }
 
 #[test]
-fn ranges_far_from_the_origin() {
+fn ranges_far_from_the_origin_are_only_shifted() {
     let [home, away] = [[0.0; 3], AWAY].map(mechanism);
-    let [here, there] = [&home, &away].map(|mechanism| {
+    let [near, far] = [&home, &away].map(|mechanism| {
         [0, 1].map(|drive| range(mechanism, drive, &false.into()).expect("a curve"))
     });
-    for (here, there) in here.iter().zip(&there) {
-        let shift = shift(&format!("{}_m", here.name));
-        assert!((there.start - shift - here.start).abs() < TOLERANCE);
-        for (end, moved) in here.ends.iter().zip(&there.ends) {
+    for (near, far) in near.iter().zip(&far) {
+        let shift = shift(&format!("{}_m", near.name));
+        assert!((far.start - shift - near.start).abs() < TOLERANCE);
+        for (end, moved) in near.ends.iter().zip(&far.ends) {
             assert!((moved.value - shift - end.value).abs() < TOLERANCE);
         }
-        let stations = [&here.usable, &there.usable].map(|stations| &stations[1]);
+        let stations = [&near.usable, &far.usable].map(|stations| &stations[1]);
         let [first, moved] = stations.map(|station| station.value());
         assert!((moved - shift - first).abs() < 1e-6, "{first} {moved}");
     }
@@ -169,8 +169,8 @@ fn ranges_far_from_the_origin() {
 }
 
 #[test]
-fn baked_far_from_the_origin() {
-    let [here, there] = [[0.0; 3], AWAY].map(|away| {
+fn a_baked_curve_far_from_the_origin_is_only_shifted() {
+    let [near, far] = [[0.0; 3], AWAY].map(|away| {
         let request = Request {
             along: Variables::Drives(vec![Wished {
                 drive: Some("bump".to_owned()),
@@ -192,19 +192,19 @@ fn baked_far_from_the_origin() {
             Table::Surface(_) => panic!("of one drive a curve"),
         }
     });
-    let [(_, here), (about, there)] = [here, there];
-    assert_eq!(here.wanted.range, [0.18, 0.25]);
-    assert_eq!(there.wanted.range, [0.18, 0.25].map(|end| end + AWAY[2]));
+    let [(_, near), (about, far)] = [near, far];
+    assert_eq!(near.wanted.range, [0.18, 0.25]);
+    assert_eq!(far.wanted.range, [0.18, 0.25].map(|end| end + AWAY[2]));
     assert_eq!(about.held, "steer = -2047.66 m");
-    let constants = [here, there].map(|baked| baked.segments[0][0][0]);
+    let constants = [near, far].map(|baked| baked.segments[0][0][0]);
     for (axis, away) in AWAY.iter().enumerate() {
         assert!((constants[1][axis] - away - constants[0][axis]).abs() < TOLERANCE);
     }
 }
 
 #[test]
-fn assemblies_far_from_the_origin() {
-    let [here, there] = [[0.0; 3], AWAY].map(|away| {
+fn assemblies_far_from_the_origin_are_only_shifted() {
+    let [near, far] = [[0.0; 3], AWAY].map(|away| {
         let wish = listed::Wish {
             drive: Some("bump".to_owned()),
             at: vec![0.2 + away[2]],
@@ -218,10 +218,10 @@ fn assemblies_far_from_the_origin() {
         result.expect("assemblies");
         listed.remove(0)
     });
-    assert_eq!(here.drives_in_words, "bump = 0.2 m, steer = 0.34 m");
-    assert_eq!(there.drives_in_words, "bump = 1024.2 m, steer = -2047.66 m");
-    assert_eq!(here.assemblies.len(), there.assemblies.len());
-    let [first, moved] = [&here, &there].map(|listed| &listed.assemblies[0].state);
+    assert_eq!(near.drives_in_words, "bump = 0.2 m, steer = 0.34 m");
+    assert_eq!(far.drives_in_words, "bump = 1024.2 m, steer = -2047.66 m");
+    assert_eq!(near.assemblies.len(), far.assemblies.len());
+    let [first, moved] = [&near, &far].map(|listed| &listed.assemblies[0].state);
     for point in 5..10 {
         let off = moved.position(point) - first.position(point);
         for (off, away) in off.iter().zip(AWAY) {
@@ -232,7 +232,7 @@ fn assemblies_far_from_the_origin() {
 
 /// A mechanism moved as a whole has the same kinematics.
 #[test]
-fn sensitivities_of_all_points_together_add_up_to_nothing() {
+fn sensitivities_to_x_of_all_points_sum_to_zero() {
     let mechanism = mechanism([0.0; 3]);
     let points = 0..DESIGN.len();
     let changes = points.flat_map(|point| coordinates(&mechanism, point, &[]));

@@ -56,9 +56,9 @@ fn fault(page: &Path, link: &str) -> Option<String> {
     } else {
         page.parent().expect("a folder").join(file)
     };
-    let told = |what: &str| Some(format!("{}: {link}: {what}", page.display()));
+    let fault_of = |what: &str| Some(format!("{}: {link}: {what}", page.display()));
     if !target.exists() {
-        return told("there is no such file");
+        return fault_of("there is no such file");
     }
     if anchor.is_empty() {
         return None;
@@ -68,12 +68,12 @@ fn fault(page: &Path, link: &str) -> Option<String> {
     if has_heading {
         None
     } else {
-        told("there is no such heading")
+        fault_of("there is no such heading")
     }
 }
 
 #[test]
-fn links_of_pages_lead_to_files_and_headings() {
+fn links_in_pages_lead_to_existing_files_and_headings() {
     let pages = pages(root());
     let mut count = 0;
     let mut faults = Vec::new();
@@ -88,7 +88,7 @@ fn links_of_pages_lead_to_files_and_headings() {
 }
 
 #[test]
-fn a_link_to_a_missing_file_or_heading_is_found() {
+fn the_check_of_links_finds_a_missing_file_or_heading() {
     let page = root().join("README.md");
     assert_eq!(fault(&page, "docs/speed.md"), None);
     assert_eq!(fault(&page, "#licence"), None);
@@ -99,7 +99,7 @@ fn a_link_to_a_missing_file_or_heading_is_found() {
 }
 
 #[test]
-fn the_page_about_the_architecture_names_every_crate() {
+fn architecture_md_names_every_crate() {
     let page = std::fs::read_to_string(root().join(ARCHITECTURE)).expect("the page");
     let entries = std::fs::read_dir(root()).expect("a folder");
     let folders = entries.map(|entry| entry.expect("an entry").path());

@@ -33,7 +33,7 @@ fn knuckle_rotation(t: f64, motion: &Motion<f64, 15>) -> [f64; 6] {
 }
 
 #[test]
-fn table_2_is_met_within_0_85_mm_and_nine_tenths_of_it_within_half_a_millimetre() {
+fn table_2_agrees_within_0_85_mm_and_in_90_percent_within_0_5_mm() {
     let paper = Paper::built_in();
     let motions = motions();
     let mut differences = Vec::new();
@@ -57,7 +57,7 @@ fn table_2_is_met_within_0_85_mm_and_nine_tenths_of_it_within_half_a_millimetre(
 /// 51 of the 54 entries are met within half a unit of their last digit. The other three are off by
 /// 0.51 to 0.54 units in the 40-digit reference too: the lengths were fitted to the tables.
 #[test]
-fn table_3_is_met_to_its_last_digit_but_for_three_entries_of_the_reference() {
+fn table_3_agrees_to_its_last_digit_except_for_three_entries() {
     const BEYOND: [(&str, usize); 3] = [("omega_y", 5), ("omega_y", 8), ("alpha_z", 7)];
     let paper = Paper::built_in();
     let reference = Reference::load();
@@ -95,7 +95,7 @@ fn table_3_is_met_to_its_last_digit_but_for_three_entries_of_the_reference() {
 }
 
 #[test]
-fn every_misprint_is_found_in_the_tables() {
+fn every_listed_misprint_is_marked_in_the_tables() {
     let paper = Paper::built_in();
     let columns = paper.table2.iter().chain(&paper.table3);
     let marked = columns

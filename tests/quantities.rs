@@ -33,7 +33,7 @@ fn tabled(names: &Names) -> Vec<String> {
 }
 
 #[test]
-fn what_a_linkage_lacks_has_no_columns() {
+fn quantities_of_missing_wheel_or_kingpin_have_no_columns() {
     let bare = tabled(&names(false, false));
     let wheel = tabled(&names(true, false));
     let both = tabled(&names(true, true));
@@ -58,7 +58,7 @@ fn what_a_linkage_lacks_has_no_columns() {
 }
 
 #[test]
-fn what_the_vehicle_makes_known_has_columns() {
+fn entries_of_the_vehicle_add_their_columns() {
     let both = names(true, true);
     let with = |names: &Names, known: fn(Wheel) -> Wheel| Names {
         wheels: names.wheels.iter().cloned().map(known).collect(),
@@ -91,7 +91,7 @@ fn what_the_vehicle_makes_known_has_columns() {
 }
 
 #[test]
-fn every_row_says_what_it_is_and_where_from() {
+fn every_quantity_has_name_definition_and_source() {
     let mut names: Vec<_> = catalogue().map(|row| row.name).collect();
     names.retain(|name| !name.is_empty());
     let count = names.len();

@@ -48,14 +48,14 @@ fn assert_within_bounds(found: [f64; 5]) {
 }
 
 #[test]
-fn the_papers_own_list_agrees() {
+fn attia2003_agrees_with_the_40_digit_solution() {
     let model: attia2003::Model<f64> = support::attia_model();
     let motions = support::motions(&model, &support::attia_rough(), support::attia_inputs);
     assert_within_bounds(differences(&model, support::attia_inputs, &motions));
 }
 
 #[test]
-fn the_rigid_knuckle_agrees() {
+fn five_link_agrees_with_the_40_digit_solution() {
     let model: five_link::Model<f64> = support::five_link_model();
     let motions = support::motions(
         &model,
@@ -68,7 +68,7 @@ fn the_rigid_knuckle_agrees() {
 /// f32 about the paper's origin, 1.4 m away: rounding of the coordinates alone is 6e-8 m, and
 /// the condition number of up to 517 multiplies what the equations lose.
 #[test]
-fn single_precision_follows() {
+fn f32_positions_agree_with_the_40_digit_solution() {
     let model: attia2003::Model<f32> = support::attia_model();
     let motions = support::motions(&model, &support::attia_rough(), support::attia_inputs);
     let reference = Reference::load();
@@ -81,7 +81,7 @@ fn single_precision_follows() {
 
 /// The control loop in single precision: a step each millisecond over the whole motion.
 #[test]
-fn single_precision_steps_each_millisecond() {
+fn f32_steps_of_one_millisecond_follow_the_published_motion() {
     let model: attia2003::Model<f32> = support::attia_model();
     let mut motion = support::motions(&model, &support::attia_rough(), support::attia_inputs)[0];
     let tracker = Tracker::<f32>::default();

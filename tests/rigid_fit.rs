@@ -39,7 +39,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn no_other_rotation_fits_better(
+    fn best_rigid_fit_is_as_close_as_that_of_kabsch(
         shape in prop::collection::vec(-0.3_f64..0.3, 15),
         guess in prop::collection::vec(-0.3_f64..0.3, 15),
     ) {
@@ -53,7 +53,7 @@ proptest! {
     }
 
     #[test]
-    fn a_moved_body_is_found_again(
+    fn best_rigid_fit_recovers_a_moved_body(
         shape in prop::collection::vec(-0.3_f64..0.3, 15),
         turn in prop::collection::vec(-3.0_f64..3.0, 3),
     ) {

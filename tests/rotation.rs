@@ -99,7 +99,7 @@ fn eq9_and_eq10_agree_where_they_are_defined() {
 }
 
 #[test]
-fn where_eq10_is_zero_over_zero_the_fit_is_exact() {
+fn the_fit_is_exact_where_eq10_is_zero_over_zero() {
     let [a, b, c] = body();
     let omega = Vector3::new(-3.47, -0.36, 0.43);
     for (along_u, along_v) in [(1.0, 0.0), (0.0, 1.0), (3.0, -2.0), (1e-3, 5.0)] {
@@ -112,7 +112,7 @@ fn where_eq10_is_zero_over_zero_the_fit_is_exact() {
 }
 
 #[test]
-fn where_eq9_is_zero_over_zero_the_fit_is_exact() {
+fn the_fit_is_exact_where_eq9_is_zero_over_zero() {
     let [a, b, c] = body();
     let alpha = Vector3::new(2.0, -5.0, 1.0);
     // In the plane of the three points: along either edge, or any mixture of the two.
@@ -134,7 +134,7 @@ fn where_eq9_is_zero_over_zero_the_fit_is_exact() {
 /// At every instant of the 40-digit reference: three points of the knuckle whose plane the angular
 /// velocity lies in, carried with points 6, 7 and 8, whose rates are the reference's.
 #[test]
-fn over_the_reference_where_eq9_is_zero_over_zero() {
+fn the_fit_matches_the_reference_where_eq9_is_zero_over_zero() {
     let reference = support::Reference::load();
     for instant in 0..support::INSTANTS.len() {
         let [omega, alpha] = ["omega_", "alpha_"].map(|name| reference.vector(instant, name));
@@ -161,7 +161,7 @@ fn over_the_reference_where_eq9_is_zero_over_zero() {
 }
 
 #[test]
-fn a_line_has_no_rotation() {
+fn collinear_points_have_no_rotation() {
     let [a, b, _] = body();
     let line = [a, b, a + (b - a) * 2.0];
     assert!(angular_velocity(&line, &body()).is_none());
@@ -169,7 +169,7 @@ fn a_line_has_no_rotation() {
 }
 
 #[test]
-fn pose_carries_design_to_now() {
+fn pose_carries_the_design_to_the_current_points() {
     let motion = Isometry3::new(Vector3::new(0.1, 0.7, -0.3), Vector3::new(1.0, -2.0, 0.5));
     let now = body()
         .map(|point| motion * nalgebra::Point3::from(point))
@@ -181,7 +181,7 @@ fn pose_carries_design_to_now() {
 /// The wheel's spin adds to the knuckle's rate, and swinging the axis round adds to its
 /// acceleration: against the derivative of the wheel's angular velocity in time.
 #[test]
-fn spin_about_a_swinging_axis() {
+fn wheel_spin_about_a_swinging_axis_adds_to_rate_and_acceleration() {
     let knuckle = Vector3::new(0.4, -0.2, 0.9);
     let spin = Spin {
         rate: 50.0,
@@ -207,7 +207,7 @@ fn spin_about_a_swinging_axis() {
 
 /// Signs of the angles on both sides of a vehicle (ISO 8855: x forward, y left, z up).
 #[test]
-fn signs_mean_the_same_left_and_right() {
+fn signs_of_wheel_angles_mean_the_same_on_both_sides() {
     for side in [1.0, -1.0] {
         let top_outboard = Vector3::new(0.0, side, -0.1);
         assert!(camber(&top_outboard) > 0.0 && camber_to_ground(&top_outboard) > 0.0);

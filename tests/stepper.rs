@@ -1,4 +1,4 @@
-//! One trait over the ways to step: the same calls, the same report, the same motion.
+//! One trait over all steppers: the same calls, the same report, the same motion.
 
 use suspension_core::linkages::five_link::Model;
 use suspension_core::step::series::SeriesTracker;
@@ -25,7 +25,7 @@ fn second(way: &impl Stepper<f64>, tolerance: f64) -> Motion<f64, 15> {
 }
 
 #[test]
-fn every_way_comes_to_the_same_place() {
+fn every_stepper_reaches_the_same_motion() {
     let tracked = second(&Tracker::default(), 1e-13);
     let bounded = second(&Bounded::default(), 1e-13);
     let series = second(&SeriesTracker::<f64, 6>::within(1e-12), 1e-12);
@@ -36,7 +36,7 @@ fn every_way_comes_to_the_same_place() {
 }
 
 #[test]
-fn every_way_divides_a_long_way() {
+fn every_stepper_divides_a_long_advance() {
     fn advanced(way: &impl Stepper<f64>) -> Motion<f64, 15> {
         let model: Model<f64> = support::five_link_model();
         let mut motion = support::five_link_start(&model);
@@ -53,7 +53,7 @@ fn every_way_divides_a_long_way() {
 
 /// The type of the numbers comes from the model.
 #[test]
-fn a_bounded_step_needs_no_type() {
+fn a_bounded_step_infers_its_number_type_from_the_model() {
     let model: Model<f32> = support::five_link_model();
     let mut motion = support::five_link_start(&model);
     let inputs = support::five_link_inputs(0.0);

@@ -1,4 +1,4 @@
-//! The wheel on the ground, its steering axis and its instant centres.
+//! The wheel's contact point, its steering axis and its instant centres.
 
 use std::f64::consts::FRAC_PI_6;
 
@@ -30,7 +30,7 @@ fn formulas<N: Number>([lower, upper, inner, centre]: Of<N>, radius: N) -> [N; 8
 }
 
 #[test]
-fn a_cambered_wheel_touches_below_and_beside_its_centre() {
+fn the_contact_point_of_a_cambered_wheel_is_offset_sideways() {
     // The top leans outboard by 30 degrees.
     let axis = Vector3::new(0.0, FRAC_PI_6.cos(), -FRAC_PI_6.sin());
     let at = contact(&Vector3::new(1.0, 0.7, RADIUS), &axis, RADIUS);
@@ -39,7 +39,7 @@ fn a_cambered_wheel_touches_below_and_beside_its_centre() {
 }
 
 #[test]
-fn a_kingpin_is_measured_alike_on_both_sides() {
+fn kingpin_quantities_are_equal_on_both_sides() {
     for side in [1.0, -1.0] {
         let mirror = |[x, y, z]: [f64; 3]| Vector3::new(x, side * y, z);
         let [lower, upper, inner, centre] = [
@@ -61,7 +61,7 @@ fn a_kingpin_is_measured_alike_on_both_sides() {
 }
 
 #[test]
-fn the_screw_axis_of_a_turn_about_a_line_is_the_line() {
+fn the_screw_axis_of_a_rotation_about_a_line_is_the_line() {
     let (point, direction) = (Vector3::new(0.1, 0.6, 0.2), Vector3::new(-0.1, -0.2, 1.0));
     let centre = Vector3::new(0.0, 0.75, RADIUS);
     for turn in [0.3, -2.0] {
@@ -73,7 +73,7 @@ fn the_screw_axis_of_a_turn_about_a_line_is_the_line() {
 }
 
 #[test]
-fn instant_centres_and_roll_centre_of_a_turn_about_a_line() {
+fn instant_centres_and_roll_centre_of_a_swing_axle_are_at_its_pivot() {
     // A swing axle turns about a line along x.
     let pivot = Vector3::new(0.0, 0.1, 0.25);
     for side in [1.0, -1.0] {
@@ -107,7 +107,7 @@ fn instant_centres_and_roll_centre_of_a_turn_about_a_line() {
 }
 
 #[test]
-fn formulas_of_signals_have_the_derivatives_of_differences() {
+fn derivatives_of_wheel_quantities_agree_with_differences() {
     const H: f64 = 3e-4;
     let of = |bump: f64, steer: f64| {
         let mut corner: Corner = Corner::design().expect("a regular design");

@@ -1,4 +1,4 @@
-//! A linkage that states neither wheel nor kingpin: all work is done on it, and what it lacks has no columns.
+//! A linkage that states neither wheel nor kingpin: every command works, and missing quantities have no columns.
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -53,7 +53,7 @@ fn request(wish: Wish) -> Request {
 }
 
 #[test]
-fn its_motion_has_columns_of_points_alone() {
+fn a_motion_without_a_wheel_has_columns_of_points_alone() {
     with_mechanism(has_columns_of_points_alone);
 }
 
@@ -88,7 +88,7 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
 }
 
 #[test]
-fn other_work_is_done_on_it_too() {
+fn range_and_assemblies_work_without_a_wheel() {
     with_mechanism(has_ends_and_assemblies);
 }
 
@@ -113,7 +113,7 @@ fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
 }
 
 #[test]
-fn its_points_are_baked_and_its_wheel_is_refused() {
+fn without_a_wheel_points_are_baked_and_a_wheel_is_refused() {
     with_mechanism(bakes_points_alone);
 }
 

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn without_rows_there_are_the_headings_and_without_those_nothing() {
+    fn a_table_without_rows_prints_its_headings_alone() {
         assert_eq!(laid_out(2, []), "");
         assert_eq!(
             laid_out(2, [TextColumn::left(NONE), TextColumn::right(NONE)]),
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_as_wide_as_their_characters() {
+    fn column_width_counts_characters_rather_than_bytes() {
         let columns = [
             TextColumn::left(["Lenker", "Höhe", "Größe"]),
             TextColumn::right(["größer", "1", "22"]),
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn headings_that_are_wider_stand_where_the_cells_do() {
+    fn wide_headings_are_aligned_like_their_cells() {
         let columns = [
             TextColumn::left(["a", "b"]).headed("measure"),
             numbers(&["1.25", "-10"]).headed("in all"),
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn what_follows_numbers_is_below_each_other() {
+    fn text_after_numbers_is_aligned() {
         let range = numbers(&["1.5", "-20"]).joined(" to ", numbers(&["300", "0.25"]));
         let range = range
             .headed("from")

@@ -1,4 +1,4 @@
-//! Results of functions: failures with the names of their culprits, names, moving chassis.
+//! Results of functions: failures with the names of the parts concerned, names, moving chassis.
 #![allow(unsafe_code, reason = "it reads text as C does")]
 
 mod five_link;
@@ -43,7 +43,7 @@ fn of_points(points: &Points) -> (Status, Option<&'static str>) {
 }
 
 #[test]
-fn a_geometry_that_is_none_names_the_point_or_the_length() {
+fn an_invalid_geometry_reports_the_point_or_length() {
     let mut points = DESIGN;
     points.values[7][1] = f32::NAN;
     assert_eq!(
@@ -72,7 +72,7 @@ fn a_geometry_that_is_none_names_the_point_or_the_length() {
 
 /// The lower front link is perpendicular to y, along which its derivative is the first pivot.
 #[test]
-fn a_small_pivot_is_told_and_the_model_made() {
+fn a_small_pivot_is_reported_and_the_model_is_built() {
     let mut points = DESIGN;
     points.values[5][1] = points.values[0][1];
     let mut memory = MaybeUninit::<Model>::uninit();
@@ -100,10 +100,10 @@ fn a_small_pivot_is_told_and_the_model_made() {
 }
 
 #[test]
-fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
+fn a_refused_step_reports_part_value_and_bound() {
     let (model, mut motion) = (model(), at_rest());
     let far = inputs(Drives { values: [3.0] }, 0.5);
-    let (status, culprit, told) = failure(|failure| {
+    let (status, culprit, details) = failure(|failure| {
         let (model, motion) = ((&model).into(), (&mut motion).into());
         five_link_f32::bounded_step(model, (&far).into(), 2, 0.0, motion, None.into(), failure)
     });
@@ -112,7 +112,10 @@ fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
         "{status:?}"
     );
     assert!(culprit.is_some());
-    assert!(told.value > told.bound && told.bound > 0.0, "{told:?}");
+    assert!(
+        details.value > details.bound && details.bound > 0.0,
+        "{details:?}"
+    );
     assert_eq!(
         text(status_text(status as i32).as_ptr()),
         status.text().to_str().ok()
@@ -121,12 +124,12 @@ fn a_step_that_is_refused_names_the_equation_or_unknown_and_by_how_much() {
 
     // The step starts at rest and goes beyond the reach of the drive; `reached` says how far it got.
     let start = step_from_rest(&model, &mut motion);
-    let (_, _, told) = failure(|failure| {
+    let (_, _, details) = failure(|failure| {
         let (model, motion) = ((&model).into(), (&mut motion).into());
         let ends = ((&start).into(), (&far).into());
         five_link_f32::step_between(model, ends.0, ends.1, 1.0, motion, None.into(), failure)
     });
-    assert!((0.1..0.9).contains(&told.reached), "{told:?}");
+    assert!((0.1..0.9).contains(&details.reached), "{details:?}");
 }
 
 /// Returns the inputs of the design position, and changes the motion to the one with their rates.
@@ -146,7 +149,7 @@ fn step_from_rest(model: &Model, motion: &mut Motion) -> Inputs {
 }
 
 #[test]
-fn names_are_in_the_order_of_the_members() {
+fn names_of_points_drives_and_lengths_are_in_member_order() {
     let points: Vec<_> = (0..12)
         .map(|index| text(five_link_f32::point_name(index).as_ptr()))
         .collect();
@@ -166,7 +169,7 @@ fn names_are_in_the_order_of_the_members() {
 }
 
 #[test]
-fn a_proved_configuration_has_its_radius() {
+fn certify_returns_radius_and_uniqueness_of_the_root() {
     let (model, mut motion) = (model(), at_rest());
     let inputs = step_from_rest(&model, &mut motion);
     let certificate: Certificate = made(|certificate| {
@@ -181,7 +184,7 @@ fn a_proved_configuration_has_its_radius() {
 }
 
 #[test]
-fn what_has_no_direction_is_told() {
+fn a_kingpin_without_a_direction_is_reported() {
     let model = model();
     let nowhere = Points {
         values: [[0.0; 3]; 11],
@@ -233,7 +236,7 @@ const CHASSIS: RigidMotion = RigidMotion {
 };
 
 #[test]
-fn solved_in_the_world_it_moves_as_carried_there() {
+fn solving_in_world_axes_agrees_with_carrying_the_points_there() {
     let model = model();
     let mut motion = at_rest();
     let inputs = step_from_rest(&model, &mut motion);

@@ -84,8 +84,8 @@ const DESIGN: &str = "{-1.396, -0.025, -0.082}, {-1.301, 0.1168, 0.106}, {-1.094
 const OPTIONAL: [&str; 3] = ["failure", "assembly", "report"];
 
 #[test]
-fn wrong_ones_are_told_and_leave_all_as_it_was() {
-    if !native::has("cc", "wrong_ones_are_told_and_leave_all_as_it_was") {
+fn wrong_arguments_are_reported_and_change_no_output() {
+    if !native::has("cc", "wrong_arguments_are_reported_and_change_no_output") {
         return;
     }
     let built = native::example("catalogue");

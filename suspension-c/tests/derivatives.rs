@@ -47,7 +47,7 @@ fn ratios(inputs: &Inputs, change: f32) -> Result<(PointRates, MeasureRates), St
 }
 
 #[test]
-fn motion_ratios_at_rest_are_those_of_the_corner() {
+fn motion_ratios_at_rest_equal_those_of_the_rust_corner() {
     let (points, measures) = ratios(&design_inputs(), 1.0).expect("regular");
     let expected = corner().per(core_link::Drives { theta: 1.0 });
     let expected = expected.expect("regular");
@@ -69,7 +69,7 @@ fn motion_ratios_at_rest_are_those_of_the_corner() {
 
 /// The work of forces on the knuckle is the load on the drive; the multiplier of a link is the force in it.
 #[test]
-fn the_drive_bears_the_work_of_forces() {
+fn the_force_on_the_drive_is_the_virtual_work_of_the_loads() {
     let (model, motion, inputs) = (model(), at_rest(), design_inputs());
     let forces = Points {
         values: [[10.0, -20.0, 400.0]; 11],
@@ -131,7 +131,7 @@ fn advance(to: f32) -> (Status, Inputs, PointRates, Option<Report>, Option<Failu
 }
 
 #[test]
-fn drives_are_followed_to_the_end_or_as_far_as_they_lead() {
+fn advance_reaches_the_end_or_the_lock_as_in_rust() {
     let rates = |to| Signal {
         value: core_link::Drives { theta: to },
         rate: core_link::Drives { theta: 0.5 },
@@ -160,7 +160,7 @@ fn drives_are_followed_to_the_end_or_as_far_as_they_lead() {
 
 /// A step that reaches nothing changes nothing, second rates included.
 #[test]
-fn what_cannot_begin_leaves_the_inputs() {
+fn an_advance_that_fails_at_its_start_leaves_the_inputs_unchanged() {
     let (model, mut motion, mut reached) = (model(), at_rest(), design_inputs());
     reached.second_rate.values = [0.25];
     let (before, to) = (reached, inputs(reached.value, f32::NAN));

@@ -73,7 +73,7 @@ fn compare<const CORRECTIONS: usize>(attempt: Attempt, jump: f32) -> Option<u16>
 }
 
 #[test]
-fn smooth_drives_are_followed_by_all() {
+fn bounded_steps_of_any_corrections_follow_smooth_drives() {
     for refused in [
         compare::<0>(five_link_f32::attempt_without_corrections, 0.0),
         compare::<1>(five_link_f32::attempt, 0.0),
@@ -85,7 +85,7 @@ fn smooth_drives_are_followed_by_all() {
 
 /// Larger jumps need more corrections.
 #[test]
-fn a_jump_takes_corrections() {
+fn a_larger_jump_of_a_drive_needs_more_corrections() {
     assert_eq!(
         compare::<0>(five_link_f32::attempt_without_corrections, 2e-3),
         Some(JUMP)
@@ -116,7 +116,7 @@ without_failure!(step_twice, bounded_step_twice);
 
 /// They compute what an accepted attempt does.
 #[test]
-fn steps_that_explain_a_refusal_are_attempts() {
+fn steps_that_explain_refusals_compute_the_same_as_attempts() {
     assert_eq!(compare::<1>(step, 2e-3), None);
     assert_eq!(compare::<1>(step, 5e-3), Some(JUMP));
     assert_eq!(compare::<2>(step_twice, 5e-3), None);

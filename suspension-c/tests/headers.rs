@@ -8,7 +8,7 @@ use suspension_c::catalogue::{attia2003_f32, attia2003_f64, five_link_f32, five_
 const UPDATE: &str = "UPDATE_SNAPSHOTS";
 
 #[test]
-fn are_what_the_functions_say() {
+fn the_committed_headers_match_the_function_descriptions() {
     let headers = [
         ("suspension.h", suspension_c::header::common().to_string()),
         (

@@ -29,24 +29,24 @@ fn name(pointer: *const c_char) -> Option<String> {
 }
 
 #[test]
-fn every_mistake_is_told_with_its_line_and_column() {
+fn every_mistake_in_a_listing_is_reported_with_line_and_column() {
     let mistakes = |text| Read::new(text).err().expect("mistakes");
-    let told = mistakes("fixed: a;\nfree: p, p;\nlink rod: a -> q;\ndrive y: p.y;\n");
-    let lines: Vec<&str> = told.lines().collect();
-    assert!(lines.len() >= 2, "{told}");
+    let reported = mistakes("fixed: a;\nfree: p, p;\nlink rod: a -> q;\ndrive y: p.y;\n");
+    let lines: Vec<&str> = reported.lines().collect();
+    assert!(lines.len() >= 2, "{reported}");
     assert!(
         lines.iter().any(|line| line.starts_with("listing:2:10: ")),
-        "{told}"
+        "{reported}"
     );
     assert!(
         lines.iter().any(|line| line.starts_with("listing:3:16: ")),
-        "{told}"
+        "{reported}"
     );
     assert!(mistakes("").starts_with("listing:1:1: "));
 }
 
 #[test]
-fn a_message_is_cut_where_the_memory_ends() {
+fn a_message_is_truncated_at_the_size_of_its_buffer() {
     let text = "fixed: \u{e9}\u{e9} at [0.0];".as_bytes();
     let message = |text: &[u8], size: usize| {
         let mut message = [b'?'; 64];
@@ -68,7 +68,7 @@ fn a_message_is_cut_where_the_memory_ends() {
 }
 
 #[test]
-fn parts_have_numbers_and_names() {
+fn parts_of_a_listing_are_found_by_number_and_by_name() {
     let listing = pushrod();
     assert_eq!(listing.count(POINT), 20);
     assert_eq!((listing.count(DRIVE), listing.count(MEASURE)), (2, 2));
@@ -91,7 +91,7 @@ fn parts_have_numbers_and_names() {
 }
 
 #[test]
-fn points_that_make_no_linkage_are_named() {
+fn an_invalid_geometry_of_a_listing_names_the_point() {
     let listing = Read::new(CRANK).expect("a listing");
     let mut points = listing.design();
     let failure = listing
@@ -125,7 +125,7 @@ fn points_that_make_no_linkage_are_named() {
 
 /// Steps beyond the reach of the drive, from C and from the corner in Rust.
 #[test]
-fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
+fn a_refused_step_stays_and_a_stopped_advance_keeps_its_progress() {
     let (mut stays, mut goes) = (placed(), placed());
     let mut compiled = compiled::Corner::<f64>::design().expect("a geometry");
     let Drives { bump, steer } = compiled.drives();
@@ -156,7 +156,7 @@ fn a_step_stays_and_an_advance_keeps_what_it_has_got_to() {
 
 /// A copy continues with the same bits, even if the original has moved on or is freed.
 #[test]
-fn a_copy_goes_on_by_itself() {
+fn a_copy_of_a_corner_moves_independently_of_the_original() {
     let listing = pushrod();
     let mut corner = listing.place(&listing.design()).expect("a corner");
     let [bump, steer] = corner.drives();
@@ -189,7 +189,7 @@ fn a_copy_goes_on_by_itself() {
 }
 
 #[test]
-fn kingpin_rotation_and_measures_are_those_of_the_corner() {
+fn kingpin_rotation_and_measures_equal_those_of_the_rust_corner() {
     let mut corner = placed();
     let mut compiled = compiled::Corner::<f64>::design().expect("a geometry");
     let Drives { bump, steer } = compiled.drives();

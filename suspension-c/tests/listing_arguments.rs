@@ -8,7 +8,7 @@ use suspension_c::{Destroy, In, InOut, Out, Status};
 use text::{POINT, from, made, placed, pushrod, to};
 
 #[test]
-fn wrong_objects_are_told() {
+fn wrong_objects_are_refused_with_their_status() {
     let (listing, mut corner) = (pushrod(), placed());
     // SAFETY: null, misaligned, or to an object of another kind, which the function refuses.
     let wrong = unsafe {
@@ -82,7 +82,7 @@ fn wrong_objects_are_told() {
 }
 
 #[test]
-fn wrong_counts_and_numbers_are_told_and_leave_all_as_it_was() {
+fn wrong_counts_and_numbers_are_refused_and_change_no_output() {
     let (listing, mut corner) = (pushrod(), placed());
     let mut numbers = [7.0; 200];
     for count in [0, 1, 200] {

@@ -24,7 +24,7 @@ const BODY: &[Mass<f64>] = &[Mass {
 }];
 
 #[test]
-fn what_moves_and_reads_does_not_allocate() {
+fn moving_and_reading_a_corner_does_not_allocate() {
     let listing = pushrod();
     let design = listing.design();
     let before = allocations();

@@ -42,7 +42,7 @@ fn moved() -> (Read, Moving) {
 
 /// The numbers agree with the corner in Rust, which finds wheels by name.
 #[test]
-fn each_wheel_and_kingpin_is_that_of_its_name() {
+fn wheels_and_kingpins_by_number_equal_those_by_name() {
     let (read, corner) = moved();
     let listing = Listing::parse(axle()).expect("a listing");
     let mut expected = listing
@@ -82,7 +82,7 @@ fn each_wheel_and_kingpin_is_that_of_its_name() {
 
 /// The mirrored wheels rotate at opposite rates at a symmetric place.
 #[test]
-fn each_carrier_turns_as_its_own() {
+fn each_carrier_has_its_own_angular_velocity() {
     let read = Read::new(axle()).expect("a listing");
     let mut corner = read.place(&read.design()).expect("a geometry");
     let mut drives = [0.0; 9];
@@ -107,7 +107,7 @@ fn each_carrier_turns_as_its_own() {
 }
 
 #[test]
-fn the_first_wheel_is_that_without_a_number_and_others_are_absent() {
+fn the_first_wheel_needs_no_number_and_further_numbers_are_refused() {
     for (read, corner, wheels) in [
         {
             let (read, corner) = moved();

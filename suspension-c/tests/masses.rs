@@ -46,7 +46,7 @@ fn both(numbers: &mut [f64]) -> InOut<'_, f64> {
 /// Forces and loads on the drives of an upright with its wheel, a pushrod and masses at a joint and at a
 /// marker, in a suspension that moves and accelerates.
 #[test]
-fn of_a_listing_they_are_those_of_the_core() {
+fn forces_of_masses_of_a_listing_equal_those_of_the_core() {
     let (listing, mut corner) = (pushrod(), placed());
     let number = |name| listing.find(POINT, name).expect("a point") as u32;
     let upright = [c"lower_ball", c"upper_ball", c"wheel_centre"].map(number);
@@ -149,7 +149,7 @@ fn by_the_core(
 }
 
 #[test]
-fn of_a_listing_a_wrong_mass_is_refused_and_adds_nothing() {
+fn a_wrong_mass_of_a_listing_is_refused_and_adds_no_force() {
     let (listing, corner) = (pushrod(), placed());
     let design = listing.design();
     let count = design.len();
@@ -219,7 +219,7 @@ fn wrong(point: u32, points: u32) -> Vec<(Mass<f64>, Status)> {
 
 /// Masses of a compiled linkage, of which point 10 is a marker.
 #[test]
-fn of_a_linkage_a_wrong_mass_is_refused_and_adds_nothing() {
+fn a_wrong_mass_of_a_linkage_is_refused_and_adds_no_force() {
     let design = five_link::DESIGN;
     let points = five_link::made(|points| {
         let drives = five_link_f32::Drives { values: [0.7] };

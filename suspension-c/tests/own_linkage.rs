@@ -14,8 +14,8 @@ use suspension_core::linkage::Designed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Newton, Signal, Tracker, assemble};
 
 #[test]
-fn is_used_from_c() {
-    if !native::has("cc", "is_used_from_c") {
+fn a_program_in_c_uses_a_linkage_exported_by_the_user() {
+    if !native::has("cc", "a_program_in_c_uses_a_linkage_exported_by_the_user") {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
@@ -62,8 +62,11 @@ fn a_header_without_a_comment_of_its_own_begins_with_the_rules() {
 
 /// C has no empty structs, so the struct has an unused member.
 #[test]
-fn without_measures_has_a_member_that_means_nothing() {
-    if !native::has("cc", "without_measures_has_a_member_that_means_nothing") {
+fn the_measures_struct_of_a_linkage_without_measures_has_one_member() {
+    if !native::has(
+        "cc",
+        "the_measures_struct_of_a_linkage_without_measures_has_one_member",
+    ) {
         return;
     }
     let header = rod_f64::INTERFACE.to_string();

@@ -14,7 +14,7 @@ use suspension_c::{In, InOut, Status};
 use suspension_core::baked;
 
 #[test]
-fn a_step_from_rest_and_its_points() {
+fn a_bounded_step_from_rest_gives_points_and_rates() {
     let (model, mut motion) = (model(), at_rest());
     let drives =
         made(|drives| five_link_f32::model_drives((&model).into(), (&DESIGN).into(), drives));
@@ -41,7 +41,7 @@ fn a_step_from_rest_and_its_points() {
 }
 
 #[test]
-fn null_misaligned_and_foreign_objects_are_told() {
+fn null_misaligned_and_foreign_objects_are_refused() {
     let motion = at_rest();
     // SAFETY: null, misaligned, or to an object of another kind, which the function refuses.
     let wrong = unsafe {
@@ -95,7 +95,7 @@ static TABLE: [[[f32; 6]; 6]; 2] = [
 ];
 
 #[test]
-fn a_baked_wheel_is_that_of_the_core() {
+fn a_baked_wheel_equals_that_of_the_core() {
     let flat = TABLE.as_flattened().as_flattened();
     let curve = |numbers: &'static [f32]| Curve {
         range: [0.0, 4.0],

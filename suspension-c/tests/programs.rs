@@ -37,8 +37,11 @@ fn c_and_rust_compute_the_same_bits() {
 /// A listing that C reads from a file moves like the same listing compiled in Rust. The text that both
 /// print contains a checksum of the bits of everything computed.
 #[test]
-fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
-    if !has("cc", "c_moves_a_listing_from_text_as_rust_a_compiled_one") {
+fn a_listing_from_text_in_c_moves_like_the_compiled_one_in_rust() {
+    if !has(
+        "cc",
+        "a_listing_from_text_in_c_moves_like_the_compiled_one_in_rust",
+    ) {
         return;
     }
     let built = example("listing");
@@ -66,8 +69,8 @@ fn c_moves_a_listing_from_text_as_rust_a_compiled_one() {
 
 /// C reads each wheel of an axle by its number and gets what Rust reads by the wheel's name.
 #[test]
-fn c_reads_each_wheel_of_an_axle() {
-    if !has("cc", "c_reads_each_wheel_of_an_axle") {
+fn wheels_of_an_axle_read_in_c_equal_those_in_rust() {
+    if !has("cc", "wheels_of_an_axle_read_in_c_equal_those_in_rust") {
         return;
     }
     let library = example("catalogue").join("libcatalogue.a");
@@ -103,12 +106,12 @@ fn c_reads_each_wheel_of_an_axle() {
 
 /// Headers compile alone, in C99 with all that ISO demands, and in C++.
 #[test]
-fn headers_compile_in_c99_and_in_cpp() {
+fn headers_compile_alone_in_c99_and_in_cpp() {
     for (compiler, options) in [
         ("cc", ["-xc", "-std=c99"]),
         ("c++", ["-xc++", "-std=c++11"]),
     ] {
-        if !has(compiler, "headers_compile_in_c99_and_in_cpp") {
+        if !has(compiler, "headers_compile_alone_in_c99_and_in_cpp") {
             continue;
         }
         for header in headers(&root().join("suspension-c/include")) {

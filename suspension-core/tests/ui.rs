@@ -1,7 +1,7 @@
 //! Each mistake in a listing is reported on the user's own token, with what to write instead; and the core compiles without
 //! `linkage!`.
 //!
-//! The programs are linked with the libraries that this test is linked with, whose places cargo tells. (The crate
+//! The programs are linked with the libraries that this test is linked with, whose paths cargo prints. (The crate
 //! `trybuild` builds the core and all it depends on twice more.)
 
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use std::process::{Command, Output};
 use serde_json::Value;
 
 #[test]
-fn ui() {
+fn compiler_messages_match_their_snapshots() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
     let core = Libraries::built().of("suspension_core");
     let files = std::fs::read_dir(&folder).expect("the folder of cases");
@@ -27,25 +27,25 @@ fn ui() {
 
 /// Only the message is compared: the compiler's additions name places in the core, which change.
 #[test]
-fn a_design_that_is_not_stated_is_told_what_to_state() {
+fn a_listing_without_positions_is_refused_with_what_to_state() {
     let core = Libraries::built().of("suspension_core");
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let output = compiled(
-        &here.join("tests/ui/of_traits/design_without_positions.rs"),
+        &manifest_folder.join("tests/ui/of_traits/design_without_positions.rs"),
         &core,
     );
     let found = String::from_utf8(output.stderr).expect("text");
-    for told in [
+    for expected in [
         "error[E0277]: the listing does not state where each of its points is in the design",
         "needs `at [x, y, z]` behind every chassis point, free point and marker",
         "state the missing positions, or start from the program's own: `Corner::new(&Points { ... })`",
     ] {
-        assert!(found.contains(told), "{found}");
+        assert!(found.contains(expected), "{found}");
     }
 }
 
 #[test]
-fn without_its_macro_the_core_compiles() {
+fn the_core_compiles_without_its_macro() {
     let libraries = Libraries::built();
     let dependencies = ["libm", "nalgebra", "num_traits"].map(|name| (name, libraries.of(name)));
     let externs = dependencies
@@ -95,10 +95,13 @@ impl Libraries {
 
 /// The output of the compiler for a program.
 fn compiled(case: &Path, core: &Path) -> Output {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     compiler(&[("suspension_core", core)])
         .args(["--color=never", "--diagnostic-width=140"])
-        .arg(case.strip_prefix(here).expect("a file of this package"))
+        .arg(
+            case.strip_prefix(manifest_folder)
+                .expect("a file of this package"),
+        )
         .output()
         .expect("the compiler runs")
 }

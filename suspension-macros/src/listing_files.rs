@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_no_regular_file_is_not_waited_for() {
+    fn a_listing_path_that_is_no_regular_file_is_refused_at_once() {
         let files = ListingFiles {
             source: Some("src/lib.rs".into()),
             listing: "/dev/null".into(),

@@ -132,7 +132,7 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
     }
 
     #[test]
-    fn the_cheapest_that_meets_the_need() {
+    fn choose_picks_the_cheapest_method_that_meets_the_need() {
         use Outputs::{Acceleration, Position, Velocity};
         use Wish::{AllPoints, Wheel};
         for (tolerance, outputs, points, step, expected) in [
@@ -160,7 +160,7 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
     }
 
     #[test]
-    fn a_wrong_table_is_refused_with_its_line() {
+    fn a_wrong_table_of_figures_is_refused_with_its_line() {
         let text = TABLE.replace("400", "fast");
         let refused = Figures::parse("table.csv", &text).expect_err("not a number");
         let message = refused.to_string();
@@ -171,7 +171,7 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
     }
 
     #[test]
-    fn the_built_in_figures_have_a_method_for_every_output() {
+    fn built_in_figures_have_a_method_for_every_output() {
         for outputs in [Outputs::Position, Outputs::Velocity, Outputs::Acceleration] {
             let need = Need {
                 tolerance: 1e-14,

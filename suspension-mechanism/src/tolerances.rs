@@ -131,7 +131,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_spread_has_the_deviation_from_the_mean() {
+    fn spread_has_the_sample_standard_deviation() {
         let numbers = [1e6, 1e6 + 1.0, 1e6 + 2.0, 1e6 + 5.0];
         let mut spread = Spread::default();
         numbers.into_iter().for_each(|number| spread.add(number));

@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stop_that_is_a_multiple_of_the_step_is_met_exactly() {
+    fn a_stop_at_a_multiple_of_the_step_is_met_exactly() {
         let instants = Instants::stepped(0.0, 1.95, 0.05);
         assert_eq!(instants.count(), 40);
         assert_eq!(instants.ends(), [0.0, 1.95]);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_between_two_steps_is_not_passed() {
+    fn instants_do_not_pass_a_stop_between_two_steps() {
         let instants = Instants::stepped(1.0, 0.0, -0.4);
         let all: Vec<f64> = instants.iter().collect();
         assert_eq!(all.len(), 3);

@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn one_measure_stands_in_for_the_drive_that_is_left_out() {
+    fn one_measure_replaces_the_drive_that_is_left_out() {
         assert_eq!(read_leading("bump = 1\nsteer = 2"), Ok(None));
         let found = read_leading("spring = 1\nbump = 2")
             .expect("good")
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn any_other_set_of_names_is_refused_at_its_place() {
+    fn another_set_of_drives_and_measures_is_refused_at_its_place() {
         let cases = [
             ("", "a.toml:1:1: drive `bump` is missing; write bump = "),
             ("steer = 1", "a.toml:1:1: drive `bump` is missing"),

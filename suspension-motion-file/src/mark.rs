@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_line_is_shown_with_a_mark_under_the_place() {
+    fn a_message_shows_the_line_with_a_mark_under_the_place() {
         let text = "free: tip;\nlink arm: hnge -> tip;\n";
         let start = text.find("hnge").unwrap();
         let what = "no point `hnge`";
@@ -48,7 +48,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_the_text_does_not_have_is_not_drawn() {
+    fn a_place_outside_the_text_is_not_drawn() {
         for span in [7..8, 90..91] {
             let shown = marked(&Renderer::plain(), "a.linkage", "free: é;", &span, "wrong");
             assert_eq!(shown, None);

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn six_digits_and_no_more_than_it_takes() {
+    fn numbers_are_printed_with_up_to_six_digits() {
         for (value, expected) in [
             (0.025948799999999998, "0.0259488"),
             (1.978_367_769_180_123, "1.97837"),
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rounds_to_zero_has_no_sign() {
+    fn a_number_rounded_to_zero_is_printed_without_sign() {
         for (value, expected) in [
             (-1e-9, "0.00000"),
             (-0.0, "0.00000"),
@@ -107,13 +107,13 @@ mod tests {
     }
 
     #[test]
-    fn one_thing_has_no_plural() {
+    fn a_count_of_one_is_printed_in_the_singular() {
         let counts = [0, 1, 2].map(|count| counted(count, "place"));
         assert_eq!(counts, ["0 places", "1 place", "2 places"]);
     }
 
     #[test]
-    fn decimal_points_are_in_a_line() {
+    fn decimal_points_of_a_column_are_aligned() {
         let numbers = ["12.5", "-0.125", "3", "–", ""].map(str::to_owned);
         let expected = ["12.5  ", "-0.125", " 3_   ", " –_   ", "  _   "];
         let aligned = aligned(numbers.into(), [' ', '_']);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_digits_as_it_takes() {
+    fn exact_numbers_are_printed_with_all_necessary_digits() {
         for value in [0.1 + 0.2, 2.150_312_5, 1.0 / 3.0, -7.25e-9, 1e300, 75.0] {
             assert_eq!(exact(value).parse(), Ok(value));
         }
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn a_residual_to_two_digits() {
+    fn rounded_numbers_are_printed_to_two_digits() {
         for (value, expected) in [
             (8.123e7, "8.1e7"),
             (41.26, "41"),

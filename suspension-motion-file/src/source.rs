@@ -191,7 +191,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_message_is_one_line() {
+    fn a_message_is_one_line_of_escaped_text() {
         let source = Source::new("a.toml", "");
         let long = "\u{1b}[31m\n".to_owned() + &"é".repeat(1000) + "; did you mean `e`?";
         let message = source.refuse(&(0..0), long).to_string();
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_list_is_cut_between_names() {
+    fn a_long_list_of_names_is_cut_between_names() {
         let names: Vec<String> = (0..100).map(|n| format!("lower_ball_{n}")).collect();
         let list = format!(
             "unknown point; known are {}, the last one",
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn of_very_many_mistakes_the_first_are_told() {
+    fn of_150_mistakes_the_first_100_are_printed() {
         let source = Source::new("a.toml", "x = 1\n");
         let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
         let message = source.refuse_all(mistakes.take(150)).to_string();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn places_are_counted_from_one_in_characters() {
+    fn line_and_column_are_counted_from_one_in_characters() {
         let source = Source::new("a.toml", "x = 1\n# é y\nz");
         assert_eq!(source.place(&(0..1)), "a.toml:1:1");
         let y = source.text().find('y').unwrap();

@@ -155,7 +155,7 @@ mod tests {
 
     /// The values are stated in degrees, and the grid is computed in radians.
     #[test]
-    fn degrees_are_shown_as_they_were_stated() {
+    fn stated_degrees_survive_the_conversion_to_radians_and_back() {
         for tenth in -3600..=3600 {
             let (half, stated) = (f64::from(tenth) / 20.0, f64::from(tenth) / 10.0);
             let radians = half.to_radians() + half.to_radians();
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn other_angles_are_off_by_rounding_alone() {
+    fn other_angles_convert_to_within_rounding() {
         for angle in [0.1, 1.0 / 3.0, 2.0_f64.sqrt(), 1e-17, -1e300] {
             let off = (Angle::Degree.convert_from_radians(angle) - angle).abs();
             assert!(off <= 4.0 * f64::EPSILON * angle.abs(), "{angle}: {off}");

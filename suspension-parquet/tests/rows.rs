@@ -6,7 +6,7 @@ use parquet::record::RowAccessor;
 use suspension_parquet::{GROUP, Table};
 
 #[test]
-fn the_rows_of_several_groups_are_read_as_they_were_written() {
+fn parquet_rows_of_several_groups_are_read_as_written() {
     const ROWS: usize = GROUP + 3;
     let missing = |row: usize| row % 7 == 3;
     let value = |row: usize| {

@@ -31,7 +31,7 @@ where
 
 /// Guesses with errors so large that several assemblies are near.
 #[test]
-fn a_guess_leads_to_the_same_assembly_in_every_room() {
+fn a_guess_leads_to_the_same_assembly_at_every_model_capacity() {
     let text = catalogue::listing("double_wishbone").expect("a layout");
     let listing = Listing::parse(text).expect("a listing");
     let written: double_wishbone::Corner = Corner::design().expect("a design");

@@ -1,4 +1,5 @@
-//! Steps to where a crank and a rod are in line, to the last digit: no velocity has a value there, and none is returned.
+//! Steps to the position where crank and rod are collinear, to the last digit: velocities are undefined there, and none is
+//! returned.
 
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
@@ -15,7 +16,7 @@ const SLIDER_CRANK: &str = "
 ";
 
 #[test]
-fn no_step_ends_at_a_lock() {
+fn a_step_that_ends_at_a_lock_returns_no_velocity() {
     const SEED: u64 = 0x10cc;
     let mut random = fastrand::Rng::with_seed(SEED);
     let listing = Listing::parse(SLIDER_CRANK).expect("a listing");

@@ -100,7 +100,7 @@ macro_rules! compare {
 }
 
 #[test]
-fn the_catalogue_is_walked_as_it_is_written() {
+fn both_back_ends_compute_the_same_bits_for_the_catalogue() {
     compare!(five_link, 15, f64, 15, 200);
     compare!(attia2003, 15, f64, 15, 200);
     compare!(double_wishbone, 12, f64, 15, 200);
@@ -108,14 +108,14 @@ fn the_catalogue_is_walked_as_it_is_written() {
 }
 
 #[test]
-fn so_it_is_in_other_numbers_and_with_more_room() {
+fn both_back_ends_compute_the_same_bits_in_f32_and_larger_models() {
     compare!(five_link, 15, f32, 15, 200);
     compare!(five_link, 15, f64, 60, 200);
     compare!(double_wishbone_pushrod, 27, f32, 60, 200);
 }
 
 #[test]
-fn every_statement_is_walked_as_it_is_written() {
+fn both_back_ends_compute_the_same_bits_for_every_statement() {
     compare!(actuators, 11, f64, 15, 200);
     compare!(angles, 15, f64, 15, 200);
     compare!(couples, 6, f64, 15, 200);
@@ -129,7 +129,7 @@ fn every_statement_is_walked_as_it_is_written() {
 }
 
 #[test]
-fn layouts_that_are_text_alone_are_walked_as_they_are_written() {
+fn both_back_ends_compute_the_same_bits_for_uncompiled_layouts() {
     compare!(macpherson, 16, f64, 30, 200);
     compare!(live_axle_watt, 27, f64, 30, 200);
     compare!(twist_beam, 20, f64, 30, 200);

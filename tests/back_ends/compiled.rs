@@ -40,7 +40,7 @@ macro_rules! listings {
         }
 
         #[test]
-        fn random_listings_are_walked_as_they_are_written() {
+        fn both_back_ends_compute_the_same_bits_for_random_listings() {
             $(compare::$name();)*
         }
     };

@@ -101,7 +101,7 @@ fn fail<L: Build<N, Scalar = f64>, const N: usize>(
 }
 
 #[test]
-fn a_model_from_text_does_not_allocate() {
+fn solving_a_model_from_text_does_not_allocate() {
     let texts = LISTINGS.iter().map(|(_, text)| *text);
     let axle = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
     let mut checked = 0;
@@ -117,6 +117,6 @@ fn a_model_from_text_does_not_allocate() {
 
 #[test]
 #[should_panic(expected = "a box allocates")]
-fn an_allocation_is_seen() {
+fn an_allocation_is_detected() {
     without_allocating("a box", || Box::new(black_box(1.0)));
 }

@@ -1,5 +1,4 @@
-//! Hardpoints that the order of elimination of a listing does not suit: both back ends say so when the
-//! model is built.
+//! Hardpoints at which a pivot of the fixed elimination order is zero: both back ends report the pivot when the model is built.
 
 use nalgebra::Vector3;
 use suspension_core::linkages::{LISTINGS, attia2003};
@@ -37,10 +36,10 @@ const MESSAGE: &str = "the fixed order of elimination has too small a pivot at t
     equation `d6_1`; state hardpoints near these in the listing, or step with partial pivoting";
 
 #[test]
-fn a_zero_pivot_at_the_design_is_told_by_name_when_a_model_is_built() {
+fn building_a_model_names_a_zero_pivot_at_the_design() {
     let listing = listing();
     let links = [Vector3::new(0.0, 0.43, 0.11), Vector3::new(0.43, 0.0, 0.11)];
-    let told = links.map(|link| {
+    let messages = links.map(|link| {
         let design = square(&listing, link);
         let points: Vec<Vector3<f64>> = design.values().collect();
         let written = Corner::<Model, 15>::new(&design).map_err(|error| error.to_string());
@@ -54,10 +53,10 @@ fn a_zero_pivot_at_the_design_is_told_by_name_when_a_model_is_built() {
         let reordered = ordered.model::<15>(&points).expect("an order for them");
         let design = Values::from_values(points.iter().copied());
         assert!(attempt(&reordered, &design));
-        let told = written.err();
-        assert_eq!(told, walked.err());
-        assert_eq!(told.is_none(), attempted);
-        told
+        let messages = written.err();
+        assert_eq!(messages, walked.err());
+        assert_eq!(messages.is_none(), attempted);
+        messages
     });
-    assert_eq!(told.iter().flatten().collect::<Vec<_>>(), [MESSAGE]);
+    assert_eq!(messages.iter().flatten().collect::<Vec<_>>(), [MESSAGE]);
 }

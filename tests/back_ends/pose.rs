@@ -166,7 +166,7 @@ fn distances(found: &[Vector3<f64>; 3], reference: &Vector) -> [f64; 3] {
 }
 
 #[track_caller]
-fn within_the_gates(what: &str, case: &Case<'_>) {
+fn assert_within_the_gates(what: &str, case: &Case<'_>) {
     let worst = case.compare(&case.mechanism(), STEPS);
     let [position, velocity, acceleration] = worst;
     println!("{what}: {position:.1e} m, {velocity:.1e} m/s, {acceleration:.1e} m/s^2");
@@ -175,17 +175,17 @@ fn within_the_gates(what: &str, case: &Case<'_>) {
 }
 
 #[test]
-fn a_listing_from_text_moves_as_rigid_bodies_do() {
-    within_the_gates("as listed", &Case::as_listed(&listing()));
+fn a_listing_from_text_agrees_with_rigid_bodies_in_32_digits() {
+    assert_within_the_gates("as listed", &Case::as_listed(&listing()));
 }
 
 #[test]
-fn so_it_does_where_no_hinge_is_along_an_axis() {
-    within_the_gates("moved", &Case::as_listed(&listing()).moved());
+fn a_listing_with_oblique_hinges_agrees_with_rigid_bodies() {
+    assert_within_the_gates("moved", &Case::as_listed(&listing()).moved());
 }
 
 #[test]
-fn a_nanometre_in_any_hardpoint_is_seen() {
+fn the_comparison_detects_a_nanometre_in_any_hardpoint() {
     let listing = listing();
     let case = Case::as_listed(&listing);
     let damper_inner = listing.point("damper_inner");

@@ -245,7 +245,7 @@ where
 }
 
 #[test]
-fn drives_bear_the_work_of_forces_and_every_part_is_in_equilibrium() {
+fn loads_match_virtual_work_and_every_part_is_in_equilibrium() {
     for (name, text) in LISTINGS {
         let listing = Listing::parse(text).expect("a listing of the catalogue");
         let work = Loaded {
@@ -257,7 +257,7 @@ fn drives_bear_the_work_of_forces_and_every_part_is_in_equilibrium() {
 }
 
 #[test]
-fn three_forces_are_together_as_one_with_a_moment() {
+fn three_forces_are_equivalent_to_one_force_and_a_moment() {
     let mut rng = Rng::with_seed(7);
     for _ in 0..100 {
         let points = [(); 3].map(|()| random(&mut rng) / 4000.0);

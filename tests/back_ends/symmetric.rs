@@ -1,5 +1,5 @@
-//! Listings without design positions, at hardpoints as engineers draw them: the fixed order of elimination,
-//! which is the one that `linkage!` chooses too, must suit them.
+//! Listings without design positions at typical symmetric hardpoints: the fixed order of elimination, which `linkage!` chooses
+//! too, must have large pivots there.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Factors as _;
@@ -158,7 +158,7 @@ fn found(name: &str) -> Found {
 }
 
 #[test]
-fn symmetric_corners_are_served_without_positions_in_the_listing() {
+fn symmetric_designs_of_listings_without_positions_are_accepted() {
     assert_eq!(found("double_wishbone").refused, 0);
     let found = found("double_wishbone_pushrod");
     assert!(found.refused <= found.designs / 50, "{found:?}");

@@ -255,7 +255,7 @@ impl<'a, L: Build<N, Scalar = f64> + Copy, const N: usize> At<'a, L, N> {
 }
 
 #[test]
-fn random_listings_are_walked_rightly() {
+fn random_listings_agree_with_independent_methods() {
     let (mut solved, mut steps, mut largest) = (0, 0, 0);
     for seed in 0..200 {
         let text = random::listing(seed, [4, 8, 16][(seed % 3) as usize]);

@@ -11,7 +11,7 @@ use crate::support::{INSTANTS, Reference, differences};
 /// The largest errors of steps of 1 ms: m, m/s, m/s^2.
 const BOUNDS: [f64; 3] = [1e-14, 1e-11, 1e-8];
 
-fn each_millisecond<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn compare_each_millisecond_with_newton<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let found = case.worst(
         &Bounded::<f64>::default(),
         Outputs::Acceleration,
@@ -21,9 +21,9 @@ fn each_millisecond<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn one_correction_a_millisecond_is_as_good_as_newton() {
-    each_millisecond(&attia());
-    each_millisecond(&five_link());
+fn one_correction_per_millisecond_is_as_accurate_as_newton() {
+    compare_each_millisecond_with_newton(&attia());
+    compare_each_millisecond_with_newton(&five_link());
 }
 
 /// The health of the pivots of the macro's own order, which a step with partial pivoting hides.
@@ -43,7 +43,7 @@ fn worst_growth<L: Linkage<15, Scalar = f64>>(case: &Case<L>) -> f64 {
 
 /// No pivot is near zero anywhere on the way, so that no step takes the slow path.
 #[test]
-fn every_step_stays_in_the_macros_order() {
+fn bounded_steps_never_need_partial_pivoting() {
     let growth = [worst_growth(&attia()), worst_growth(&five_link())];
     println!("growth {growth:?}");
     assert!(growth.iter().all(|growth| *growth < 100.0));
@@ -77,7 +77,7 @@ fn compare_with_reference<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn one_correction_a_millisecond_agrees_with_40_digits() {
+fn one_correction_per_millisecond_agrees_with_40_digits() {
     compare_with_reference(&attia());
     compare_with_reference(&five_link());
 }
@@ -113,7 +113,7 @@ fn compare_corrections<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn errors_fall_with_corrections() {
+fn errors_of_bounded_steps_decrease_with_corrections() {
     compare_corrections(&attia());
     compare_corrections(&five_link());
 }
@@ -150,14 +150,14 @@ fn compare_orders<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn what_is_asked_is_solved_from_every_prediction() {
+fn requested_outputs_are_solved_from_every_order_of_prediction() {
     compare_orders(&attia());
     compare_orders(&five_link());
 }
 
 /// Ten thousand steps of 0.2 ms, a second forth and the same second back: steps for the position only stay on the motion,
 /// and the rates estimated from them do not diverge.
-fn forth_and_back<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn assert_no_drift_forth_and_back<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let instants: Vec<f64> = (0..=10_000_u32)
         .map(|step| f64::from(step.min(10_000 - step)) * 2e-4)
         .collect();
@@ -171,14 +171,14 @@ fn forth_and_back<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn positions_alone_do_not_drift() {
-    forth_and_back(&attia());
-    forth_and_back(&five_link());
+fn steps_of_positions_alone_do_not_drift() {
+    assert_no_drift_forth_and_back(&attia());
+    assert_no_drift_forth_and_back(&five_link());
 }
 
 /// f32 about the paper's origin, 1.4 m away: see `tests/reference.rs`.
 #[test]
-fn single_precision_steps_each_millisecond() {
+fn f32_steps_of_one_millisecond_follow_the_published_motion() {
     let case = attia::<f32>();
     let mut motion = case.start;
     for millisecond in 1..=1950 {

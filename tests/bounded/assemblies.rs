@@ -6,7 +6,7 @@ use super::case::{attia, five_link};
 
 /// Single steps between any two of forty instants, with the largest number of corrections.
 #[test]
-fn far_jumps_arrive_or_are_refused() {
+fn far_jumps_stay_in_the_assembly_or_are_refused() {
     let case = five_link();
     let instants: Vec<f64> = (0..40).map(|index| f64::from(index) * 0.05).collect();
     let mut motions = vec![case.start];
@@ -43,7 +43,7 @@ fn far_jumps_arrive_or_are_refused() {
 /// Just before the turning point of the drive at 1.97837 s the linkage has two positions for one angle, one on each side. A
 /// step whose prediction leads to the other side is refused there.
 #[test]
-fn the_turning_point_is_not_jumped() {
+fn no_step_crosses_the_turning_point() {
     let case = attia();
     let mut motion = case.start;
     let t = 1.978;

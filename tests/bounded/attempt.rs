@@ -1,4 +1,4 @@
-//! Attempts, which know neither partial pivoting nor reasons, and steps without corrections.
+//! Attempts, which have neither partial pivoting nor detailed reasons, and steps without corrections.
 
 use nalgebra::Vector3;
 use suspension_core::linkages::attia2003;
@@ -12,7 +12,7 @@ use crate::support;
 const STEP: f64 = 1e-3;
 const OUTPUTS: Outputs = Outputs::Acceleration;
 
-fn step_for_step<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
+fn compare_attempts_with_steps<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
     let bounded = Bounded::<f64>::default();
     let (mut stepped, mut attempted) = (case.start, case.start);
     for millisecond in 1..=1900 {
@@ -26,13 +26,13 @@ fn step_for_step<L: Linkage<15, Scalar = f64>>(case: &Case<L>) {
 }
 
 #[test]
-fn an_attempt_that_is_accepted_is_the_step() {
-    step_for_step(&attia());
-    step_for_step(&five_link());
+fn an_accepted_attempt_equals_the_step() {
+    compare_attempts_with_steps(&attia());
+    compare_attempts_with_steps(&five_link());
 }
 
 #[test]
-fn a_refused_attempt_leaves_the_motion() {
+fn a_refused_attempt_leaves_the_motion_unchanged() {
     let case = five_link();
     let far = (case.inputs)(20.0 * STEP);
     let mut unknown = (case.inputs)(STEP);
@@ -55,7 +55,7 @@ fn a_refused_attempt_leaves_the_motion() {
 
 /// Link 6-1 is square to an axis along which its derivative is a pivot.
 #[test]
-fn small_pivots_are_refused_where_a_step_takes_others() {
+fn attempts_refuse_small_pivots_where_steps_use_partial_pivoting() {
     let rough = support::attia_rough::<f64>();
     let square_to = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)];
     let refused = square_to.into_iter().filter(|link| {
@@ -86,7 +86,7 @@ fn small_pivots_are_refused_where_a_step_takes_others() {
 
 /// Without corrections the prediction itself must be within the tolerance: in `f64` it never is.
 #[test]
-fn without_corrections_what_is_left_out_must_be_rounding() {
+fn without_corrections_a_prediction_beyond_rounding_is_refused() {
     let case = attia::<f32>();
     let bounded = Bounded::<f32, 0>::new();
     let mut motion = case.start;
@@ -141,9 +141,9 @@ fn without_corrections_the_residual_is_within_the_tolerance() {
     }
 }
 
-/// A program hands a refusal on as any other error.
+/// A program passes a refusal on like any other error.
 #[test]
-fn each_refusal_is_an_error_with_a_sentence_of_its_own() {
+fn each_refusal_is_an_error_with_its_own_message() {
     let sentence = |refusal: Refusal| -> String {
         let error: Box<dyn std::error::Error> = refusal.into();
         error.to_string()

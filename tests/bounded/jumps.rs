@@ -36,7 +36,7 @@ fn left<T: Real, const CORRECTIONS: usize>(dt: f64, jump: f64) -> Option<[T; 2]>
 }
 
 #[test]
-fn in_single_precision_a_part_of_the_jump_stays_in_the_rates() {
+fn in_f32_a_stated_part_of_a_jump_remains_in_the_rates() {
     for (dt, jump, stated) in [
         (1e-3, 0.5e-3, [3e-3_f32, 6.0]),
         (1e-4, 0.5e-3, [0.03, 600.0]),
@@ -53,7 +53,7 @@ fn in_single_precision_a_part_of_the_jump_stays_in_the_rates() {
 }
 
 #[test]
-fn in_double_precision_such_a_step_is_refused_or_nothing_is_left() {
+fn in_f64_a_jump_is_refused_or_leaves_nothing_in_the_rates() {
     for jump in [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3] {
         let left = left::<f64, 1>(1e-3, jump);
         assert!(
@@ -64,7 +64,7 @@ fn in_double_precision_such_a_step_is_refused_or_nothing_is_left() {
 }
 
 #[test]
-fn with_more_corrections_a_drive_may_be_off_farther_from_its_rates() {
+fn more_corrections_accept_larger_jumps_of_a_drive() {
     let is_accepted = |corrections: usize, jump: f64| match corrections {
         1 => left::<f64, 1>(1e-3, jump).is_some(),
         2 => left::<f64, 2>(1e-3, jump).is_some(),

@@ -55,7 +55,7 @@ fn unhealthy(model: &Model<f64>, design: &Points<f64>) -> usize {
 
 /// With link 6-1 perpendicular to an axis its derivative along that axis is zero, and along x or y it is a pivot.
 #[test]
-fn a_zero_pivot_on_the_way() {
+fn a_zero_pivot_on_the_way_is_solved_by_partial_pivoting() {
     let design = support::attia_rough::<f64>();
     let square_to = [Vector3::new(0.0, 0.3, 0.33), Vector3::new(0.3, 0.0, 0.33)];
     let counts = square_to.map(|link| {

@@ -72,7 +72,7 @@ fn a_residual_above_tolerance_names_its_equation() {
 }
 
 #[test]
-fn a_tolerance_that_is_none_accepts_nothing() {
+fn a_nan_or_negative_tolerance_accepts_nothing() {
     let case = five_link();
     for tolerance in [f64::NAN, -64.0] {
         let bounded = Bounded::<f64> {
@@ -85,7 +85,7 @@ fn a_tolerance_that_is_none_accepts_nothing() {
 }
 
 #[test]
-fn numbers_that_are_none() {
+fn non_finite_inputs_are_refused_by_name() {
     let case = five_link();
     let bounded = Bounded::<f64>::default();
     let spoiled = |spoil: fn(&mut Inputs<Still, five_link::Drives<f64>>, f64), bad: f64| {
@@ -122,23 +122,23 @@ fn numbers_that_are_none() {
 
 /// The refusal of an attempt does not distinguish a value from its rates.
 #[test]
-fn a_refusal_of_no_number_points_to_values_and_rates() {
+fn a_refused_nan_mentions_inputs_rates_and_forces() {
     let case = five_link();
     let mut motion = case.start;
     let mut inputs = (case.inputs)(STEP);
     inputs.drives.value.theta = f64::NAN;
     let (bounded, all) = (Bounded::<f64>::default(), Outputs::Acceleration);
     let refusal = bounded.attempt(all, &case.model, &inputs, STEP, &mut motion);
-    let told = refusal.expect_err("a refusal").to_string();
+    let message = refusal.expect_err("a refusal").to_string();
     assert!(
-        told.ends_with("look at the inputs and their rates, or at the forces"),
-        "{told}"
+        message.ends_with("look at the inputs and their rates, or at the forces"),
+        "{message}"
     );
 }
 
-/// A rate that is not asked for is not looked at.
+/// A rate that no requested output depends on is not checked.
 #[test]
-fn what_is_not_asked_may_be_unknown() {
+fn a_nan_rate_that_no_requested_output_needs_is_accepted() {
     let case = five_link();
     let mut inputs = (case.inputs)(STEP);
     inputs.drives.second_rate.theta = f64::NAN;
@@ -166,7 +166,7 @@ fn motion_at(t: f64) -> Motion<f64, 15> {
 
 /// A step of zero length finds the same motion; steps back end at the start.
 #[test]
-fn time_may_stand_still_or_run_back() {
+fn steps_of_zero_and_negative_length_are_accepted() {
     let case = attia();
     let bounded = Bounded::<f64>::default();
     let mut motion = case.start;

@@ -36,7 +36,7 @@ fn rows_of_both(in_radians: &[&str], with_degrees: &[&str]) -> [Rows; 2] {
 }
 
 /// Asserts that the numbers are equal, those in degrees in their own columns.
-fn are_the_same([radians, degrees]: &[Rows; 2]) {
+fn assert_same_rows([radians, degrees]: &[Rows; 2]) {
     assert_eq!(radians.len(), degrees.len());
     let mut angles = 0;
     for (radians, degrees) in radians.iter().zip(degrees) {
@@ -69,31 +69,31 @@ fn are_the_same([radians, degrees]: &[Rows; 2]) {
 }
 
 #[test]
-fn a_motion_is_the_same_in_degrees() {
-    are_the_same(&rows_of_both(&["motion"], &["motion"]));
+fn a_motion_in_degrees_equals_that_in_radians() {
+    assert_same_rows(&rows_of_both(&["motion"], &["motion"]));
 }
 
 #[test]
-fn a_sweep_and_its_derivatives_are_the_same_in_degrees() {
+fn a_sweep_with_derivatives_in_degrees_equals_that_in_radians() {
     let [from, to] = [-0.1, 0.3].map(degrees);
     let in_degrees = format!("theta={from}:{to}:5");
-    are_the_same(&rows_of_both(
+    assert_same_rows(&rows_of_both(
         &["sweep", "--derivatives", "2", "--drive", "theta=-0.1:0.3:5"],
         &["sweep", "--derivatives", "2", "--drive", &in_degrees],
     ));
 }
 
 #[test]
-fn assemblies_are_the_same_in_degrees() {
+fn assemblies_in_degrees_equal_those_in_radians() {
     let at = degrees(1.1);
-    are_the_same(&rows_of_both(
+    assert_same_rows(&rows_of_both(
         &["assemblies", "--at", "1.1"],
         &["assemblies", "--at", &at],
     ));
 }
 
 #[test]
-fn loads_are_the_same_in_degrees() {
+fn loads_in_degrees_equal_those_in_radians() {
     let folder = folder();
     let case = "\n[loads.weight]\nwheel_centre = [0.0, 0.0, 3000.0]\n";
     let found = [FIVE_LINK.to_owned(), in_degrees()].map(|file| {
@@ -108,7 +108,7 @@ fn loads_are_the_same_in_degrees() {
 
 /// Baked files are for programs, so their angles are in radians.
 #[test]
-fn a_baked_file_is_the_same() {
+fn a_file_in_degrees_is_baked_in_radians() {
     let [from, to] = [0.9, 1.5].map(degrees);
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), FIVE_LINK).expect("written");
@@ -140,7 +140,7 @@ fn a_baked_file_is_the_same() {
 }
 
 #[test]
-fn comparing_both_finds_no_difference() {
+fn comparing_files_in_degrees_and_radians_finds_no_difference() {
     let folder = folder();
     let travel = "\nvehicle = { travel = \"theta\" }\n";
     let with = |file: String| file.replacen("unit = \"mm\"", &format!("unit = \"mm\"{travel}"), 1);
@@ -163,7 +163,7 @@ fn comparing_both_finds_no_difference() {
 }
 
 #[test]
-fn messages_are_in_degrees() {
+fn messages_about_a_file_in_degrees_are_in_degrees() {
     let folder = folder();
     let path = folder.path().join("a.toml");
     std::fs::write(&path, in_degrees()).expect("written");
@@ -192,9 +192,9 @@ fn messages_are_in_degrees() {
     );
 }
 
-/// JSON says so above its rows.
+/// The header of JSON rows states the unit of angles.
 #[test]
-fn a_header_names_the_unit_of_angles() {
+fn the_json_header_names_the_unit_of_angles() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), in_degrees()).expect("written");
     let output = run(folder.path(), &["motion", "a.toml", "--json", "-"]);
@@ -217,7 +217,7 @@ time = { instants = [0.0, 1.0] }
 
 /// Beyond a whole turn the equations have the sine and cosine of an angle on its way back.
 #[test]
-fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
+fn driving_an_angle_about_an_axis_past_a_whole_turn_is_refused() {
     let folder = folder();
     for start in 0..40 {
         let start = 5.4 + 0.02 * f64::from(start);
@@ -230,10 +230,10 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
             Some(if passes { 3 } else { 0 }),
             "{start}: {output:?}"
         );
-        let said = text(&output.stderr).contains(
+        let is_reported = text(&output.stderr).contains(
             "the angle `turn` ends at 6.28319 rad, and beyond it the same positions repeat",
         );
-        assert_eq!(said, passes, "{start}: {output:?}");
+        assert_eq!(is_reported, passes, "{start}: {output:?}");
     }
     let output = run(
         folder.path(),
@@ -244,7 +244,7 @@ fn no_angle_about_an_axis_is_driven_past_a_whole_turn() {
 
 /// The equation of an angle between a link and an axis contains its cosine, which does not change near the axis.
 #[test]
-fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
+fn an_angle_at_its_end_is_refused_with_an_angle_about_a_line() {
     let at_end = |arm: &str, turn: &str| {
         let listing = [
             (
@@ -266,7 +266,7 @@ fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
                      hinge second: b, beside -> s;\ndrive lift: s.z;\n";
         file.replacen("fixed:", &format!("{other}fixed:"), 1) + "lift = 0.5\n"
     };
-    let said = "the angle `turn` ends at 0 rad, and beyond it the same positions repeat; to drive it beyond, write it in the listing as \
+    let expected = "the angle `turn` ends at 0 rad, and beyond it the same positions repeat; to drive it beyond, write it in the listing as \
                 an angle about a line: `angle(p -> q, r -> s about t -> u)`";
     let stands = || at_end("[0.0, 0.0, 0.5]", "0.0");
     for (file, command, code) in [
@@ -281,18 +281,18 @@ fn an_angle_from_an_axis_that_is_at_its_end_is_to_be_written_about_a_line() {
         std::fs::write(folder.path().join("a.toml"), &file).expect("written");
         let output = run(folder.path(), &[command, "a.toml"]);
         assert_eq!(output.status.code(), Some(code), "{file}: {output:?}");
-        let told = text(&output.stderr);
+        let message = text(&output.stderr);
         assert!(
-            told.contains(said) && !told.contains("pivot"),
-            "{file}: {told}"
+            message.contains(expected) && !message.contains("pivot"),
+            "{file}: {message}"
         );
         assert!(!text(&output.stdout).contains("NaN"), "{output:?}");
     }
 }
 
-/// More than half a turn from the points, in a mechanism that does not find its way there.
+/// The design value is more than half a turn from the points, and the mechanism cannot be assembled there.
 #[test]
-fn a_design_on_another_turn_is_told_by_name() {
+fn a_drive_angle_on_another_turn_than_its_design_is_named() {
     let folder = folder();
     let statements = "fixed: af at [0.3, 0.3, 0.2], ar at [-0.25, 0.28, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.42, 0.44];
 fixed: rk at [0.12, 0.33, 0.2], mark at [0.0, 0.5, 0.35];
@@ -313,7 +313,11 @@ drive bar: angle(af -> mark, af -> lb about ar -> af);
         std::fs::write(folder.path().join("a.toml"), file(bar)).expect("written");
         let output = run(folder.path(), &["check", "a.toml"]);
         assert_eq!(output.status.code(), Some(code), "{bar}: {output:?}");
-        let told = "`bar` is -41.4182 deg at the points, and [design] must state a value less than half a turn from it";
-        assert_eq!(text(&output.stderr).contains(told), code == 3, "{output:?}");
+        let expected = "`bar` is -41.4182 deg at the points, and [design] must state a value less than half a turn from it";
+        assert_eq!(
+            text(&output.stderr).contains(expected),
+            code == 3,
+            "{output:?}"
+        );
     }
 }

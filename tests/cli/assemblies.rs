@@ -15,7 +15,7 @@ fn length(row: &BTreeMap<String, f64>, [from, to]: &[String; 2]) -> f64 {
 }
 
 #[test]
-fn a_table_of_assemblies_and_how_sure_it_is() {
+fn the_assemblies_report_states_whether_the_list_is_complete() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
@@ -64,7 +64,7 @@ fn a_table_of_assemblies_and_how_sure_it_is() {
 }
 
 #[test]
-fn nine_distances_have_mirrored_assemblies_too() {
+fn assemblies_of_nine_distances_include_mirrored_ones() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let output = run(folder.path(), &["assemblies", "a.toml", "--csv", "-"]);
@@ -75,7 +75,7 @@ fn nine_distances_have_mirrored_assemblies_too() {
 }
 
 #[test]
-fn a_value_without_an_assembly_is_no_success() {
+fn a_drive_value_without_assembly_gives_exit_code_3() {
     let folder = folder();
     let content = example("published_five_link.toml");
     std::fs::write(folder.path().join("a.toml"), content).expect("written");
@@ -102,7 +102,7 @@ fn a_value_without_an_assembly_is_no_success() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_arguments_of_assemblies_are_refused() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
@@ -143,7 +143,7 @@ fn what_makes_no_sense_is_refused() {
 }
 
 #[test]
-fn an_assembly_is_as_near_to_a_singularity_as_check_says() {
+fn assemblies_and_check_print_the_same_smallest_singular_value() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let output = run(folder.path(), &["assemblies", "a.toml", "--csv", "-"]);

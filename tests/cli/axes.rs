@@ -114,7 +114,7 @@ fn swept((axes, signs): (&str, [f64; 3]), stated: Stated) -> Rows {
 }
 
 #[test]
-fn the_same_corner_is_the_same_in_any_axes() {
+fn a_corner_has_the_same_results_in_any_axes() {
     let expected = swept(AXES[0], Stated::Catalogue);
     for (axes, stated) in AXES.iter().flat_map(|axes| {
         [Stated::Catalogue, Stated::File, Stated::Listing].map(|stated| (*axes, stated))
@@ -152,7 +152,7 @@ fn the_same_corner_is_the_same_in_any_axes() {
 
 /// From the other end of the axis the angle is the supplement.
 #[test]
-fn an_angle_from_an_axis_is_from_that_of_the_file() {
+fn an_angle_from_an_axis_counts_from_the_axis_of_the_file() {
     let lean = |axes| {
         let rows = swept(axes, Stated::Listing);
         rows.iter().map(|row| row["lean_rad"]).collect::<Vec<_>>()
@@ -170,12 +170,12 @@ fn an_angle_from_an_axis_is_from_that_of_the_file() {
 }
 
 #[test]
-fn results_name_the_axes() {
+fn reports_and_tables_name_the_axes() {
     let folder = folder();
     let (axes, signs) = AXES[2];
     let text_of = |stated| file(axes, signs, stated);
     std::fs::write(folder.path().join("a.toml"), text_of(Stated::Catalogue)).expect("written");
-    let told = "SAE: x forward, y right, z down";
+    let expected = "SAE: x forward, y right, z down";
     for arguments in [
         &["motion", "a.toml"][..],
         &["motion", "a.toml", "--json", "-"],
@@ -184,15 +184,15 @@ fn results_name_the_axes() {
     ] {
         let output = run(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        assert!(text(&output.stdout).contains(told), "{arguments:?}");
+        assert!(text(&output.stdout).contains(expected), "{arguments:?}");
     }
     run(folder.path(), &["sheet", "a.toml"]);
     let page = std::fs::read_to_string(folder.path().join("out/a_sheet.html")).expect("a page");
-    assert!(page.contains(told));
+    assert!(page.contains(expected));
 }
 
 #[test]
-fn unknown_axes_are_refused_with_what_was_meant() {
+fn unknown_axes_are_refused_with_a_suggestion() {
     let folder = folder();
     let (_, signs) = AXES[1];
     let text_of = |axes| file(axes, signs, Stated::Catalogue);

@@ -71,7 +71,7 @@ fn mirrored(name: &str) -> (String, f64) {
 }
 
 #[test]
-fn a_symmetric_axle_has_in_a_mirror_what_it_has() {
+fn quantities_of_a_symmetric_axle_mirror_with_its_drives() {
     const PLACES: usize = 3;
     let table = table(
         &steered(DESIGN),
@@ -102,7 +102,7 @@ fn a_symmetric_axle_has_in_a_mirror_what_it_has() {
 }
 
 #[test]
-fn each_wheel_is_that_of_the_corner_alone() {
+fn each_wheel_of_an_axle_equals_that_of_the_corner_alone() {
     let grid = ["--drive=steer=-0.02:0.02:3"];
     let both = table(
         &steered(DESIGN),

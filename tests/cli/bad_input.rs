@@ -76,7 +76,7 @@ const BAD: [Case; 65] = [
 
 /// An option without effect is a mistake too.
 #[test]
-fn options_that_do_nothing_are_refused() {
+fn options_without_effect_are_refused() {
     let folder = folder();
     let corner = CORNER.replace("double_wishbone_pushrod", "macpherson");
     let arm = "statements = \"\"\"\nfixed: front at [0.2, 0, 0], rear at [-0.2, 0, 0];\nfree: tip at [0, 0.5, 0];\n\
@@ -130,7 +130,7 @@ fn options_that_do_nothing_are_refused() {
 }
 
 #[test]
-fn bad_input_is_refused_in_one_line_that_names_the_place() {
+fn bad_input_is_refused_in_one_line_with_its_place() {
     let folder = folder();
     let mut wrong = Vec::new();
     for (begins, replacement, place, part) in BAD {
@@ -155,7 +155,7 @@ fn bad_input_is_refused_in_one_line_that_names_the_place() {
 }
 
 #[test]
-fn a_body_in_line_is_refused_at_its_point() {
+fn a_body_with_collinear_points_is_refused_at_its_point() {
     let folder = folder();
     let text_of_file = example("published_five_link.toml")
         .replace("[-1287.0, 345.0, 140.0]", "[-1325.5, 412.5, 48.0]");
@@ -171,7 +171,7 @@ fn a_body_in_line_is_refused_at_its_point() {
 
 /// Points of the catalogue, which are in metres, are no points of a file in millimetres.
 #[test]
-fn points_that_a_file_in_millimetres_does_not_state_are_named() {
+fn missing_points_of_a_file_in_millimetres_are_named() {
     let folder = folder();
     let file = "linkage = \"trailing_arm\"\nunit = \"mm\"\n[points]\nwheel_centre = [0, 752, 303]\n\
                 [time]\ninstants = [0.0]\n[drives]\nbump = 303\n";
@@ -203,7 +203,7 @@ fn an_unreadable_file_is_refused() {
 }
 
 #[test]
-fn a_listing_without_a_name_is_refused_by_its_key() {
+fn an_empty_listing_path_is_refused_at_its_key() {
     let folder = folder();
     let file =
         "listing = \"\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.3 }\n";

@@ -29,7 +29,7 @@ fn line<'a>(output: &'a Output, heading: &str) -> &'a str {
 }
 
 #[test]
-fn a_healthy_arm_is_told_as_it_is_by_hand() {
+fn the_report_on_a_healthy_arm_matches_a_calculation_by_hand() {
     let output = check(&arm("[0.0, 0.4, 0.0]"), &["--assemblies"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     for (heading, expected) in [
@@ -56,8 +56,11 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
     let sum = a * a + b * b + 1.0;
     let largest = f64::midpoint(sum, (sum * sum - 4.0 * a * a).sqrt()).sqrt();
     let expected = format!("smallest singular value {across:.3}, largest {largest:.2}");
-    let told = line(&output, "conditioning");
-    assert!(told.contains(&expected), "{told}, {expected}");
+    let conditioning = line(&output, "conditioning");
+    assert!(
+        conditioning.contains(&expected),
+        "{conditioning}, {expected}"
+    );
     let ends = text(&output.stdout);
     for expected in [
         "-0.2 m from the design: turning point",
@@ -68,7 +71,7 @@ fn a_healthy_arm_is_told_as_it_is_by_hand() {
 }
 
 #[test]
-fn a_singular_design_names_what_depends_and_what_is_loose() {
+fn a_singular_design_names_dependent_equations_and_loose_unknowns() {
     let output = check(&arm("[0.0, 0.0, -0.2]"), &[]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let rank = line(&output, "rank");
@@ -84,7 +87,7 @@ fn a_singular_design_names_what_depends_and_what_is_loose() {
 
 /// Names of lengths that bodies keep are made like this.
 #[test]
-fn a_link_that_is_named_after_its_points_is_named_as_what_locks() {
+fn a_locking_link_named_after_its_points_is_named() {
     let links = arm("[0.0, 0.4, 0.0]").replace("fore", "arm_front_tip");
     let output = check(&links.replace("aft", "arm_rear_tip"), &[]);
     let travel = line(&output, "bump");
@@ -93,7 +96,7 @@ fn a_link_that_is_named_after_its_points_is_named_as_what_locks() {
 }
 
 #[test]
-fn a_corner_has_its_locks_and_its_notes() {
+fn check_prints_the_locks_and_notes_of_a_corner() {
     let output = check(&CORNER.replace("0.3 }", "300.0 }"), &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     assert!(line(&output, "note").contains("wheel_radius is 300 m"));
@@ -109,7 +112,7 @@ fn a_corner_has_its_locks_and_its_notes() {
 }
 
 #[test]
-fn what_does_not_assemble_or_is_wrong_is_said() {
+fn check_reports_points_that_do_not_assemble_and_wrong_input() {
     for (content, code, expected) in [
         (
             edited("d6_1", "d6_1 = 445.872"),
@@ -126,7 +129,7 @@ fn what_does_not_assemble_or_is_wrong_is_said() {
 }
 
 #[test]
-fn the_elimination_is_ordered_for_the_points_of_the_file() {
+fn elimination_is_ordered_at_the_hardpoints_of_the_file() {
     // A rocker whose points are in a plane perpendicular to its axis, and a marker that is stated relative to another point.
     let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone_rocker");
     let output = check(
@@ -139,8 +142,8 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
         &[],
     );
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let told = line(&output, "elimination");
-    let (_, growth) = told.split_once("pivot growth ").expect("a growth");
+    let elimination = line(&output, "elimination");
+    let (_, growth) = elimination.split_once("pivot growth ").expect("a growth");
     let (growth, meaning) = growth.split_once(": ").expect("a number");
     assert_eq!(
         meaning,
@@ -151,7 +154,7 @@ fn the_elimination_is_ordered_for_the_points_of_the_file() {
     );
     assert!(
         growth.parse::<f64>().is_ok_and(|growth| growth < 1000.0),
-        "{told}"
+        "{elimination}"
     );
 }
 
@@ -165,8 +168,8 @@ fn a_marker_on_points_that_are_not_rigid_is_noted() {
     let loose = rigid.replace("link aft: rear -> tip;", "drive side: tip.x - rear.x;");
     let output = check(&loose.replace("bump = 0.0", "bump = 0.0, side = 0.2"), &[]);
     let note = line(&output, "note");
-    let said = "the distance of `rear` and `tip`, which carry `seat`, is not constant";
-    assert!(note.contains(said), "{note}");
+    let expected = "the distance of `rear` and `tip`, which carry `seat`, is not constant";
+    assert!(note.contains(expected), "{note}");
 }
 
 /// Links keep a point to the chassis without a statement that names it and the marker's other points.

@@ -51,7 +51,7 @@ fn arm(unit: &str, metre: f64, top: f64) -> String {
 }
 
 #[test]
-fn a_moved_ball_joint_changes_the_kingpin_as_by_hand() {
+fn compared_kingpin_angles_match_a_calculation_by_hand() {
     let moved = format!("{CORNER}[points]\nupper_ball = [-0.015, 0.65, 0.44]\n");
     let (_folder, output) = compare(CORNER, &moved, &["--csv", "-"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -83,7 +83,7 @@ fn a_moved_ball_joint_changes_the_kingpin_as_by_hand() {
 }
 
 #[test]
-fn millimetres_are_converted_to_the_unit_of_the_first() {
+fn compared_lengths_are_in_the_unit_of_the_first_file() {
     let (_folder, output) = compare(
         &arm("m", 1.0, 0.4),
         &arm("mm", 1000.0, 0.4),
@@ -107,7 +107,7 @@ fn millimetres_are_converted_to_the_unit_of_the_first() {
 
 /// Masses are converted with the points, and the load of a spring along a coordinate changes its sign with the coordinate.
 #[test]
-fn masses_and_springs_are_the_same_in_other_axes() {
+fn masses_and_springs_compare_equal_in_other_axes() {
     let file = |axes: &str, [x, y, z]: [f64; 3]| {
         let at = |a: f64, b: f64, c: f64| format!("[{:?}, {:?}, {:?}]", a * x, b * y, c * z);
         let points = [
@@ -159,7 +159,7 @@ fn masses_and_springs_are_the_same_in_other_axes() {
 
 /// The tip goes up by z on a circle of 0.5 m; the spring above it stands 0.4 or 0.5 m high.
 #[test]
-fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
+fn the_largest_difference_of_a_curve_matches_the_closed_form() {
     let options = ["--csv", "-", "--travel", "-0.2:0.1"];
     let (_folder, output) = compare(&arm("m", 1.0, 0.4), &arm("m", 1.0, 0.5), &options);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -176,16 +176,16 @@ fn the_largest_difference_of_a_curve_is_where_the_circle_has_it() {
     let over = rows
         .iter()
         .find(|(names, _)| names[0] == "over travel" && names[1] == "spring");
-    let (_, [told_at, _, _, told]) = over.expect("a curve");
+    let (_, [told_at, _, _, difference_found]) = over.expect("a curve");
     assert!(
-        (told_at - at).abs() < 1e-12 && (told - largest).abs() < 1e-12,
-        "{told_at} {told}"
+        (told_at - at).abs() < 1e-12 && (difference_found - largest).abs() < 1e-12,
+        "{told_at} {difference_found}"
     );
 }
 
 /// The springs of both have a preload difference of 200 N everywhere, so no place is named; their force at the wheel varies.
 #[test]
-fn a_difference_that_is_the_same_everywhere_has_no_place() {
+fn a_constant_difference_has_no_place() {
     let of_load = |load: f64| {
         format!("{CORNER}[springs.a]\nalong = \"damper\"\nrate = 0.0\nload = {load:?}\n")
     };
@@ -227,7 +227,7 @@ fn a_difference_that_is_the_same_everywhere_has_no_place() {
 }
 
 #[test]
-fn a_table_for_people_and_a_page() {
+fn compare_prints_a_text_table_and_writes_a_page() {
     let (folder, output) = compare(CORNER, CORNER, &["--html", "c.html", "--csv", "c.csv"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
@@ -244,7 +244,7 @@ fn a_table_for_people_and_a_page() {
 }
 
 #[test]
-fn what_cannot_be_compared_is_said() {
+fn compare_refuses_files_that_cannot_be_compared() {
     let arm_alone = arm("m", 1.0, 0.4).replace("bump", "lift");
     for (b, options, expected) in [
         (
@@ -262,7 +262,7 @@ fn what_cannot_be_compared_is_said() {
 }
 
 #[test]
-fn a_page_and_a_table_at_one_place_are_refused() {
+fn a_page_and_a_table_of_compare_at_one_path_are_refused() {
     let file = arm("m", 1.0, 0.4);
     let (folder, output) = compare(&file, &file, &["--html", "y", "--csv", "./y"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");

@@ -19,7 +19,7 @@ fn drawn(drive: &str, at: f64) -> String {
 }
 
 #[test]
-fn a_damper_is_drawn_where_its_length_is_driven_as_where_it_is_measured() {
+fn a_damper_is_drawn_alike_whether_driven_or_measured() {
     let measured = drawn(
         "measure damper: length(low -> top);\ndrive led: centre.z;",
         0.2,
@@ -31,7 +31,7 @@ fn a_damper_is_drawn_where_its_length_is_driven_as_where_it_is_measured() {
 
 /// A drawing helps to find the cause of a position out of reach.
 #[test]
-fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
+fn with_the_first_instant_out_of_reach_the_design_is_drawn() {
     let folder = folder();
     let file = "unit = 'm'\nstatements = '''\nfixed: front at [0.2, 0.3, 0.2], rear at [-0.2, 0.3, 0.2];\nfree: centre at [0.0, 0.7, 0.2];\n\
                 hinge arm: front, rear -> centre;\ndrive bump: centre.z;\n'''\ntime = { instants = [0.0] }\ndrives = { bump = AT }\n";
@@ -55,7 +55,7 @@ fn a_first_instant_out_of_reach_is_noted_and_the_design_drawn() {
 }
 
 #[test]
-fn a_radius_that_is_no_number_is_refused_with_what_is_wanted() {
+fn a_wheel_radius_that_is_no_number_is_refused_with_its_format() {
     let folder = folder();
     let output = run(folder.path(), &["draw", "a.toml", "--wheel-radius", "x"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
@@ -65,7 +65,7 @@ fn a_radius_that_is_no_number_is_refused_with_what_is_wanted() {
 
 /// The listing and the motion file of the README give the picture that it shows.
 #[test]
-fn the_picture_of_the_readme_is_what_is_drawn() {
+fn the_picture_of_the_readme_is_up_to_date() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let readme = std::fs::read_to_string(root.join("README.md")).expect("a README");
     let block = |language: &str| {

@@ -22,14 +22,14 @@ fn hold(layout: &str, Worst { off, what, count }: Worst, least: usize) {
 }
 
 #[test]
-fn derivatives_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
+fn derivatives_of_all_layouts_agree_with_differences_in_32_digits() {
     for layout in layouts() {
         hold(layout.name, layout.derivatives(&program), 300);
     }
 }
 
 #[test]
-fn sensitivities_of_the_whole_catalogue_are_those_of_differences_in_32_digits() {
+fn sensitivities_of_all_layouts_agree_with_differences_in_32_digits() {
     let seed = fastrand::u64(..);
     println!("seed {seed}");
     let random = &mut fastrand::Rng::with_seed(seed);

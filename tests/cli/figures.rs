@@ -70,7 +70,7 @@ fn assert_defined_as_printed(rows: &Rows, names: [&str; 3]) {
 }
 
 #[test]
-fn both_listings_measure_the_angles_as_the_paper_prints_them() {
+fn kingpin_and_camber_of_both_listings_follow_the_paper() {
     let folder = folder();
     let solve = |content: String| {
         std::fs::write(folder.path().join("a.toml"), content).expect("written");
@@ -113,7 +113,7 @@ fn assert_drawn(svg: &str, values: &[f64]) {
 }
 
 #[test]
-fn the_main_job_draws_the_papers_figures() {
+fn the_run_without_arguments_draws_the_figures_of_the_paper() {
     let folder = folder();
     let output = run(folder.path(), &[]);
     let read = |name: &str| std::fs::read(folder.path().join("out").join(name)).expect("a file");

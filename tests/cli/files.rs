@@ -15,7 +15,7 @@ fn files_in(folder: &Path) -> usize {
 }
 
 #[test]
-fn an_unwritable_result_is_exit_code_1() {
+fn an_unwritable_result_gives_exit_code_1() {
     let folder = folder_with_input();
     std::fs::write(folder.path().join("file"), "").expect("written");
     let arguments = ["motion", "a.toml", "--csv", "file/a.csv"];
@@ -30,7 +30,7 @@ fn an_unwritable_result_is_exit_code_1() {
 }
 
 #[test]
-fn the_input_is_not_overwritten_by_its_results() {
+fn results_do_not_overwrite_the_input() {
     let folder = folder_with_input();
     std::fs::create_dir(folder.path().join("sub")).expect("a folder");
     for name in ["a.toml", "sub/../a.toml"] {
@@ -49,7 +49,7 @@ fn the_input_is_not_overwritten_by_its_results() {
 
 /// The rows of a table are not lost under a plot.
 #[test]
-fn a_table_and_a_plot_are_two_files() {
+fn a_table_at_the_path_of_a_plot_is_refused() {
     let folder = folder_with_input();
     std::fs::create_dir(folder.path().join("sub")).expect("a folder");
     for (command, plots, table) in [
@@ -85,7 +85,7 @@ fn a_table_and_a_plot_are_two_files() {
 /// The second file would replace the first, also if the link leads to a file that does not exist yet.
 #[cfg(unix)]
 #[test]
-fn a_link_to_another_result_is_the_same_place() {
+fn a_symbolic_link_to_another_result_is_refused() {
     use std::os::unix::fs::symlink;
     let folder = folder_with_input();
     let at = |name: &str| folder.path().join(name);
@@ -115,7 +115,7 @@ fn a_link_to_another_result_is_the_same_place() {
 /// Limits of the shell apply to its children. A block is 512 or 1,024 bytes.
 #[cfg(unix)]
 #[test]
-fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
+fn a_file_beyond_the_size_limit_gives_exit_code_1_and_no_file() {
     let folder = folder();
     let fine = "start = 0.0\nstop = 1.9\nstep = 0.001";
     std::fs::write(
@@ -144,7 +144,7 @@ fn a_file_beyond_its_limit_is_exit_code_1_and_leaves_nothing() {
 
 #[cfg(unix)]
 #[test]
-fn a_replaced_file_keeps_its_mode() {
+fn a_replaced_result_keeps_its_file_mode() {
     use std::fs::Permissions;
     use std::os::unix::fs::PermissionsExt;
     let folder = folder_with_input();
@@ -164,7 +164,7 @@ fn a_replaced_file_keeps_its_mode() {
 /// No user may make files there, not even root.
 #[cfg(target_os = "linux")]
 #[test]
-fn an_error_names_the_users_path_only() {
+fn a_write_error_names_the_path_of_the_user() {
     let folder = folder_with_input();
     let output = run(folder.path(), &["motion", "a.toml", "--csv", "/proc/a.csv"]);
     assert_eq!(output.status.code(), Some(1));
@@ -176,7 +176,7 @@ fn an_error_names_the_users_path_only() {
 /// A link is followed, even to a file that does not exist yet; a cycle of links is refused.
 #[cfg(unix)]
 #[test]
-fn a_link_stays_a_link() {
+fn a_result_written_to_a_symbolic_link_keeps_the_link() {
     use std::os::unix::fs::symlink;
     let folder = folder_with_input();
     let at = |name: &str| folder.path().join(name);

@@ -1,4 +1,4 @@
-//! An angle about an axis that is half a turn at the design position, without jumps. The same angle with one line reversed
+//! An angle about an axis that is half a turn at the design position does not jump there. The same angle with one line reversed
 //! is zero there, and gives the same numbers.
 
 use std::path::Path;
@@ -40,7 +40,7 @@ fn printed(folder: &Path, file: &str, arguments: &[&str]) -> String {
 }
 
 #[test]
-fn a_bar_presses_what_it_does_either_way() {
+fn a_bar_at_half_a_turn_has_the_moment_of_the_reversed_line() {
     let folder = folder();
     let sweep = ["sweep", "a.toml", "--drive", "bump=-20:20:5", "--csv", "-"];
     let [half, zero] =
@@ -65,7 +65,7 @@ fn a_bar_presses_what_it_does_either_way() {
 }
 
 #[test]
-fn a_target_is_met_and_samples_scatter_as_derivatives_say() {
+fn tuning_and_tolerances_work_through_half_a_turn() {
     let folder = folder();
     let target = "[tune.moves.front_height]\npoints = [\"front\"]\nalong = \"z\"\nby = [-1.0, 1.0]
 [tune.targets.twist]\nof = \"twist\"\nover = { bump = [-20.0, 20.0] }\nchange = [-2.8659839825988617, 0.0, 2.8659839825988617]\nwithin = 0.001\n";
@@ -91,7 +91,7 @@ fn a_target_is_met_and_samples_scatter_as_derivatives_say() {
 }
 
 #[test]
-fn a_measure_is_baked_through_it() {
+fn a_measured_angle_is_baked_through_half_a_turn() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), arm(LINES[0], "")).expect("written");
     let arguments = ["bake", "a.toml", "--along", "twist=178:182", "--out", "-"];

@@ -3,7 +3,7 @@
 use super::program::{folder, run, text};
 
 #[test]
-fn every_command_says_its_exit_codes() {
+fn the_help_of_every_command_states_its_exit_codes() {
     let folder = folder();
     let help = run(folder.path(), &["--help"]);
     let (_, behind) = text(&help.stdout)

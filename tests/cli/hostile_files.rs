@@ -25,7 +25,7 @@ fn refused_content(content: impl AsRef<[u8]>) -> String {
 }
 
 #[test]
-fn bytes_that_are_no_text() {
+fn files_that_are_not_utf_8_are_refused() {
     let message = refused_content(b"linkage = \"attia2003\"\nunit = \"\xff\xfe\"");
     assert!(
         message.starts_with("bad.toml:2:9: is not text in UTF-8; save it in that encoding"),
@@ -38,7 +38,7 @@ fn bytes_that_are_no_text() {
 }
 
 #[test]
-fn files_of_any_size() {
+fn files_of_any_size_are_read_or_refused() {
     assert!(refused_content(vec![b'x'; 100_000_000]).contains("larger than 4 MiB"));
     // Just small enough to be read.
     let long_key = "x".repeat(4_000_000);
@@ -56,14 +56,14 @@ fn files_of_any_size() {
 
 #[cfg(unix)]
 #[test]
-fn a_device_that_never_ends() {
+fn an_endless_device_is_refused_as_too_large() {
     let folder = folder();
     assert!(refused(folder.path(), "/dev/zero").contains("larger than 4 MiB"));
 }
 
 /// A listing that is included is read by the same rules as the one that includes it.
 #[test]
-fn included_files_of_any_size_and_bytes() {
+fn included_files_of_any_size_and_bytes_are_refused() {
     let folder = folder();
     let at = |name: &str| folder.path().join(name);
     let main = CORNER.replace(
@@ -99,7 +99,7 @@ fn included_files_of_any_size_and_bytes() {
 }
 
 #[test]
-fn deep_nesting() {
+fn deeply_nested_files_are_refused() {
     for (open, close) in [("[", "]"), ("{ a = ", " }")] {
         let value = open.repeat(100_000) + "1" + &close.repeat(100_000);
         refused_content(edited("p2", &format!("p2 = {value}")));
@@ -110,7 +110,7 @@ fn deep_nesting() {
 }
 
 #[test]
-fn what_cannot_be_read() {
+fn unreadable_paths_are_refused_in_one_line() {
     let folder = folder();
     std::fs::create_dir(folder.path().join("a_folder")).expect("made");
     std::fs::write(folder.path().join("file"), "").expect("written");
@@ -123,7 +123,7 @@ fn what_cannot_be_read() {
 
 /// Line ends and a mark of byte order as editors on other systems leave them.
 #[test]
-fn other_systems_text() {
+fn line_ends_and_byte_order_marks_of_other_systems_are_accepted() {
     let folder = folder();
     let plain = example("five_link.toml");
     let solved = |name: &str, content: &str| {
@@ -143,7 +143,7 @@ fn other_systems_text() {
 
 /// The same mechanism a thousand kilometres away: the same motion, with all positions shifted.
 #[test]
-fn far_from_the_origin() {
+fn a_mechanism_1000_km_from_the_origin_has_the_same_motion() {
     const AWAY: [f64; 3] = [1e6, -2e6, 5e5];
     let folder = folder();
     let home = example("attia2003.toml");

@@ -105,7 +105,7 @@ fn table(points: &[(&str, [f64; 3])]) -> String {
 }
 
 #[test]
-fn two_commands_lead_from_adams_names_to_the_sheet() {
+fn import_and_sheet_turn_a_table_of_adams_names_into_a_page() {
     let folder = folder();
     std::fs::write(folder.path().join("front.csv"), EXAMPLE).expect("written");
     let output = run(folder.path(), &["import", "front.csv"]);
@@ -156,7 +156,7 @@ fn listed(linkage: &str) -> Vec<(String, [f64; 3])> {
 }
 
 #[test]
-fn every_listing_is_found_by_its_own_names() {
+fn import_finds_every_layout_by_its_own_point_names() {
     let folder = folder();
     for (linkage, _) in LISTINGS {
         let listed = listed(linkage);
@@ -174,10 +174,17 @@ fn every_listing_is_found_by_its_own_names() {
         assert_eq!(imported.text("unit"), "m");
         let expected = points.iter().map(|(name, at)| ((*name).to_owned(), *at));
         assert_eq!(imported.points(), expected.collect(), "{linkage}");
-        let told = "camber and toe are those of the line from upper_rear_outer to wheel_centre";
-        assert_eq!(imported.notes.contains(told), *linkage == "five_link");
+        let expected_text =
+            "camber and toe are those of the line from upper_rear_outer to wheel_centre";
+        assert_eq!(
+            imported.notes.contains(expected_text),
+            *linkage == "five_link"
+        );
         let head = std::fs::read_to_string(folder.path().join("motion.toml")).expect("written");
-        assert_eq!(head.contains(&format!("# {told}")), *linkage == "five_link");
+        assert_eq!(
+            head.contains(&format!("# {expected_text}")),
+            *linkage == "five_link"
+        );
         let output = run(
             folder.path(),
             &["sheet", "motion.toml", "--travel", "0:0.001"],
@@ -187,7 +194,7 @@ fn every_listing_is_found_by_its_own_names() {
 }
 
 #[test]
-fn angles_of_drives_are_in_degrees_and_start_at_the_design_position() {
+fn imported_drive_angles_are_in_degrees_and_start_at_the_design() {
     let folder = folder();
     let listed = listed("five_link");
     let points: Vec<_> = listed
@@ -213,7 +220,7 @@ fn angles_of_drives_are_in_degrees_and_start_at_the_design_position() {
 }
 
 #[test]
-fn a_motion_that_reaches_a_lock_is_noted() {
+fn an_imported_motion_that_reaches_a_lock_is_noted() {
     let folder = folder();
     let small = CORNER.map(|(name, at)| (name, at.map(|coordinate| coordinate / 8.0)));
     let imported = import(folder.path(), "own.csv", &table(&small), &["--unit", "mm"]);
@@ -234,15 +241,15 @@ fn a_motion_that_reaches_a_lock_is_noted() {
 }
 
 #[test]
-fn the_page_has_the_names_that_are_known() {
+fn hardpoints_md_has_all_names_that_import_knows() {
     let output = run(folder().path(), &["import", "--names"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let page = include_str!("../../docs/hardpoints.md");
     let names = text(&output.stdout);
     assert!(names.lines().count() > 100);
-    let told = format!("```text\n{names}```\n");
+    let expected = format!("```text\n{names}```\n");
     assert!(
-        page.contains(&told),
+        page.contains(&expected),
         "docs/hardpoints.md is not as suspension import --names has it"
     );
 }

@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::program::{CORNER, folder, rows, run, text};
 
 #[test]
-fn json_has_the_rows_of_the_csv_file_under_a_header_with_units_and_axes() {
+fn json_has_the_csv_rows_and_a_header_with_units_and_axes() {
     let folder = folder();
     let moving = CORNER.replace("bump = 0.3", "bump = [0.3, 0.05]");
     let moving = moving.replace("[0.0]", "[0.0, 0.5, 1.0]");
@@ -56,9 +56,9 @@ fn json_has_the_rows_of_the_csv_file_under_a_header_with_units_and_axes() {
     }
 }
 
-/// Readers that compare texts would find a difference where there is none.
+/// Programs that compare texts would report a difference between equal numbers.
 #[test]
-fn zero_has_no_sign() {
+fn zero_is_written_without_sign_in_csv_and_json() {
     let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");
     let content = content
         .replace("steer = 0.34\n", "")
@@ -75,7 +75,7 @@ fn zero_has_no_sign() {
 }
 
 #[test]
-fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
+fn json_is_written_to_standard_output_or_its_own_file() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let sweep = ["sweep", "a.toml", "--drive", "bump=0", "--json", "-"];
@@ -109,7 +109,7 @@ fn json_goes_to_standard_output_and_to_a_place_of_its_own() {
 /// Before anything is solved.
 #[test]
 #[cfg(not(feature = "parquet"))]
-fn parquet_is_refused_where_the_program_is_built_without_it() {
+fn parquet_is_refused_by_a_program_built_without_parquet() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     for arguments in [

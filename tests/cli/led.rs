@@ -1,4 +1,4 @@
-//! Motions that a measure leads in place of a drive.
+//! Led motions, which a measure prescribes in place of a drive.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
@@ -42,7 +42,7 @@ fn instants(heights: impl Iterator<Item = f64>, from: f64, rate: f64) -> String 
 /// Led by height at a constant rate, a row has the same configuration as by theta, its velocities
 /// `v h'_led / h'` and accelerations `(a - v h'' / h') (h'_led / h')^2`.
 #[test]
-fn a_led_motion_is_the_driven_one_at_another_pace() {
+fn a_led_motion_has_the_configurations_of_the_driven_motion() {
     const RATE: f64 = -40.0;
     let folder = folder();
     write(
@@ -90,7 +90,7 @@ fn a_led_motion_is_the_driven_one_at_another_pace() {
 
 /// The example passes the turning point of theta, and at and beyond it agrees with the curve of `suspension range`.
 #[test]
-fn height_leads_through_the_turning_point_of_theta() {
+fn a_motion_led_by_height_passes_the_turning_point_of_theta() {
     let folder = folder();
     let name = "five_link_height.toml";
     write(folder.path(), name, &example(name));
@@ -120,8 +120,8 @@ fn height_leads_through_the_turning_point_of_theta() {
         .collect();
     assert!(stations.len() > 20, "{}", stations.len());
     let times = instants(stations.iter().map(|index| height(*index)), 358.0, -50.0);
-    let there = [("start = 0.0\nstop = 9.15\nstep = 0.05", times.as_str())];
-    write(folder.path(), "there.toml", &edited(name, &there));
+    let replaced = [("start = 0.0\nstop = 9.15\nstep = 0.05", times.as_str())];
+    write(folder.path(), "there.toml", &edited(name, &replaced));
     let led = table(folder.path(), &["motion", "there.toml"]);
     for (row, index) in led.iter().zip(stations) {
         let station = &curve[index];
@@ -139,7 +139,7 @@ fn height_leads_through_the_turning_point_of_theta() {
 }
 
 #[test]
-fn where_the_measure_turns_the_motion_ends() {
+fn a_led_motion_ends_at_the_turning_point_of_its_measure() {
     let folder = folder();
     let beyond = edited("five_link_height.toml", &[("stop = 9.15", "stop = 9.5")]);
     write(folder.path(), "a.toml", &beyond);
@@ -162,7 +162,7 @@ fn where_the_measure_turns_the_motion_ends() {
 }
 
 #[test]
-fn a_first_height_beyond_the_turn_is_out_of_reach() {
+fn a_first_height_beyond_its_extreme_value_is_out_of_reach() {
     let folder = folder();
     let high = edited("five_link_height.toml", &[("[358.0, -50.0]", "[360.0]")]);
     write(folder.path(), "a.toml", &high);
@@ -183,7 +183,7 @@ fn a_first_height_beyond_the_turn_is_out_of_reach() {
 
 /// A kilometre up, the height counts from the file's origin.
 #[test]
-fn far_from_the_origin_the_height_is_that_of_the_file() {
+fn far_from_the_origin_a_leading_height_counts_from_that_of_the_file() {
     const UP: f64 = 1e6;
     let folder = folder();
     let near = edited("published_five_link.toml", &[BY_HEIGHT]);
@@ -223,7 +223,7 @@ fn far_from_the_origin_the_height_is_that_of_the_file() {
 }
 
 #[test]
-fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
+fn wrong_sets_of_drives_and_leading_measures_are_refused() {
     let cases = [
         (
             "theta = [0.7]\nheight = [50.0]",
@@ -267,7 +267,7 @@ fn sets_of_leading_quantities_that_do_not_fit_are_refused() {
 }
 
 #[test]
-fn bake_needs_drives_to_lead() {
+fn bake_refuses_a_motion_led_by_a_measure() {
     let folder = folder();
     write(
         folder.path(),
@@ -284,7 +284,7 @@ fn bake_needs_drives_to_lead() {
 }
 
 #[test]
-fn range_and_assemblies_start_from_where_the_measure_leads_to() {
+fn range_and_assemblies_start_at_the_led_position() {
     let folder = folder();
     write(
         folder.path(),
@@ -311,7 +311,7 @@ fn range_and_assemblies_start_from_where_the_measure_leads_to() {
 
 /// A crank that its measured angle turns twice round, a slider in place of it; measured, the angle jumps at half a turn.
 #[test]
-fn an_angle_about_an_axis_leads_round_and_round() {
+fn a_measured_angle_leads_a_crank_through_two_turns() {
     let folder = folder();
     let statements = "
         fixed: a at [0, 0, 0], a2 at [0.1, 0, 0], s1 at [0, 0.2, 0], s2 at [0, 1, 0];

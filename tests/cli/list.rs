@@ -14,7 +14,7 @@ fn package() -> &'static Path {
 }
 
 #[test]
-fn names_every_layout_with_its_first_sentence_drives_and_measures() {
+fn list_prints_every_layout_with_description_drives_and_measures() {
     let output = run(folder().path(), &["list"]);
     assert_eq!(output.status.code(), Some(0));
     let list = text(&output.stdout);
@@ -30,7 +30,7 @@ fn names_every_layout_with_its_first_sentence_drives_and_measures() {
 }
 
 #[test]
-fn prints_a_listing_that_a_motion_file_can_name() {
+fn a_printed_listing_works_in_a_motion_file() {
     let folder = folder();
     let output = run(folder.path(), &["list", "double_wishbone"]);
     assert_eq!(output.status.code(), Some(0));
@@ -42,7 +42,7 @@ fn prints_a_listing_that_a_motion_file_can_name() {
 }
 
 #[test]
-fn an_unknown_name_is_wrong_input() {
+fn an_unknown_layout_gives_exit_code_2_and_a_suggestion() {
     for (name, expected) in [
         (
             "macferson",
@@ -59,7 +59,7 @@ fn an_unknown_name_is_wrong_input() {
 
 /// But for the double wishbone, whose example has pushrod and rocker.
 #[test]
-fn every_layout_has_an_example_that_is_solved_to_its_end_and_drawn() {
+fn every_layout_has_an_example_that_is_solved_and_drawn() {
     let folder = folder();
     let layouts = LISTINGS.iter().map(|(name, _)| *name);
     for name in layouts.filter(|name| !name.starts_with("double_wishbone")) {
@@ -74,7 +74,7 @@ fn every_layout_has_an_example_that_is_solved_to_its_end_and_drawn() {
 }
 
 #[test]
-fn the_page_has_a_row_for_every_layout() {
+fn layouts_md_has_a_row_for_every_layout() {
     let page = include_str!("../../docs/layouts.md");
     for (name, listing) in LISTINGS {
         let listing = Listing::parse(listing).expect("a listing");
@@ -91,7 +91,7 @@ fn the_page_has_a_row_for_every_layout() {
 }
 
 #[test]
-fn the_page_names_the_layouts_that_are_compiled() {
+fn layouts_md_names_the_compiled_layouts() {
     let catalogue = include_str!("../../suspension-core/src/linkages/mod.rs");
     let (_, behind) = catalogue.split_once("\n    compiled: ").expect("names");
     let (names, _) = behind.split_once(';').expect("their end");
@@ -141,7 +141,7 @@ fn leaders(svg: &str) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn the_names_in_the_drawing_of_a_car_are_apart_and_at_their_leaders() {
+fn labels_in_the_drawing_of_a_car_are_apart_and_at_their_leaders() {
     let folder = folder();
     let car = include_str!("../../examples/front_and_rear_axle.toml");
     std::fs::write(folder.path().join("car.toml"), car).expect("written");

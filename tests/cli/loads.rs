@@ -61,7 +61,7 @@ const GRID: [&str; 4] = [
 /// The shares of two bushes in the force along their line are not determined: each bears half, in any order of the points.
 /// An arm with its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
 #[test]
-fn bushes_of_a_hinge_share_the_force_along_it() {
+fn bushes_of_a_hinge_share_the_axial_force_equally() {
     for order in ["tip, hub", "hub, tip"] {
         let file = format!(
             "unit = \"m\"\nstatements = \"\"\"\nfixed: front at [0.3, 0.3, 0.2], rear at [-0.3, 0.3, 0.2];\n\
@@ -85,7 +85,7 @@ fn bushes_of_a_hinge_share_the_force_along_it() {
 
 /// The upright as a free body: the forces at its joints equal the load at the contact point, and their moments cancel.
 #[test]
-fn a_body_passes_on_what_acts_at_its_contact_point() {
+fn joint_forces_of_the_upright_balance_the_load_at_the_contact_point() {
     let file = loaded(&format!("{BRAKING}bump = \"damper\"\n"));
     let load = Vector3::new(-3000.0, 200.0, 4000.0);
     let (loads, places) = (table(&file, &GRID), swept(&file, &GRID));
@@ -114,7 +114,7 @@ fn a_body_passes_on_what_acts_at_its_contact_point() {
 
 /// Virtual work: the spring's force times its motion ratio is the force that the drive would bear without it.
 #[test]
-fn a_spring_bears_the_load_of_the_wheel_over_its_motion_ratio() {
+fn spring_force_is_the_wheel_load_over_the_motion_ratio() {
     let without = table(&loaded(BRAKING), &GRID);
     let with = table(&loaded(&format!("{BRAKING}bump = \"damper\"\n")), &GRID);
     let places = swept(&loaded(BRAKING), &GRID);
@@ -132,7 +132,7 @@ fn a_spring_bears_the_load_of_the_wheel_over_its_motion_ratio() {
 
 /// The spring's force may be stated: then the drive bears the rest.
 #[test]
-fn a_stated_force_in_a_measure_takes_its_part() {
+fn a_stated_spring_force_reduces_the_force_on_the_drive() {
     let case = "[loads.half]\ncontact = [0.0, 0.0, 4000.0]\ndamper = 2000.0\n";
     let row = &table(&loaded(case), &[])[0];
     let place = &swept(&loaded(case), &["--drive", "bump=0.0"])[0];
@@ -143,7 +143,7 @@ fn a_stated_force_in_a_measure_takes_its_part() {
 
 /// Millimetres, and the axes of Adams, are the same corner: forces turn with the axes.
 #[test]
-fn units_and_axes_do_not_matter() {
+fn loads_do_not_depend_on_units_and_axes() {
     let expected = &table(&loaded(BRAKING), &[])[0];
     let turned = loaded(&BRAKING.replace("[-3000.0, 200.0, 4000.0]", "[3000.0, -200.0, 4000.0]"));
     let turned = turned
@@ -176,7 +176,7 @@ fn units_and_axes_do_not_matter() {
 
 /// A moment at a body is the same as a couple of forces at two of its points.
 #[test]
-fn a_moment_is_a_couple_of_forces() {
+fn a_moment_on_a_body_equals_a_couple_of_forces() {
     let place = &swept(CORNER, &["--drive", "bump=0.0"])[0];
     let at =
         |point: &str| Vector3::from(["x", "y", "z"].map(|axis| place[&format!("{point}_{axis}")]));
@@ -208,7 +208,7 @@ fn a_moment_is_a_couple_of_forces() {
 }
 
 #[test]
-fn a_report_has_a_table_of_each_kind_for_each_case() {
+fn the_loads_report_has_each_table_for_each_case() {
     let folder = folder();
     let cases =
         format!("{BRAKING}bump = \"damper\"\n[loads.cornering]\ncontact = [0.0, 3500.0, 5000.0]\n");
@@ -237,7 +237,7 @@ fn a_report_has_a_table_of_each_kind_for_each_case() {
 
 /// A driver at the rack: its drive bears the force along the way of the rack, and no link more.
 #[test]
-fn a_force_at_a_driven_point_is_borne_by_its_drive() {
+fn a_force_at_a_driven_chassis_point_is_borne_by_its_drive() {
     let case = |rack: &str| {
         let case = format!("[loads.a]\ncontact = [0.0, 500.0, 4000.0]\n{rack}");
         table(&loaded(&case), &[])[0].clone()
@@ -254,7 +254,7 @@ fn a_force_at_a_driven_point_is_borne_by_its_drive() {
 
 /// The published five-point suspension locks at theta = 2.178426 rad.
 #[test]
-fn near_a_lock_the_report_says_so() {
+fn the_loads_report_warns_near_a_lock() {
     let file = include_str!("../../examples/attia2003.toml");
     let file = format!("{file}[loads.a]\np11 = [0.0, 0.0, 1000.0]\n");
     for (theta, is_near) in [("2.1", false), ("2.17842626", true)] {
@@ -265,9 +265,9 @@ fn near_a_lock_the_report_says_so() {
             folder.path(),
             &["loads", "a.toml", "--absolute", "--drive", &drive],
         );
-        let told = text(&output.stdout).contains("is near a position where it locks");
+        let is_reported = text(&output.stdout).contains("is near a position where it locks");
         assert!(
-            output.status.success() && told == is_near,
+            output.status.success() && is_reported == is_near,
             "{theta}: {output:?}"
         );
     }

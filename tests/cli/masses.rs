@@ -58,7 +58,7 @@ fn design(point: &str) -> Vector3<f64> {
 
 /// Conservation of energy: without gravity the drives' power is the rate of the kinetic energy.
 #[test]
-fn drives_supply_the_kinetic_energy() {
+fn power_of_the_drives_is_the_rate_of_kinetic_energy() {
     let file = corner(&particles(), "gravity = [0.0, 0.0, 0.0]");
     let (loads, states) = (table(&file, &["--motion"]), moved(&file));
     assert_eq!((loads.len(), states.len()), (3, 3));
@@ -83,7 +83,7 @@ fn drives_supply_the_kinetic_energy() {
 
 /// A body is its particles: all loads are the same but those inside it.
 #[test]
-fn a_body_is_its_particles() {
+fn loads_of_a_body_equal_those_of_its_particles() {
     for more in [&["--motion"][..], &["--drive", "bump=-0.05:0.05:5"]] {
         let with = |masses: &str| table(&corner(masses, "acceleration = [-8.0, 3.0, 0.0]"), more);
         let (expected, found) = (with(&particles()), with(&as_body(design)));
@@ -102,7 +102,7 @@ fn a_body_is_its_particles() {
 
 /// The effect of the wheel's weight, by virtual work; the upright passes it on.
 #[test]
-fn weight_acts_without_being_asked_for() {
+fn weight_of_masses_acts_in_every_load_case() {
     let file = corner(
         "upright = { mass = 30.0, centre = \"lower_ball\" }\ntie_rod = 1.2",
         "",
@@ -136,7 +136,7 @@ fn weight_acts_without_being_asked_for() {
 /// A rack that is a chassis point, of 4 kg, in the direction of its drive: the drive bears its inertia, and no other part
 /// does; its weight is borne by the housing, and travel does not move it.
 #[test]
-fn a_driven_chassis_point_has_a_mass() {
+fn a_drive_bears_the_inertia_of_its_chassis_point() {
     let file = |masses: &str| {
         let file = corner(
             &format!("lower_ball = 3.0\n{masses}"),
@@ -165,7 +165,7 @@ fn a_driven_chassis_point_has_a_mass() {
 
 /// The same law in millimetres, for a drive that is an angle: moments are in N m.
 #[test]
-fn millimetres_do_not_matter() {
+fn power_of_a_driven_angle_in_millimetres_is_kinetic_energy_rate() {
     let masses = "[masses]\nwheel_centre = 20.0\n[loads.a]\ngravity = [0.0, 0.0, 0.0]\n";
     let file = format!("{}{masses}", include_str!("../../examples/five_link.toml"));
     let (loads, states) = (table(&file, &["--motion"]), moved(&file));
@@ -187,7 +187,7 @@ fn millimetres_do_not_matter() {
 
 /// A centre of mass that is stated by a point moves with it: tuning uses the same centre as the written file.
 #[test]
-fn a_centre_moves_with_the_point_that_it_is_stated_by() {
+fn a_centre_of_mass_stated_by_a_point_moves_with_the_point() {
     let file = "linkage = \"double_wishbone\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
                 [drives]\nbump = 0.3\nsteer = 0.34\n\
                 [masses]\nupright = { mass = 20.0, centre = \"upper_ball\", inertia = [0.6, 0.9, 0.5] }\n\
@@ -204,7 +204,7 @@ fn a_centre_moves_with_the_point_that_it_is_stated_by() {
 
 /// A drawing of each case: the numbers of the table along the links, and an arrow for each load.
 #[test]
-fn a_picture_shows_what_links_bear() {
+fn drawings_of_load_cases_show_link_forces_and_load_arrows() {
     let cases = "contact = [-3000.0, 0.0, 4000.0]\n[loads.b]\ncontact = [0.0, 3000.0, 4000.0]\nbump = \"damper\"";
     let file = corner("", cases).replace("[masses]", "[vehicle]\nwheel_radius = 0.3\n[masses]");
     let rows = table(&file, &[]);
@@ -231,7 +231,7 @@ fn a_picture_shows_what_links_bear() {
 
 /// The kinetic energy of particles, of the equivalent body, and of a rod, at the height of the wheel centre.
 #[test]
-fn effective_mass_has_the_kinetic_energy() {
+fn effective_mass_gives_the_kinetic_energy_at_the_wheel_centre() {
     let around = ["--drive", "bump=-0.03:0.03:3", "--drive", "steer=0.01"];
     let rod = format!("{}\ntie_rod = 1.7", particles());
     let [of_particles, of_body, with_rod] =

@@ -17,33 +17,36 @@ fn notes(content: &str) -> String {
 }
 
 #[test]
-fn hardpoints_in_another_unit_are_remarked() {
+fn hardpoints_in_another_unit_are_noted() {
     let millimetres = example("five_link.toml");
     assert_eq!(notes(&millimetres), "");
     let metres = millimetres.replace("unit = \"mm\"", "unit = \"m\"");
-    let told = notes(&metres);
+    let message = notes(&metres);
     assert!(
-        told.starts_with("note: a.toml: the points are up to 537 m apart"),
-        "{told}"
+        message.starts_with("note: a.toml: the points are up to 537 m apart"),
+        "{message}"
     );
-    assert!(told.contains("unit = \"mm\""), "{told}");
+    assert!(message.contains("unit = \"mm\""), "{message}");
     let inches = millimetres.replace("unit = \"mm\"", "unit = \"in\"");
-    let told = notes(&inches);
-    assert!(told.contains("537 in apart: is the file in mm?"), "{told}");
-}
-
-#[test]
-fn a_moved_point_that_lengths_put_elsewhere_is_remarked() {
-    assert_eq!(notes(&example("attia2003.toml")), "");
-    let told = notes(&edited("p8", "p8 = [-1.27, 0.345, 0.218]"));
+    let message = notes(&inches);
     assert!(
-        told.starts_with("note: a.toml: with [lengths]") && told.contains("`p8` 0.101 m"),
-        "{told}"
+        message.contains("537 in apart: is the file in mm?"),
+        "{message}"
     );
 }
 
 #[test]
-fn axes_that_are_stated_the_other_way_round_are_remarked() {
+fn a_point_that_lengths_move_elsewhere_is_noted() {
+    assert_eq!(notes(&example("attia2003.toml")), "");
+    let message = notes(&edited("p8", "p8 = [-1.27, 0.345, 0.218]"));
+    assert!(
+        message.starts_with("note: a.toml: with [lengths]") && message.contains("`p8` 0.101 m"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_reversed_kingpin_or_spin_axis_is_noted() {
     let folder = super::program::folder();
     let listings = suspension_core::linkages::LISTINGS;
     let (_, listing) = listings
@@ -94,7 +97,7 @@ fn axes_that_are_stated_the_other_way_round_are_remarked() {
 }
 
 #[test]
-fn lengths_of_the_vehicle_in_another_unit_are_remarked() {
+fn vehicle_lengths_in_another_unit_are_noted() {
     let file = |vehicle: &str| {
         example("five_link.toml").replace("[time]", &format!("[vehicle]\n{vehicle}\n[time]"))
     };
@@ -136,14 +139,14 @@ fn strut(outboard: f64, more: &str) -> String {
 }
 
 #[test]
-fn small_misfits_are_remarked_with_a_design_too() {
+fn small_misfits_of_points_are_noted_with_and_without_a_design() {
     let design = "design = { bump = 0.33, steer = 0.33 }\n";
     assert_eq!(notes(&strut(0.0, "")), notes(&strut(0.0, design)));
     for more in ["", design] {
-        let told = notes(&strut(0.01, more));
+        let message = notes(&strut(0.01, more));
         assert!(
-            told.starts_with("note: a.toml: the points do not satisfy equation `strut"),
-            "{told}"
+            message.starts_with("note: a.toml: the points do not satisfy equation `strut"),
+            "{message}"
         );
     }
     assert!(notes(&strut(0.01, "")).contains("has moved by"));
@@ -151,16 +154,16 @@ fn small_misfits_are_remarked_with_a_design_too() {
 }
 
 #[test]
-fn points_far_off_what_is_stated_of_them_are_refused() {
+fn points_far_from_their_equations_are_refused() {
     for more in ["", "design = { bump = 0.31, steer = 0.33 }\n"] {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), strut(-0.15, more)).expect("written");
         let output = run(folder.path(), &["motion", "a.toml"]);
-        let told = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{told}");
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(
-            told.contains("more than a tenth of the suspension's size; correct a point of"),
-            "{told}"
+            message.contains("more than a tenth of the suspension's size; correct a point of"),
+            "{message}"
         );
         assert!(text(&output.stdout).is_empty());
     }
@@ -187,18 +190,18 @@ fn guessed(back: f64) -> String {
 }
 
 #[test]
-fn a_marker_with_coordinates_goes_where_lengths_put_its_body() {
+fn a_marker_with_coordinates_moves_with_its_body() {
     let moved = |back| {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), guessed(back)).expect("written");
         let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
         super::program::rows(&output.stdout)
     };
-    let (here, there) = (moved(0.0), moved(0.01));
-    assert!(!here.is_empty());
-    for (here, there) in here.iter().zip(&there) {
+    let (expected, found) = (moved(0.0), moved(0.01));
+    assert!(!expected.is_empty());
+    for (expected, found) in expected.iter().zip(&found) {
         for name in ["p11_x", "p11_y", "p11_z"] {
-            assert!((here[name] - there[name]).abs() < 1e-9, "{name}");
+            assert!((expected[name] - found[name]).abs() < 1e-9, "{name}");
         }
     }
 }
@@ -225,11 +228,14 @@ drives = { left_bump = 200, right_bump = 200 }
 ";
 
 #[test]
-fn of_two_sides_that_are_equal_the_same_one_is_told_throughout() {
-    let told = notes(SEATS);
+fn notes_on_two_equal_sides_name_the_same_side() {
+    let message = notes(SEATS);
     assert!(
-        told.contains("equation `left_seat_on_upper_z`, by 9.99 mm; "),
-        "{told}"
+        message.contains("equation `left_seat_on_upper_z`, by 9.99 mm; "),
+        "{message}"
     );
-    assert!(told.contains("`left_seat` has moved by 10 mm"), "{told}");
+    assert!(
+        message.contains("`left_seat` has moved by 10 mm"),
+        "{message}"
+    );
 }

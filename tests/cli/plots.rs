@@ -1,4 +1,4 @@
-//! The plots, as their text lies in them.
+//! The plots: positions of their text.
 
 use super::program::{edited, example, folder, run};
 
@@ -78,7 +78,7 @@ fn assert_readable(svg: &str, what: &str) {
 }
 
 #[test]
-fn labels_do_not_overlap() {
+fn labels_of_plots_do_not_overlap() {
     let constant = edited("theta = [", "theta = [0.7]");
     let upright = edited("theta = [", "theta = [1.5707963267948966]");
     let cases = [
@@ -106,7 +106,7 @@ fn labels_do_not_overlap() {
 }
 
 #[test]
-fn a_wheel_centre_of_that_name_is_named_once() {
+fn a_wheel_centre_called_wheel_centre_is_labelled_once() {
     let folder = folder();
     for (example_of, name) in [
         ("attia2003.toml", "wheel centre p11"),
@@ -124,7 +124,7 @@ fn a_wheel_centre_of_that_name_is_named_once() {
 
 /// The angles of two axles: each wheel's curve has its own colour, and names of wheels are not repeated.
 #[test]
-fn the_curves_of_a_whole_car_are_told_apart() {
+fn curves_of_the_wheels_of_a_car_have_distinct_colours() {
     let folder = folder();
     let car = example("front_and_rear_axle.toml");
     std::fs::write(folder.path().join("a.toml"), car).expect("written");
@@ -152,7 +152,7 @@ fn the_curves_of_a_whole_car_are_told_apart() {
 
 /// Both wheels of an axle have the same toe in heave: one curve is drawn wider than the one over it.
 #[test]
-fn curves_that_lie_on_each_other_are_both_seen() {
+fn coinciding_curves_have_different_widths() {
     let folder = folder();
     for (right, widths) in [(0.03, ["40", "16"]), (-0.03, ["16", "16"])] {
         let heave = format!(
@@ -178,7 +178,7 @@ fn curves_that_lie_on_each_other_are_both_seen() {
 
 /// The name of an axis for roll contains two drives; letters are assumed half as wide as high.
 #[test]
-fn the_name_of_the_horizontal_axis_stays_on_its_chart() {
+fn the_label_of_the_horizontal_axis_stays_on_its_chart() {
     let folder = folder();
     let axles = include_str!("../../examples/front_and_rear_axle.toml");
     std::fs::write(folder.path().join("a.toml"), axles).expect("written");

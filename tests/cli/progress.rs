@@ -1,4 +1,4 @@
-//! What a terminal shows of work that takes long.
+//! The progress that a terminal shows during long work.
 
 use std::process::Command;
 

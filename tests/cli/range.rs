@@ -16,7 +16,7 @@ fn number_after(report: &str, words: &str) -> f64 {
 }
 
 #[test]
-fn both_ends_and_when_the_motion_locks() {
+fn range_prints_both_ends_and_the_instant_of_the_lock() {
     let folder = folder();
     for name in ["attia2003.toml", "published_five_link.toml"] {
         std::fs::write(folder.path().join(name), example(name)).expect("written");
@@ -39,44 +39,44 @@ fn both_ends_and_when_the_motion_locks() {
 
 /// A motion that also steers may lock within the range for a fixed steering.
 #[test]
-fn a_motion_of_several_drives_is_not_said_to_reach_neither_end() {
+fn a_motion_of_several_drives_makes_no_claim_about_the_ends() {
     let folder = folder();
     let both = CORNER.replace("bump = 0.3", "bump = [0.3, 0.01]");
     let both = both.replace("steer = 0.34", "steer = [0.34, 0.01]");
     assert_eq!(both.matches("0.01]").count(), 2);
     std::fs::write(folder.path().join("a.toml"), both).expect("written");
     let output = run(folder.path(), &["range", "a.toml"]);
-    let said = text(&output.stdout);
+    let report = text(&output.stdout);
     assert_eq!(
-        said.matches("moves other drives as well").count(),
+        report.matches("moves other drives as well").count(),
         2,
-        "{said}"
+        "{report}"
     );
-    assert!(!said.contains("neither end"), "{said}");
+    assert!(!report.contains("neither end"), "{report}");
 }
 
 #[test]
-fn a_drive_that_the_motion_holds_is_said_to_be_held() {
+fn range_reports_a_drive_that_the_motion_holds() {
     let folder = folder();
     let bump = CORNER.replace("bump = 0.3", "bump = [0.3, 0.01]");
     std::fs::write(folder.path().join("a.toml"), bump).expect("written");
     let output = run(folder.path(), &["range", "a.toml", "--drive", "steer"]);
-    let said = text(&output.stdout);
+    let report = text(&output.stdout);
     assert!(
-        said.contains("the file's motion holds this drive"),
-        "{said}"
+        report.contains("the file's motion holds this drive"),
+        "{report}"
     );
-    assert!(!said.contains("moves other drives"), "{said}");
+    assert!(!report.contains("moves other drives"), "{report}");
 }
 
-/// Both name their origin: one counts from the first instant, the other from the design position.
+/// `range` counts from the first instant and `check` from the design position; both state it.
 #[test]
-fn a_range_says_from_where_it_is() {
+fn range_states_the_origin_of_its_values() {
     let folder = folder();
     let at = |bump: &str| CORNER.replace("bump = 0.3", bump);
     // The same lock of the same drive, in both ways of counting.
-    let lock = |said: &str| {
-        let mut lines = said
+    let lock = |report: &str| {
+        let mut lines = report
             .lines()
             .filter(|line| line.contains("`pushrod` is too long"));
         let line = lines.next().expect("a lock");
@@ -109,7 +109,7 @@ fn a_range_says_from_where_it_is() {
 }
 
 #[test]
-fn a_motion_that_locks_names_the_drive_that_turns() {
+fn a_motion_that_locks_names_the_drive_at_its_extreme() {
     let folder = folder();
     let two_seconds = edited("instants", "start = 0.0\nstop = 2.0\nstep = 0.05");
     std::fs::write(folder.path().join("a.toml"), two_seconds).expect("written");
@@ -122,7 +122,7 @@ fn a_motion_that_locks_names_the_drive_that_turns() {
 }
 
 #[test]
-fn the_whole_curve_as_a_table_and_a_plot() {
+fn range_writes_the_whole_curve_as_table_and_plot() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let arguments = ["range", "a.toml", "--csv", "a.csv", "--plots", "."];
@@ -160,7 +160,7 @@ fn the_whole_curve_as_a_table_and_a_plot() {
 
 /// A point on a circle moves by the radius for a radian, whatever unknowns an angle has, at the ends of the angle too.
 #[test]
-fn the_speed_is_that_of_points_and_an_angle_ends_without_a_poor_place() {
+fn the_speed_of_a_point_over_a_driven_angle_is_its_radius() {
     for (outer, drive) in [
         (
             "[0.4, 0.6, 0.3], mark at [0.4, 0.3, 0.0]",
@@ -194,7 +194,7 @@ drives = {{ turn = 1.5707963267948966 }}
 }
 
 #[test]
-fn of_a_motion_that_begins_out_of_reach_the_ranges_are_those_from_the_design() {
+fn for_a_motion_out_of_reach_ranges_start_at_the_design() {
     let folder = folder();
     let out_of_reach = edited("theta = [", "theta = [2.2]");
     std::fs::write(folder.path().join("a.toml"), out_of_reach).expect("written");
@@ -213,7 +213,7 @@ fn of_a_motion_that_begins_out_of_reach_the_ranges_are_those_from_the_design() {
 }
 
 #[test]
-fn refusals() {
+fn invalid_arguments_of_range_are_refused() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let cases: [(&[&str], i32, &str); 3] = [
@@ -240,7 +240,7 @@ fn refusals() {
 
 /// The ends are those of the design position's curve, to which the file's motion does not belong.
 #[test]
-fn a_motion_that_begins_out_of_reach_meets_no_end() {
+fn a_motion_that_begins_out_of_reach_is_compared_with_no_end() {
     let folder = folder();
     let file = CORNER.replace("bump = 0.3", "bump = [-0.4, 0.1]");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -254,7 +254,7 @@ fn a_motion_that_begins_out_of_reach_meets_no_end() {
 
 /// A spring's perch that an actuator moves: only the measure reads it.
 #[test]
-fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
+fn the_range_of_a_drive_that_moves_no_free_point_has_no_nan() {
     let file = "unit = \"m\"\nstatements = '''\nfixed: front at [0.2, 0.3, 0.3], rear at [-0.2, 0.3, 0.3], perch at [0.0, 0.5, 0.6];\n\
                 free: hub at [0.0, 0.7, 0.3];\nhinge arm: front, rear -> hub;\ndrive bump: hub.z;\ndrive height: perch.z;\n\
                 measure spring: length(perch -> hub);\n'''\ntime = { instants = [0.0] }\ndrives = { bump = 0.3, height = 0.6 }\n";
@@ -267,7 +267,7 @@ fn a_drive_that_moves_no_point_of_the_mechanism_is_poor_nowhere() {
 
 /// With several wheels the plot shows the one that the drive moves up and down, or else the first.
 #[test]
-fn a_plot_says_which_wheel_it_is_of() {
+fn a_range_plot_names_its_wheel() {
     let folder = folder();
     let axle = example("live_axle_panhard.toml");
     std::fs::write(folder.path().join("a.toml"), axle).expect("written");
@@ -283,7 +283,7 @@ fn a_plot_says_which_wheel_it_is_of() {
 
 /// A wheel's height is a straight line over the drive that is this height, and over one that steers at constant height.
 #[test]
-fn a_plot_has_the_toe_angle_where_the_height_says_nothing() {
+fn a_range_plot_shows_toe_where_height_is_trivial() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let theta = example("five_link_height.toml");
@@ -306,31 +306,31 @@ fn a_plot_has_the_toe_angle_where_the_height_says_nothing() {
     }
 }
 
-/// The report, the table and the plot of a named drive are those that it has among all.
+/// Report, table and plot of a named drive equal those in a run over all drives.
 #[test]
-fn one_drive_of_several_is_looked_at_alone() {
+fn the_range_of_one_named_drive_equals_that_among_all() {
     let folder = folder();
     let file = CORNER.replace("bump = 0.3", "bump = 0.34");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let told = |more: &[&str]| {
+    let range_with = |more: &[&str]| {
         let output = run(folder.path(), &[&["range", "a.toml"], more].concat());
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         output
     };
-    let all = told(&[]);
+    let all = range_with(&[]);
     let (of_bump, of_steer) = text(&all.stdout).split_once("\nDrive steer").expect("two");
-    let steer = told(&["--drive", "steer", "--plots", "."]);
+    let steer = range_with(&["--drive", "steer", "--plots", "."]);
     let alone = text(&steer.stdout).split_once("\nDrive steer");
     assert_eq!(alone.map(|(_, report)| report), Some(of_steer));
     assert!(of_bump.contains("from 0.34 m at the first instant"));
     assert!(of_steer.contains("from 0.34 m at the first instant, the other drives held as there"));
     let is_drawn = |drive: &str| folder.path().join(format!("a_range_{drive}.svg")).exists();
     assert!(is_drawn("steer") && !is_drawn("bump"));
-    let both = told(&["--drive", "steer", "--drive", "bump", "--drive", "steer"]);
+    let both = range_with(&["--drive", "steer", "--drive", "bump", "--drive", "steer"]);
     assert_eq!(
         both.stdout, all.stdout,
         "in the order of the listing, each once"
     );
-    let table = rows(&told(&["--drive", "steer", "--csv", "-"]).stdout);
+    let table = rows(&range_with(&["--drive", "steer", "--csv", "-"]).stdout);
     assert!(table.iter().all(|row| row["freed"] == 2.0));
 }

@@ -1,4 +1,4 @@
-//! Standard output or standard error that takes no more: the reader has gone, or the device is full.
+//! Standard output or standard error that cannot be written: the reader has ended, or the device is full.
 
 use std::path::Path;
 #[cfg(unix)]
@@ -9,12 +9,12 @@ use super::program::command;
 use super::program::{CORNER, edited, example, folder, start, text};
 
 #[test]
-fn a_closed_standard_output_is_no_failure() {
+fn a_closed_standard_output_gives_exit_code_0() {
     let folder = folder();
     let path = folder.path().join("long.toml");
     let long = "start = 0.0\nstop = 1.9\nstep = 0.001";
     std::fs::write(path, edited("instants", long)).expect("written");
-    is_no_failure_without_a_reader(folder.path(), &["motion", "long.toml", "--csv", "-"]);
+    assert_silent_success_without_a_reader(folder.path(), &["motion", "long.toml", "--csv", "-"]);
 }
 
 /// Runs the program with a standard output whose reader goes at once; returns what it says.
@@ -28,14 +28,14 @@ fn succeeds_without_a_reader(folder: &Path, arguments: &[&str]) -> Vec<u8> {
 }
 
 #[track_caller]
-fn is_no_failure_without_a_reader(folder: &Path, arguments: &[&str]) {
-    let said = succeeds_without_a_reader(folder, arguments);
-    assert!(said.is_empty(), "{}", text(&said));
+fn assert_silent_success_without_a_reader(folder: &Path, arguments: &[&str]) {
+    let stderr = succeeds_without_a_reader(folder, arguments);
+    assert!(stderr.is_empty(), "{}", text(&stderr));
 }
 
-/// As of `suspension tune corner.toml | head`.
+/// For example `suspension tune corner.toml | head`.
 #[test]
-fn a_reader_that_goes_costs_no_file() {
+fn files_are_written_after_the_reader_of_stdout_has_gone() {
     let folder = folder();
     let tune = "[tune]\nmoves.up = { points = [\"rack\"], along = \"z\", by = [-0.01, 0.01] }\n\
                 targets.upright = { of = \"camber\", value = 0.0, within = 1.0 }\n";
@@ -70,7 +70,7 @@ fn a_reader_that_goes_costs_no_file() {
 /// If notes and errors cannot be written, only these are lost.
 #[cfg(unix)]
 #[test]
-fn a_full_standard_error_costs_no_result() {
+fn results_are_written_with_a_full_standard_error() {
     let folder = folder();
     std::fs::write(folder.path().join("motion.toml"), CORNER).expect("written");
     let code = |arguments: &[&str]| {
@@ -94,7 +94,7 @@ fn a_full_standard_error_costs_no_result() {
 
 #[cfg(unix)]
 #[test]
-fn help_that_cannot_be_written_is_a_failure() {
+fn unwritable_help_gives_exit_code_1() {
     let full = std::fs::File::create("/dev/full").expect("a full device");
     let mut command = command(Path::new("."));
     let output = command.args(["motion", "--help"]).stdout(full).output();
@@ -106,7 +106,7 @@ fn help_that_cannot_be_written_is_a_failure() {
 
 /// The same applies to results.
 #[test]
-fn help_to_a_reader_that_has_gone_is_no_failure() {
+fn help_to_a_closed_standard_output_gives_exit_code_0() {
     // The text may have been written before the reader went.
-    is_no_failure_without_a_reader(Path::new("."), &["motion", "--help"]);
+    assert_silent_success_without_a_reader(Path::new("."), &["motion", "--help"]);
 }

@@ -30,7 +30,7 @@ fn assert_meets_reference(ours: &Rows) {
 }
 
 #[test]
-fn the_main_job_prints_both_tables_and_writes_its_files() {
+fn the_run_without_arguments_prints_both_tables_and_writes_files() {
     let folder = folder();
     let output = run(folder.path(), &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -62,7 +62,7 @@ fn the_main_job_prints_both_tables_and_writes_its_files() {
 }
 
 #[test]
-fn the_reference_columns_come_first_and_in_its_order() {
+fn the_csv_begins_with_the_columns_of_the_reference() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
@@ -73,7 +73,7 @@ fn the_reference_columns_come_first_and_in_its_order() {
 }
 
 #[test]
-fn what_the_linkage_measures_is_in_the_table_and_in_the_summary() {
+fn measures_of_the_linkage_are_in_table_and_summary() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
@@ -92,7 +92,7 @@ fn what_the_linkage_measures_is_in_the_table_and_in_the_summary() {
 }
 
 #[test]
-fn a_dash_puts_nothing_but_the_table_on_standard_output() {
+fn with_a_dash_only_the_table_is_on_standard_output() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
@@ -103,7 +103,7 @@ fn a_dash_puts_nothing_but_the_table_on_standard_output() {
 }
 
 #[test]
-fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
+fn with_a_dash_pages_drawings_and_sources_are_on_standard_output() {
     let folder = folder();
     let file = example("double_wishbone_pushrod.toml");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -124,7 +124,7 @@ fn a_dash_puts_a_page_a_drawing_or_a_source_file_on_standard_output() {
 }
 
 #[test]
-fn files_whose_names_have_a_dot_have_drawings_of_their_own() {
+fn motion_files_with_a_dot_in_the_name_have_separate_drawings() {
     let folder = folder();
     for name in ["corner.v1", "corner.v2"] {
         let file = format!("{name}.toml");
@@ -138,7 +138,7 @@ fn files_whose_names_have_a_dot_have_drawings_of_their_own() {
 }
 
 #[test]
-fn without_options_a_summary_is_printed() {
+fn motion_without_options_prints_a_summary() {
     let folder = folder();
     std::fs::write(folder.path().join("f.toml"), example("five_link.toml")).expect("written");
     let output = run(folder.path(), &["motion", "f.toml"]);
@@ -158,7 +158,7 @@ fn without_options_a_summary_is_printed() {
 
 /// A user who copies the example moves a point by a centimetre, and it runs.
 #[test]
-fn every_hardpoint_of_the_example_can_be_moved() {
+fn the_example_runs_with_any_hardpoint_moved_by_10_mm() {
     let folder = folder();
     let content = example("five_link.toml");
     let heights = |content: &str| {
@@ -202,7 +202,7 @@ fn every_hardpoint_of_the_example_can_be_moved() {
 }
 
 #[test]
-fn far_instants_in_any_order_of_time_stay_in_the_same_assembly() {
+fn distant_instants_in_any_order_stay_in_the_same_assembly() {
     let folder = folder();
     for instants in ["[1.95, 1.0, 0.0]", "[0.0, 1.95]", "[1.95, 0.0]", "[1.0]"] {
         let path = folder.path().join("a.toml");
@@ -222,7 +222,7 @@ fn far_instants_in_any_order_of_time_stay_in_the_same_assembly() {
 }
 
 #[test]
-fn five_link_in_millimetres_moves_as_the_paper_in_metres() {
+fn five_link_in_millimetres_moves_like_attia2003_in_metres() {
     let folder = folder();
     let write = |name: &str, content: String| {
         std::fs::write(folder.path().join(name), content).expect("written");

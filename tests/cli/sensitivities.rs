@@ -40,7 +40,7 @@ fn corner(upper_rear_z: f64) -> String {
 
 /// A suspension that is moved as a whole along the vehicle has the same kinematics.
 #[test]
-fn all_points_moved_together_along_x_change_nothing() {
+fn sensitivities_to_x_of_all_points_sum_to_zero() {
     let table = table(&corner(0.36));
     let of_x: Vec<_> = table
         .iter()
@@ -65,7 +65,7 @@ fn all_points_moved_together_along_x_change_nothing() {
 
 /// Formulas of geometry: camber from the heights of the spin axis, and changes that do not affect it.
 #[test]
-fn camber_follows_the_ends_of_the_spin_axis() {
+fn sensitivities_of_camber_match_the_slope_of_the_spin_axis() {
     let table = table(&corner(0.36));
     // The axis is 0.1 m long and level.
     assert!((table["axle.z"]["camber_rad"] - 10.0).abs() < 1e-8);
@@ -82,7 +82,7 @@ fn camber_follows_the_ends_of_the_spin_axis() {
 
 /// Bump steer and its like against files with the hardpoint moved.
 #[test]
-fn a_moved_hardpoint_changes_the_sheets_numbers_so() {
+fn sensitivities_agree_with_files_with_the_hardpoint_moved() {
     let table = table(&corner(0.36));
     let row = &table["upper_rear.z"];
     let folder = folder();
@@ -115,12 +115,12 @@ fn a_moved_hardpoint_changes_the_sheets_numbers_so() {
 
 /// The sentence is useless above camber.
 #[test]
-fn why_an_end_of_a_tie_rod_does_not_change_toe_is_said_above_toe_alone() {
+fn the_note_on_links_built_anew_is_printed_above_toe_alone() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
     let why =
         "\nA point is moved with its links built anew to it: an end of `tie_rod` changes slopes";
-    for (of, is_said) in [
+    for (of, is_printed) in [
         (&["--of", "camber"][..], false),
         (&["--of", "toe"], true),
         (&["--of", "camber", "--of", "toe per bump"], true),
@@ -128,12 +128,12 @@ fn why_an_end_of_a_tie_rod_does_not_change_toe_is_said_above_toe_alone() {
     ] {
         let output = run(folder.path(), &[&["sensitivities", "a.toml"], of].concat());
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        assert_eq!(text(&output.stdout).contains(why), is_said, "{output:?}");
+        assert_eq!(text(&output.stdout).contains(why), is_printed, "{output:?}");
     }
 }
 
 #[test]
-fn the_largest_are_printed_first_and_unknown_quantities_refused() {
+fn sensitivities_are_sorted_and_unknown_quantities_refused() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
     let output = run(
@@ -171,7 +171,7 @@ fn the_largest_are_printed_first_and_unknown_quantities_refused() {
 }
 
 #[test]
-fn counts_that_are_none_are_refused_with_what_is_wanted() {
+fn invalid_counts_are_refused_with_their_format() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
     for (option, value, wanted) in [
@@ -188,7 +188,7 @@ fn counts_that_are_none_are_refused_with_what_is_wanted() {
 }
 
 #[test]
-fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
+fn a_quantity_without_derivatives_is_not_reported_as_unchanged() {
     let folder = folder();
     let text_of =
         |(name, text): &(&str, &'static str)| (*name == "double_wishbone").then_some(*text);
@@ -214,7 +214,7 @@ fn what_has_no_derivatives_is_not_said_to_be_unchanged() {
 /// No hardpoint changes a quantity that counts from the design position; the message names quantities that hardpoints
 /// change, for the intended wheel.
 #[test]
-fn what_is_zero_at_the_design_names_what_hardpoints_change() {
+fn for_a_quantity_zero_at_the_design_alternatives_are_named() {
     let folder = folder();
     let axle = include_str!("../../examples/steered_axle.toml");
     let axle = axle.replace("[vehicle]", "[vehicle]\nrack_per_turn = 0.052");
@@ -251,7 +251,7 @@ fn what_is_zero_at_the_design_names_what_hardpoints_change() {
 
 /// Arms that are parallel have no instant centre.
 #[test]
-fn a_quantity_without_a_value_is_not_said_to_be_unknown() {
+fn a_quantity_without_a_value_is_not_reported_as_unknown() {
     let folder = folder();
     let statements = "fixed: lf at [0.2, 0.35, 0.16], lr at [-0.2, 0.35, 0.16], uf at [0.2, 0.35, 0.42], ur at [-0.2, 0.35, 0.42];\n\
                       fixed: rack at [-0.1, 0.35, 0.29];\n\

@@ -16,7 +16,7 @@ fn cells<'a>(page: &'a str, quantity: &str) -> Vec<&'a str> {
 }
 
 #[test]
-fn design_values_derivatives_and_curves_are_on_one_page() {
+fn the_sheet_has_design_values_derivatives_and_curves() {
     let folder = folder();
     // The page is of the design position, wherever the motion begins.
     let in_rebound = CORNER.replace("bump = 0.3", "bump = [0.25, 0.1]");
@@ -61,7 +61,7 @@ fn design_values_derivatives_and_curves_are_on_one_page() {
 
 /// A quantity that is zero at the design position has curves and no row of numbers, but a definition.
 #[test]
-fn what_curves_alone_show_is_defined() {
+fn a_quantity_shown_only_as_a_curve_is_defined_on_the_sheet() {
     let folder = folder();
     let vehicle = "[vehicle]\nrack_per_turn = 0.052";
     let corner =
@@ -84,7 +84,7 @@ fn what_curves_alone_show_is_defined() {
 
 /// The rulers of drawings, which a radius beyond all measure makes tiny, end.
 #[test]
-fn a_wheel_of_an_absurd_radius_ends() {
+fn a_sheet_with_an_absurd_wheel_radius_terminates() {
     let folder = folder();
     let file = include_str!("../../examples/double_wishbone_pushrod.toml");
     let radius = file.lines().find(|line| line.starts_with("wheel_radius"));
@@ -94,9 +94,9 @@ fn a_wheel_of_an_absurd_radius_ends() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
-/// A load that no axis of a curve can span.
+/// The load is too large for the axis of a curve.
 #[test]
-fn a_spring_of_an_absurd_load_ends() {
+fn a_sheet_with_an_absurd_spring_load_terminates() {
     let folder = folder();
     let file = "linkage = \"trailing_arm\"
 unit = \"m\"
@@ -111,7 +111,7 @@ drives.bump = 0.3
 }
 
 #[test]
-fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
+fn a_sheet_over_a_lock_is_written_with_shortened_curves() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let output = run(
@@ -136,7 +136,7 @@ fn beyond_a_lock_the_curves_end_and_the_page_is_written() {
 }
 
 #[test]
-fn what_is_missing_or_wrong_is_said() {
+fn a_sheet_reports_missing_drives_and_wrong_options() {
     let folder = folder();
     let example = super::program::example("attia2003.toml");
     std::fs::write(folder.path().join("a.toml"), example).expect("written");
@@ -161,7 +161,7 @@ fn what_is_missing_or_wrong_is_said() {
 }
 
 #[test]
-fn a_travel_in_another_unit_is_remarked() {
+fn a_travel_range_in_another_unit_is_noted() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     for (travel, expected) in [
@@ -181,7 +181,7 @@ fn a_travel_in_another_unit_is_remarked() {
 /// An arm of 0.5 m on the y axis whose hub is the wheel's centre, with a spring upright above the hub: led by the hub's height, by
 /// the spring's length or by an angle it has the same bump camber, in degrees per metre that the wheel rises.
 #[test]
-fn derivatives_are_per_travel_of_the_wheel_too() {
+fn the_sheet_has_derivatives_per_wheel_travel_for_any_drive() {
     let page = |drive: &str, value: f64| {
         let folder = folder();
         let file = format!(
@@ -220,7 +220,7 @@ fn derivatives_are_per_travel_of_the_wheel_too() {
 
 /// A knuckle on a fixed kingpin is steered and does not rise: there is no other drive to name.
 #[test]
-fn a_mechanism_that_steers_alone_is_told_what_has_its_tables() {
+fn for_a_mechanism_without_travel_other_commands_are_named() {
     let folder = folder();
     let file = "unit = 'm'\ntime = { instants = [0.0] }\ndrives = { steer = 0.3 }\nstatements = '''\n\
                 fixed: low at [0.0, 0.7, 0.2], high at [0.0, 0.68, 0.45], rack at [-0.1, 0.3, 0.3];\n\
@@ -237,7 +237,7 @@ fn a_mechanism_that_steers_alone_is_told_what_has_its_tables() {
 
 /// In rebound the carrier of this wheel moves parallel in the front view about 40 mm below the design position.
 #[test]
-fn curves_near_infinity_are_cut_and_named() {
+fn curves_near_infinity_are_cut_and_named_on_the_sheet() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);

@@ -65,7 +65,7 @@ fn ended(mut child: Child, signals: &[&str]) -> Output {
 }
 
 #[test]
-fn a_signal_to_end_keeps_whole_rows() {
+fn an_interrupted_motion_keeps_whole_rows() {
     for signal in ["-INT", "-TERM"] {
         let folder = folder();
         let output = ended_by(signal, folder.path(), &["--csv", "long.csv"]);
@@ -84,7 +84,7 @@ fn a_signal_to_end_keeps_whole_rows() {
 /// A hang-up ends it, but not under `nohup`. (Who runs the tests may ignore hang-ups.)
 #[cfg(target_os = "linux")]
 #[test]
-fn a_hang_up_ends_it_unless_it_is_ignored() {
+fn a_hangup_ends_the_program_unless_the_signal_is_ignored() {
     let folder = folder();
     let long = "start = 0.0\nstop = 1.9\nstep = 5e-7";
     std::fs::write(folder.path().join("long.toml"), edited("instants", long)).expect("written");
@@ -108,7 +108,7 @@ fn a_hang_up_ends_it_unless_it_is_ignored() {
 
 /// Baking a surface whose tolerance no layout of patches meets takes seconds.
 #[test]
-fn a_surface_that_is_being_baked_is_given_up() {
+fn an_interrupt_ends_the_baking_of_a_surface() {
     let folder = folder();
     std::fs::write(folder.path().join("motion.toml"), CORNER).expect("written");
     let drives = ["--drive", "bump=0.25:0.35", "--drive", "steer=0.33:0.35"];
@@ -123,7 +123,7 @@ fn a_surface_that_is_being_baked_is_given_up() {
 }
 
 #[test]
-fn without_a_table_no_rows_are_said_to_be_kept() {
+fn an_interrupt_without_a_table_does_not_mention_rows() {
     let folder = folder();
     let output = ended_by("-INT", folder.path(), &["--plots", "."]);
     let message = text(&output.stderr);
@@ -133,7 +133,7 @@ fn without_a_table_no_rows_are_said_to_be_kept() {
 
 /// The input or the table may be a FIFO that no other program opens.
 #[test]
-fn a_fifo_that_nobody_opens_is_not_waited_for_after_an_interrupt() {
+fn an_interrupt_ends_waiting_for_an_unopened_fifo() {
     let folder = folder();
     let made = Command::new("mkfifo")
         .arg(folder.path().join("fifo"))
@@ -179,7 +179,7 @@ fn watt_linkage() -> tempfile::TempDir {
 }
 
 #[test]
-fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
+fn an_interrupted_search_for_assemblies_lists_the_found_ones() {
     let folder = watt_linkage();
     let list = ["assemblies", "axle.toml", "--csv", "all.csv"];
     let output = interrupted_by("-INT", folder.path(), &list);
@@ -189,15 +189,15 @@ fn what_a_search_for_assemblies_has_found_is_listed_after_an_interrupt() {
     let count = ["check", "axle.toml", "--assemblies"];
     let (report, output) = interrupted_after("notes         none\n", folder.path(), &count);
     assert!(report.contains(ended), "{report}");
-    let said = text(&output.stderr);
+    let message = text(&output.stderr);
     let expected =
         "axle.toml: interrupted in its search for assemblies, of which there may be more\n";
-    assert!(said.ends_with(expected), "{said}");
+    assert!(message.ends_with(expected), "{message}");
 }
 
 /// The second interrupt comes while the found assemblies are followed to the file's lengths.
 #[test]
-fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
+fn a_second_interrupt_ends_the_list_of_assemblies() {
     let folder = watt_linkage();
     let mut child = command(folder.path())
         .args(["assemblies", "axle.toml"])
@@ -208,21 +208,21 @@ fn a_list_of_assemblies_is_given_up_at_the_second_interrupt() {
     // Long enough for the random starts, after which there are many to follow.
     std::thread::sleep(Duration::from_secs(5));
     send("-INT", &child);
-    let mut said = BufReader::new(child.stderr.take().expect("standard error"));
+    let mut stderr_lines = BufReader::new(child.stderr.take().expect("standard error"));
     let mut line = String::new();
-    said.read_line(&mut line).expect("a note");
+    stderr_lines.read_line(&mut line).expect("a note");
     assert!(line.contains("interrupt again to stop this too"), "{line}");
     send("-INT", &child);
     line.clear();
-    said.read_to_string(&mut line).expect("text");
+    stderr_lines.read_to_string(&mut line).expect("text");
     let expected = "axle.toml: interrupted after 0 of the drive's values\n";
     assert_eq!(line, expected);
     assert_eq!(child.wait().expect("an end").code(), Some(130));
 }
 
-/// After the first of many values has been listed.
+/// The interrupt comes after the first of many values has been listed.
 #[test]
-fn assemblies_that_were_found_are_kept() {
+fn an_interrupted_list_keeps_the_assemblies_of_finished_values() {
     let folder = folder();
     let values = (0..400).map(|step| format!("{}", 0.7 + 1e-3 * f64::from(step)));
     std::fs::write(folder.path().join("motion.toml"), example("five_link.toml")).expect("written");

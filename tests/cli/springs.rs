@@ -37,7 +37,7 @@ const SPRINGS: &str = "[springs.spring]\nalong = \"damper\"\nrate = 28000.0\nloa
                        [springs.bar]\nalong = \"bar_arm\"\nrate = 1500.0\n";
 
 #[test]
-fn wheel_rate_and_load_are_derivatives_of_the_energy() {
+fn wheel_rate_and_load_are_derivatives_of_spring_energy() {
     let design = &swept(&corner("", SPRINGS), "bump=0.0")[0];
     let h = 2e-3;
     for bump in [-0.05, 0.0, 0.04] {
@@ -74,7 +74,7 @@ fn wheel_rate_and_load_are_derivatives_of_the_energy() {
 
 /// The file says N m a degree: the same bar.
 #[test]
-fn a_bar_in_degrees_is_the_same() {
+fn a_bar_rate_in_degrees_equals_that_in_radians() {
     let expected = &swept(&corner("", SPRINGS), "bump=0.03")[0];
     let rate = 1500.0_f64.to_radians();
     let in_degrees = SPRINGS.replace("rate = 1500.0", &format!("rate = {rate:?}"));
@@ -89,7 +89,7 @@ fn a_bar_in_degrees_is_the_same() {
 
 /// Springs at both ends of a live axle, and a bar between them, by the energy in roll.
 #[test]
-fn roll_rate_is_the_second_derivative_of_the_energy() {
+fn roll_rate_is_the_second_derivative_of_spring_energy() {
     let file = "linkage = \"live_axle_watt\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
                 [springs.left]\nalong = \"damper_left\"\nrate = 30000.0\nload = 2500.0\n\
                 [springs.right]\nalong = \"damper_right\"\nrate = 30000.0\nload = 2500.0\n\
@@ -127,7 +127,7 @@ fn roll_rate_is_the_second_derivative_of_the_energy() {
 /// A swing axle with its masses and springs, driven in three ways: by the height of each wheel, by heave and roll, and by an
 /// angle of each wheel, with the opposite sign on the right.
 #[test]
-fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
+fn rates_and_masses_of_wheels_do_not_depend_on_the_drives() {
     let axle = |drives: &str, values: &str, travel: &str| {
         let spring = |side: &str| {
             format!("[springs.{side}]\nalong = \"{side}_spring\"\nrate = 30000.0\nload = 4000.0\n")
@@ -183,7 +183,7 @@ fn numbers_of_an_axle_are_those_of_its_wheels_whatever_drives_them() {
 
 /// A wheel rises with the other one held at its height, even if drives move both.
 #[test]
-fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
+fn loads_of_live_axle_wheels_do_not_depend_on_the_drives() {
     let [heights, dampers, heave_and_roll] =
         [[("wl.z", 0.31), ("wr.z", 0.31)], BY_DAMPERS, HEAVE_AND_ROLL].map(|drives| {
             let springs = ["left", "right"].map(|side| {
@@ -214,7 +214,7 @@ fn wheels_of_a_live_axle_bear_what_they_do_whatever_drives_them() {
 
 /// The line from the contact point to the roll centre.
 #[test]
-fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
+fn jacking_is_the_slope_from_contact_point_to_roll_centre() {
     let row = &swept(&corner("", ""), "bump=0.0")[0];
     let expected = 100.0 * row["roll_centre_m"] / row["contact_y"];
     assert!(
@@ -230,7 +230,7 @@ fn jacking_is_the_slope_of_the_line_to_the_roll_centre() {
 /// A wheel behind an arm, whose axis is oblique or straight across: the contact point moves at right angles to both the axis and the
 /// way there.
 #[test]
-fn jacking_of_a_wheel_in_the_middle_of_the_vehicle_is_the_slope_of_its_path() {
+fn jacking_of_a_wheel_on_the_centre_line_is_the_slope_of_its_path() {
     for (left_bush, expected) in [
         ("[0.35, 0.1, 0.3]", 100.0 * 0.0125 / 0.065),
         ("[0.3, 0.1, 0.3]", 0.0),
@@ -248,7 +248,7 @@ fn jacking_of_a_wheel_in_the_middle_of_the_vehicle_is_the_slope_of_its_path() {
 }
 
 #[test]
-fn what_is_no_spring_is_refused_with_its_place() {
+fn an_invalid_spring_is_refused_at_its_place() {
     for (springs, expected) in [
         (
             "[springs.a]\nalong = \"dampr\"\nrate = 1.0\n",

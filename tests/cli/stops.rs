@@ -10,7 +10,7 @@ use crate::support::Reference;
 const TWO_SECONDS: &str = "start = 0.0\nstop = 2.0\nstep = 0.05";
 
 #[test]
-fn where_the_mechanism_locks_the_rows_up_to_there_are_kept() {
+fn rows_up_to_a_lock_are_kept() {
     let folder = folder();
     let path = folder.path().join("two.toml");
     std::fs::write(path, edited("instants", TWO_SECONDS)).expect("written");
@@ -49,7 +49,7 @@ fn where_the_mechanism_locks_the_rows_up_to_there_are_kept() {
 }
 
 #[test]
-fn a_first_instant_out_of_reach_is_the_solvers_failure() {
+fn a_first_instant_out_of_reach_gives_exit_code_3() {
     let folder = folder();
     let path = folder.path().join("a.toml");
     std::fs::write(path, edited("theta = [", "theta = [2.2]")).expect("written");
@@ -65,7 +65,7 @@ fn a_first_instant_out_of_reach_is_the_solvers_failure() {
 }
 
 #[test]
-fn numbers_in_messages_are_rounded() {
+fn times_in_messages_are_rounded() {
     let cases = [
         ("start = 0.0\nstop = 2.0\nstep = 1e-4", "t = 1.9784 s"),
         ("start = 0.0\nstop = 2.0\nstep = 1e-4", "up to t = 1.9783 s"),
@@ -87,7 +87,7 @@ fn numbers_in_messages_are_rounded() {
 }
 
 #[test]
-fn a_length_in_another_unit_is_hinted_at() {
+fn the_message_on_points_that_do_not_assemble_mentions_the_unit() {
     let folder = folder();
     let path = folder.path().join("a.toml");
     std::fs::write(path, edited("d6_1", "d6_1 = 445.872")).expect("written");
@@ -126,14 +126,14 @@ fn misfit(message: &str) -> (&str, f64, f64) {
 }
 
 #[test]
-fn the_link_that_cannot_reach_is_named_with_the_length_that_it_would_need() {
+fn a_link_that_cannot_reach_is_named_with_the_needed_length() {
     // Just beyond the lock, and far.
     for rate in [0.17, 0.25] {
-        the_rod_that_cannot_reach_is_named(rate);
+        assert_the_short_rod_is_named(rate);
     }
 }
 
-fn the_rod_that_cannot_reach_is_named(rate: f64) {
+fn assert_the_short_rod_is_named(rate: f64) {
     let folder = folder();
     let path = folder.path().join("a.toml");
     let motion = RACK_TOO_FAR.replace("RATE", &rate.to_string());
@@ -167,7 +167,7 @@ fn the_rod_that_cannot_reach_is_named(rate: f64) {
 /// A longer link at a driven angle would have another height at that angle: the message names the other link, with the
 /// distance from its end to the circle of the first link's end.
 #[test]
-fn a_link_whose_angle_is_driven_is_not_said_to_be_in_the_way() {
+fn a_link_at_a_driven_angle_is_not_blamed_for_a_lock() {
     let folder = folder();
     let file = "statements = '''
 fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2];
@@ -198,7 +198,7 @@ turn = [0.949505195260471, -0.0516]
 /// No link is too long or too short: the arm that the drive lifts is perpendicular to the axis of its hinge. Like `range`,
 /// motions and sweeps name the hinge.
 #[test]
-fn a_hinge_that_ends_a_motion_is_named() {
+fn a_hinge_that_ends_a_motion_is_named_with_its_axis() {
     let folder = folder();
     let file = "statements = '''
 fixed: inner at [0.0, 0.2, 0.3], outer at [0.0, 0.4, 0.3];

@@ -14,7 +14,7 @@ fn file(vehicle: &str) -> String {
 const CAR: &str = "wheelbase = 2.5\ncg_height = 0.5\nbrake_share = 0.4\ndrive_share = 0.5\n";
 
 #[test]
-fn a_trailing_arm_bears_what_the_slope_to_its_pivot_says() {
+fn anti_lift_of_a_trailing_arm_is_the_slope_to_its_pivot() {
     let folder = folder();
     let path = folder.path().join("rear.toml");
     std::fs::write(path, file(&format!("axle = \"rear\"\n{CAR}"))).expect("written");
@@ -89,7 +89,7 @@ fn design_values_of_axle(
 /// Brakes and drive load both wheels of an axle, so that it moves up and down as a whole: in the side view a twist beam
 /// turns about its bushes, a live axle about the point where its links meet.
 #[test]
-fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
+fn support_angles_of_coupled_wheels_are_those_of_heave() {
     let (design, notes) = design_values_of_axle("twist_beam", "wheel_radius = 0.29");
     assert!(
         notes.contains("the chassis is assumed to bear the torque of the drive, through shafts"),
@@ -132,7 +132,7 @@ fn wheels_that_move_each_other_bear_as_their_axle_does_in_heave() {
 }
 
 #[test]
-fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
+fn an_incomplete_vehicle_is_refused_with_the_missing_entry() {
     for (vehicle, expected) in [
         (CAR, "axle = \"front\" or \"rear\" is missing"),
         (
@@ -159,7 +159,7 @@ fn a_car_that_is_described_in_part_is_refused_by_what_is_missing() {
 
 /// The change of wheelbase needs only the name of the axle.
 #[test]
-fn an_axle_alone_tells_which_way_is_away_from_the_other() {
+fn wheelbase_change_needs_only_the_name_of_the_axle() {
     let slope = |axle: &str| {
         let folder = folder();
         let vehicle = format!("axle = \"{axle}\"\n");
@@ -178,7 +178,7 @@ fn an_axle_alone_tells_which_way_is_away_from_the_other() {
 /// Dual wheels on an oblique arm, both left: each has the values of a single wheel on the arm, and they are not a live axle,
 /// whose body would bear the drive's torque.
 #[test]
-fn dual_wheels_are_no_axle() {
+fn dual_wheels_on_one_side_are_not_an_axle() {
     let listing = |wheels: &str| {
         format!(
             "unit = \"m\"\nstatements = '''\nfixed: outer at [0.3, 0.5, 0.32], inner at [0.2, 0.2, 0.30];\nfree: hub at [0.0, 0.6, 0.3];\n\
@@ -196,11 +196,11 @@ fn dual_wheels_are_no_axle() {
             &["sweep", "a.toml", "--drive", "bump=0.02", "--csv", "-"],
         );
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        let said = text(&output.stderr).to_owned();
-        (rows(&output.stdout).remove(0), said)
+        let notes = text(&output.stderr).to_owned();
+        (rows(&output.stdout).remove(0), notes)
     };
-    let (dual, said) = read("wheel near: axle -> near;\nwheel far: axle -> far;");
-    assert_eq!(said, "");
+    let (dual, notes) = read("wheel near: axle -> near;\nwheel far: axle -> far;");
+    assert_eq!(notes, "");
     for absent in ["track_m", "total_toe_rad"] {
         assert!(!dual.contains_key(absent), "{absent}");
     }

@@ -5,7 +5,7 @@ mod places;
 use super::program::{CORNER, folder, rows, run, text};
 
 #[test]
-fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
+fn sweep_writes_a_row_per_place_with_correct_derivatives() {
     let folder = folder();
     // Arms that are not parallel in the side view: the instant centre there is not far away.
     let file = format!("{CORNER}[points]\nupper_rear = [-0.15, 0.42, 0.36]\n");
@@ -69,7 +69,7 @@ fn a_row_a_place_with_derivatives_that_are_those_of_differences() {
 }
 
 #[test]
-fn one_place_is_told_in_the_singular() {
+fn one_place_out_of_reach_is_printed_in_the_singular() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let arguments = ["sweep", "a.toml", "--drive", "steer=0:0.2:2"];
@@ -87,7 +87,7 @@ fn one_place_is_told_in_the_singular() {
 }
 
 #[test]
-fn what_is_wrong_is_said_in_a_sentence() {
+fn wrong_arguments_of_sweep_are_refused_in_one_sentence() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let wrong_radius = CORNER.replace("0.3 }", "-0.3 }");
@@ -134,7 +134,7 @@ fn what_is_wrong_is_said_in_a_sentence() {
 }
 
 #[test]
-fn columns_of_drives_have_their_own_values_as_the_help_says() {
+fn drive_columns_of_sweep_have_the_drives_own_values() {
     let folder = folder();
     let help = run(folder.path(), &["sweep", "--help"]);
     let help = text(&help.stdout);

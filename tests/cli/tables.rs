@@ -52,7 +52,7 @@ fn carmaker_rows(text: &str) -> BTreeMap<String, [f64; 3]> {
 }
 
 #[test]
-fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
+fn tables_over_jounce_equal_the_changes_in_a_sweep() {
     let text = tables(CORNER, &["carsim", "--travel", "-0.04:0.05"]);
     let swept = swept(CORNER, "bump=-0.04:0.05:61");
     let design = &self::swept(CORNER, "bump=0")[0];
@@ -90,7 +90,7 @@ fn tables_over_jounce_are_the_changes_that_a_sweep_has() {
 
 /// On both sides, against differences.
 #[test]
-fn a_linear_suspension_has_the_derivatives_of_differences() {
+fn a_linear_suspension_table_agrees_with_differences() {
     const STEP: f64 = 1e-4;
     let upright = "linkage = \"steered_axle\"\nunit = \"m\"\n[time]\ninstants = [0.0]\n[drives]\nbump_left = 0.3\nbump_right = 0.3\nsteer = 0.34\n";
     // With camber and toe at the design position rotations are not angles.
@@ -193,7 +193,7 @@ fn tables_do_not_depend_on_the_axes_of_the_file() {
 }
 
 #[test]
-fn what_cannot_be_tabled_is_refused() {
+fn invalid_files_and_options_of_tables_are_refused() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let no_wheel = "statements = \"fixed: a at [0.0, 0.0, 0.0]; free: p at [0.0, 0.4, 0.3]; link rod: a -> p; drive x: p.x; drive bump: p.z;\"\n\
@@ -261,7 +261,7 @@ pub(crate) const BY_DAMPERS: [(&str, f64); 2] = [
 ];
 
 #[test]
-fn an_axle_in_heave_does_not_lean_whatever_drives_it() {
+fn a_live_axle_in_heave_has_no_lean_for_any_drives() {
     let by_height = live_axle([("wl.z", 0.31), ("wr.z", 0.31)]);
     let heights = tables(&by_height, &["carmaker"]);
     assert!(heights.contains(".ValidSide = left\n"), "{heights}");
@@ -291,7 +291,7 @@ fn an_axle_in_heave_does_not_lean_whatever_drives_it() {
 }
 
 #[test]
-fn a_table_for_both_sides_is_that_of_an_axle_that_is_its_own_mirror_image() {
+fn only_a_symmetric_axle_has_a_table_valid_for_both_sides() {
     let file = include_str!("../../examples/steered_axle.toml");
     let moved = format!("{file}\n[points]\nleft_lower_ball = [0.005, 0.70, 0.175]\n");
     for (file, valid) in [(file.to_owned(), "left+right"), (moved, "right")] {
@@ -301,7 +301,7 @@ fn a_table_for_both_sides_is_that_of_an_axle_that_is_its_own_mirror_image() {
 }
 
 #[test]
-fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
+fn a_comment_in_the_table_names_an_omitted_bar() {
     let file = include_str!("../../examples/double_wishbone_pushrod.toml");
     let text = tables(file, &["carmaker"]);
     assert!(
@@ -318,7 +318,7 @@ fn the_file_says_that_a_bar_along_an_angle_is_left_out() {
 }
 
 #[test]
-fn tables_of_two_wheels_are_two_files() {
+fn tables_of_two_wheels_are_separate_files() {
     let folder = folder();
     let axle = include_str!("../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");

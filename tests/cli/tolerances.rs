@@ -30,7 +30,7 @@ const TOLERANCES: &str =
 
 /// Camber is the slope of a line 0.1 m long, each end of which varies by half a millimetre vertically.
 #[test]
-fn camber_scatters_as_the_ends_of_the_spin_axis() {
+fn scatter_of_camber_matches_the_ends_of_the_spin_axis() {
     let points = TOLERANCES.replace("tie_rod = 0.0002\n", "");
     let rows = table(&format!("{CORNER}{points}"), &["--samples", "300"]);
     let expected = 0.0005 * 2.0_f64.sqrt() / 0.1;
@@ -50,7 +50,7 @@ fn camber_scatters_as_the_ends_of_the_spin_axis() {
 
 /// The root of the sum of squares, of bump steer too.
 #[test]
-fn independent_parts_add_by_their_squares() {
+fn independent_tolerances_add_by_their_squares() {
     let rows = table(
         &format!("{CORNER}{TOLERANCES}"),
         &["--samples", "400", "--seed", "7"],
@@ -93,7 +93,7 @@ fn independent_parts_add_by_their_squares() {
 
 /// A move of several points has the sum of its parts' effects.
 #[test]
-fn a_named_move_is_the_sum_of_its_parts() {
+fn the_effect_of_a_named_move_is_the_sum_of_its_points() {
     let moves = "[tune.moves.rack_height]\npoints = [\"rack\", \"tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
                  [tune.targets.toe]\nof = \"toe\"\nvalue = 0.0\nwithin = 1.0\n";
     let rows = table(&format!("{CORNER}{moves}"), &[]);
@@ -112,7 +112,7 @@ fn a_named_move_is_the_sum_of_its_parts() {
 }
 
 #[test]
-fn the_text_tells_both_and_wrong_tolerances_are_refused() {
+fn both_deviations_are_printed_and_wrong_tolerances_refused() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
@@ -148,7 +148,7 @@ fn the_text_tells_both_and_wrong_tolerances_are_refused() {
 
 /// In a file in metres a tolerance in millimetres is noted; a zero tolerance, for a point that does not scatter, is not.
 #[test]
-fn a_tolerance_in_another_unit_is_remarked() {
+fn a_tolerance_in_another_unit_is_noted() {
     for (stated, expected) in [
         ("0.0005", None),
         ("0.0", None),

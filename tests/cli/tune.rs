@@ -74,7 +74,7 @@ fn swept(folder: &Path) -> Rows {
 }
 
 #[test]
-fn bump_steer_of_three_layouts_is_flat_by_two_heights() {
+fn tuning_two_heights_flattens_bump_steer_of_three_layouts() {
     for (layout, drives) in [
         ("double_wishbone", "bump = 0.3\nsteer = 0.34"),
         ("macpherson", "bump = 0.31\nsteer = 0.33"),
@@ -99,7 +99,7 @@ fn bump_steer_of_three_layouts_is_flat_by_two_heights() {
 
 /// A box that is too small stops a move, and the message says which.
 #[test]
-fn what_is_not_met_is_told_with_the_box_that_stops_it() {
+fn an_unmet_target_is_reported_with_the_move_at_its_limit() {
     let folder = folder();
     let small = FLAT.replacen("by = [-0.03, 0.03]", "by = [-0.001, 0.03]", 1);
     let output = tuned(
@@ -107,8 +107,8 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
         &file("macpherson", "bump = 0.31\nsteer = 0.33", &small),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = "a.toml: not met: bump_steer; at the end of their boxes: rack_height";
-    assert!(text(&output.stderr).contains(told), "{output:?}");
+    let expected = "a.toml: not met: bump_steer; at the end of their boxes: rack_height";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
     let heading = text(&output.stdout).lines().next();
     assert_eq!(heading, Some("a.toml: not tuned, 1 of 1 target not met"));
     assert!(
@@ -124,7 +124,7 @@ fn what_is_not_met_is_told_with_the_box_that_stops_it() {
 
 /// A chassis end of a wishbone, along the line that the wishbone turns about.
 #[test]
-fn a_move_that_changes_no_target_is_noted() {
+fn a_move_without_effect_on_any_target_is_noted() {
     let folder = folder();
     let idle = "[tune.moves.bush]\npoints = [\"lower_front\"]\nalong = \"x\"\nby = [-0.01, 0.01]\n";
     let note = "note: a.toml: `bush` changes no target: a move that does nothing may be left out\n";
@@ -140,7 +140,7 @@ fn a_move_that_changes_no_target_is_noted() {
 /// The rack's height turns the tie rod about its other end at the design position: toe is that of the tie rod's length, which
 /// is built anew.
 #[test]
-fn a_target_that_no_move_changes_is_named() {
+fn an_unmet_target_without_effective_move_is_named() {
     let folder = folder();
     let moved = FLAT.split("[tune.targets").next().expect("moves");
     let toe = target("toe", 1.0, 0.01);
@@ -149,13 +149,13 @@ fn a_target_that_no_move_changes_is_named() {
         &file("double_wishbone", DRIVES, &format!("{moved}{toe}")),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = "a.toml: not met: toe; no move changes toe: move points, or lengths, that do\n";
-    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+    let expected = "a.toml: not met: toe; no move changes toe: move points, or lengths, that do\n";
+    assert!(text(&output.stderr).ends_with(expected), "{output:?}");
 }
 
 /// Together the two moves change nothing near the design position; each alone does.
 #[test]
-fn moves_that_cancel_each_other_change_a_target() {
+fn moves_that_cancel_each_other_are_not_reported_as_idle() {
     let folder = folder();
     let forth =
         "[tune.moves.forth]\npoints = [\"upper_ball\"]\nalong = [1, 0, 0]\nby = [-0.01, 0.01]\n";
@@ -166,13 +166,13 @@ fn moves_that_cancel_each_other_change_a_target() {
         &file("double_wishbone", DRIVES, &format!("{forth}{back}{target}")),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = "a.toml: not met: caster; at the end of their boxes: forth, back\n";
-    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+    let expected = "a.toml: not met: caster; at the end of their boxes: forth, back\n";
+    assert!(text(&output.stderr).ends_with(expected), "{output:?}");
 }
 
 /// Two targets contradict each other.
 #[test]
-fn targets_that_contradict_each_other_may_be_the_reason() {
+fn contradicting_targets_are_named_as_a_possible_reason() {
     let folder = folder();
     let one = target("caster", 1.0, 0.01);
     let two = one
@@ -185,15 +185,15 @@ fn targets_that_contradict_each_other_may_be_the_reason() {
         &file("double_wishbone", DRIVES, &format!("{moves}{one}{two}")),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = "a.toml: not met: caster, other; no box stops the moves: caster, other may need other moves, or more, or contradict \
+    let expected = "a.toml: not met: caster, other; no box stops the moves: caster, other may need other moves, or more, or contradict \
                 other targets\n";
-    assert!(text(&output.stderr).ends_with(told), "{output:?}");
+    assert!(text(&output.stderr).ends_with(expected), "{output:?}");
 }
 
 /// The tables of a design with points elsewhere are reached by moving these there: a list has a number for each place, a
 /// derivative is a target like a value.
 #[test]
-fn a_known_design_is_found_by_its_curves() {
+fn tuning_to_the_curves_of_a_known_design_finds_the_design() {
     let folder = folder();
     let known = "[points]\nupper_front = [0.15, 0.42, 0.432]\nupper_rear = [-0.15, 0.42, 0.432]\n";
     let known = file("double_wishbone", DRIVES, known);
@@ -246,7 +246,7 @@ within = 0.1
 
 /// A turnbuckle: the tie rod's length sets the toe, and the rack stays.
 #[test]
-fn a_length_is_a_move_too() {
+fn tuning_moves_a_length() {
     let folder = folder();
     let tune = "[tune.moves.turnbuckle]\nlength = \"tie_rod\"\nby = [-0.005, 0.005]\n".to_owned();
     let tune = tune + &target("toe", -0.25, 1e-5);
@@ -259,7 +259,7 @@ fn a_length_is_a_move_too() {
 
 /// The rack slides on a line of the chassis, onto which it is assembled.
 #[test]
-fn a_point_that_its_slide_holds_is_told() {
+fn a_move_that_a_slide_undoes_is_reported() {
     let moves = |points: &str, mirrored: &str| {
         format!(
             "[tune.moves.rack_height]\npoints = [{points}]\nmirrored = [{mirrored}]\nalong = \"z\"\nby = [-0.02, 0.02]\n\
@@ -270,10 +270,10 @@ fn a_point_that_its_slide_holds_is_told() {
     let folder = folder();
     let alone = moves("\"rack_left\"", "\"rack_right\"");
     let output = tuned(folder.path(), &file("steered_axle", drives, &alone));
-    let said = text(&output.stderr);
+    let message = text(&output.stderr);
     assert!(
-        said.contains("`rack_left`, `rack_right` did not go where the moves say"),
-        "{said}"
+        message.contains("`rack_left`, `rack_right` did not go where the moves say"),
+        "{message}"
     );
     let both = moves(
         "\"rack_left\", \"housing_left\"",
@@ -285,7 +285,7 @@ fn a_point_that_its_slide_holds_is_told() {
 
 /// A point in two moves, and one that stays, are at their intended positions.
 #[test]
-fn a_point_of_several_moves_is_not_held() {
+fn a_point_of_several_moves_is_not_reported_as_held() {
     let each = |name: &str, along: &str| {
         format!(
             "[tune.moves.{name}]\npoints = [\"tie_ball\"]\nalong = \"{along}\"\nby = [-0.01, 0.01]\n"
@@ -301,10 +301,10 @@ fn a_point_of_several_moves_is_not_held() {
 
 /// The user gave a number of places, or a single number, as for a sweep.
 #[test]
-fn a_range_has_two_numbers() {
+fn a_range_of_tune_without_two_numbers_is_refused() {
     let folder = folder();
     let wanted = "2 numbers are wanted here, [from, to], not 3";
-    for (stated, given, said) in [
+    for (stated, given, expected) in [
         ("by = [-0.03, 0.03]", "by = [-0.03, 0.03, 13]", wanted),
         (
             "over = { bump = [-0.06, 0.06] }",
@@ -321,6 +321,6 @@ fn a_range_has_two_numbers() {
         let wrong = FLAT.replacen(stated, given, 1);
         let output = tuned(folder.path(), &file("macpherson", DRIVES, &wrong));
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        assert!(text(&output.stderr).contains(said), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
     }
 }

@@ -66,7 +66,7 @@ fn start(folder: &Path) -> f64 {
 
 /// Led by the angle in place of the height, and driven by it: the same motion, of two systems of equations.
 #[test]
-fn a_motion_by_an_angle_is_the_one_that_the_angle_leads() {
+fn a_motion_driven_by_an_angle_equals_the_motion_led_by_the_angle() {
     let folder = written("turn = [-2.3, 0.5, 0.125]\nsteer = [0.34, 0.01]");
     let [led, driven] =
         ["by_bump.toml", "by_turn.toml"].map(|file| table(folder.path(), &["motion", file]));
@@ -85,7 +85,7 @@ fn a_motion_by_an_angle_is_the_one_that_the_angle_leads() {
 
 /// By the chain rule, with the other drive held: `x' / t'` and `(x'' - x' t'' / t') / t'^2`.
 #[test]
-fn derivatives_by_an_angle_are_those_of_the_chain_rule() {
+fn derivatives_by_a_driven_angle_satisfy_the_chain_rule() {
     let folder = written("bump = 0.3\nsteer = 0.34");
     let of = |file: &str, drive: &str| {
         let sweep = ["sweep", file, "--derivatives", "2", "--drive", drive];
@@ -118,7 +118,7 @@ fn derivatives_by_an_angle_are_those_of_the_chain_rule() {
 
 /// The force on the wheel's height is the moment about the axis by virtual work.
 #[test]
-fn an_angle_bears_a_moment() {
+fn the_moment_on_a_driven_angle_matches_virtual_work() {
     let folder = written("bump = 0.3\nsteer = 0.34");
     let design = start(folder.path());
     let file = std::fs::read_to_string(folder.path().join("by_turn.toml")).expect("a file");
@@ -145,7 +145,7 @@ fn an_angle_bears_a_moment() {
 
 /// Against designs that are changed by a hundredth of a millimetre.
 #[test]
-fn sensitivities_of_what_an_angle_drives_are_differences() {
+fn sensitivities_of_an_angle_driven_rocker_agree_with_differences() {
     const STEP: f64 = 1e-4;
     // Ends of the axis and of both lines.
     const POINTS: [(&str, [f64; 3]); 4] = [
@@ -203,7 +203,7 @@ fn sensitivities_of_what_an_angle_drives_are_differences() {
 }
 
 #[test]
-fn an_angle_is_driven_through_its_range_and_no_further() {
+fn a_driven_angle_moves_through_its_range_and_no_further() {
     let folder = written("turn = -2.4\nsteer = 0.34");
     let output = run(folder.path(), &["check", "by_turn.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -242,7 +242,7 @@ fn an_angle_is_driven_through_its_range_and_no_further() {
 /// The point from which an angle counts, if its zero is the design; a point that is used otherwise does not coincide with
 /// another.
 #[test]
-fn a_direction_may_end_where_its_point_is() {
+fn a_direction_may_end_at_the_position_of_its_point() {
     let listing = "fixed: low at [0.0, 0.0, 0.0], high at [0.0, 0.0, 1.0], zero at [1.0, 0.0, 0.0];\n\
                    free: tip at [1.0, 0.0, 0.0];\n\
                    hinge arm: low, high -> tip;\n\

@@ -34,7 +34,7 @@ fn swept(unit: &str, metre: f64) -> Rows {
 }
 
 #[test]
-fn the_same_suspension_is_the_same_in_metres_millimetres_and_inches() {
+fn results_are_equal_in_metres_millimetres_and_inches() {
     let metres = swept("m", 1.0);
     assert_eq!(metres.len(), 7);
     for (unit, metre) in [("mm", 1e3), ("in", 1.0 / 0.0254)] {

@@ -15,9 +15,9 @@ linkage! {
     }
 }
 
-/// No residual has it: its drive is refused by name, and the corner stays.
+/// The drive is in no residual: it is refused by name, and the corner stays unchanged.
 #[test]
-fn a_drive_that_only_a_measure_reads_must_be_finite() {
+fn a_non_finite_drive_read_by_a_measure_alone_is_refused() {
     let mut corner: measured::Corner = measured::Corner::design().expect("a design");
     let start = corner.drives();
     let span = corner.measures().value.span;
@@ -35,8 +35,8 @@ fn a_drive_that_only_a_measure_reads_must_be_finite() {
                 corner.step_towards(0.1, drives),
                 corner.advance(0.1, |_| drives),
             ] {
-                let said = answer.expect_err("not finite").to_string();
-                assert!(said.contains("drive `slide`"), "{said}");
+                let message = answer.expect_err("not finite").to_string();
+                assert!(message.contains("drive `slide`"), "{message}");
             }
         }
     }
@@ -58,7 +58,7 @@ linkage! {
 /// The equations contain the sine of a quarter of one angle and the cosine of the other, which are not monotonic beyond the
 /// range.
 #[test]
-fn an_angle_is_followed_through_its_range_and_refused_beyond() {
+fn a_driven_angle_is_followed_through_its_range_and_refused_beyond() {
     let mut corner = cranks::Corner::<f64>::design().expect("a regular design");
     let start = corner.drives();
     let (mut turn, mut refused) = (0.0, None);

@@ -6,7 +6,7 @@ use suspension_core::linkages::double_wishbone_pushrod::Drives;
 use super::moved;
 
 #[test]
-fn a_step_of_no_length_finds_drives_near_by_and_their_rates() {
+fn a_step_of_zero_length_reaches_near_drives_and_their_rates() {
     let mut corner = moved(0.02, 0.0);
     let [time, before] = [corner.time(), corner.drives().bump];
     let drives = |by: f64, rate: f64| Signal {
@@ -35,7 +35,7 @@ fn a_step_of_no_length_finds_drives_near_by_and_their_rates() {
 }
 
 #[test]
-fn a_step_of_no_length_to_drives_far_away_is_refused() {
+fn a_step_of_zero_length_to_distant_drives_is_refused() {
     let mut corner = moved(0.02, 0.0);
     let before = (corner.time(), corner.drives(), *corner.motion());
     let to = |bump: f64, steer: f64| Drives {
@@ -49,7 +49,7 @@ fn a_step_of_no_length_to_drives_far_away_is_refused() {
 }
 
 #[test]
-fn a_step_whose_length_is_no_number_is_refused() {
+fn a_step_of_nan_length_is_refused() {
     let mut corner = moved(0.02, 0.0);
     let before = (corner.time(), corner.drives(), *corner.motion());
     let stopped = corner.step(f64::NAN, Signal::still(before.1));

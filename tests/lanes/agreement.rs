@@ -84,18 +84,18 @@ fn all_lanes<T: Lane + std::fmt::LowerExp>(bounds: [f64; 3]) {
 }
 
 #[test]
-fn lanes_of_f64_agree_with_steps_alone() {
+fn f64_lanes_agree_with_single_steps() {
     all_lanes::<f64>([1e-14, 2e-12, 5e-11]);
 }
 
 #[test]
-fn lanes_of_f32_agree_with_steps_alone() {
+fn f32_lanes_agree_with_single_steps() {
     all_lanes::<f32>([5e-6, 1e-3, 2e-2]);
 }
 
-/// Motions come out of the lanes as they went in, and models are gathered number by number.
+/// Motions read from the lanes equal those that were written, and models are gathered number by number.
 #[test]
-fn lanes_keep_what_they_are_given() {
+fn lanes_return_motions_and_models_unchanged() {
     fn kept<T: Lane>() {
         let fleet = Fleet::<five_link::Listing, T, 8>::displaced(&support::five_link_rough());
         for instructions in ALL {
@@ -122,7 +122,7 @@ fn lanes_keep_what_they_are_given() {
 
 /// Lanes without corrections also refuse the steps that they would refuse alone.
 #[test]
-fn lanes_without_corrections_agree_with_steps_alone() {
+fn lanes_without_corrections_agree_with_single_steps() {
     let fleet = Fleet::<five_link::Listing, f32, 4>::displaced(&support::five_link_rough());
     let bounded = Bounded::<f32, 0>::new();
     for instructions in ALL {

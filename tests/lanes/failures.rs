@@ -18,7 +18,7 @@ const STEP: f64 = 1e-3;
 const OUT_OF_REACH: [fn(f64) -> f64; 3] = [|_| f64::NAN, |start| start + 0.5, |_| 3.1];
 
 /// Follows a fleet with the angle of lane `bad` out of reach in the tenth step, and without.
-fn one_fails<T, const LANES: usize>(bad: usize)
+fn step_with_one_failing_lane<T, const LANES: usize>(bad: usize)
 where
     T: Lane + std::fmt::LowerExp,
     Lanes<five_link::Listing, T, 15, LANES>: Make<five_link::Listing, T, LANES>,
@@ -64,17 +64,17 @@ where
 }
 
 #[test]
-fn a_lane_that_fails_stays_and_its_neighbours_go_on() {
-    one_fails::<f64, 1>(0);
-    one_fails::<f64, 4>(2);
-    one_fails::<f64, 8>(7);
-    one_fails::<f32, 1>(0);
-    one_fails::<f32, 4>(0);
-    one_fails::<f32, 8>(3);
+fn a_failed_lane_stays_unchanged_and_the_others_advance() {
+    step_with_one_failing_lane::<f64, 1>(0);
+    step_with_one_failing_lane::<f64, 4>(2);
+    step_with_one_failing_lane::<f64, 8>(7);
+    step_with_one_failing_lane::<f32, 1>(0);
+    step_with_one_failing_lane::<f32, 4>(0);
+    step_with_one_failing_lane::<f32, 8>(3);
 }
 
 #[test]
-fn a_lane_that_missed_a_step_is_put_back_among_the_others() {
+fn a_lane_that_missed_a_step_is_restored_among_the_others() {
     const LANE: usize = 2;
     let fleet = Fleet::<five_link::Listing, f64, 4>::displaced(&support::five_link_rough());
     let at = |step: i32| fleet.drives(f64::from(step) * STEP);
@@ -109,7 +109,7 @@ fn a_lane_that_missed_a_step_is_put_back_among_the_others() {
 /// Designs with link 6-1 perpendicular to an axis, where a pivot of the macro's order is zero, among others: lanes solved
 /// with partial pivoting succeed, and do not affect their neighbours.
 #[test]
-fn an_unhealthy_lane_is_solved_with_pivoting() {
+fn a_lane_with_small_pivots_is_solved_by_partial_pivoting() {
     use attia2003::{Listing, Model, Points};
     let design = support::attia_rough::<f64>();
     let square_to = |link| Points {

@@ -95,7 +95,7 @@ fn compare<L: Build<15, Scalar = f64, Listing: Default>>(
 }
 
 #[test]
-fn a_step_of_fixed_cost_is_the_step_to_tolerance() {
+fn a_bounded_step_agrees_with_the_step_to_tolerance() {
     let config = crate::config(500);
     let all = std::cell::Cell::new(Counts::default());
     let cases = (prop::collection::vec(-0.03_f64..0.03, 33), -1.0_f64..1.0);

@@ -1,4 +1,4 @@
-//! Proofs of roots: none is false, and where a root is regular there is one.
+//! Proofs of roots: no proof is false, and every regular root is proved.
 
 mod judge;
 mod random;

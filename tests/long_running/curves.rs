@@ -142,7 +142,7 @@ impl Ends {
 }
 
 #[test]
-fn curves_are_closed_and_their_ends_are_ends() {
+fn curves_of_random_geometries_close_or_end_at_true_ends() {
     use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
     const SEED: u8 = 1;
     println!("seed {SEED}");

@@ -92,7 +92,7 @@ static ASSEMBLED: AtomicUsize = AtomicUsize::new(0);
 
 /// Drives the random geometries, and then demands that enough of them could be.
 #[test]
-fn a_root_or_an_error() {
+fn random_geometries_give_a_root_or_an_error() {
     use suspension_core::linkages::{attia2003::Model as Listed, five_link::Model as Rigid};
     let config = crate::config(500);
     let cases = (prop::collection::vec(-0.03_f64..0.03, 33), 0.8_f64..2.0);
@@ -119,7 +119,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
 
     #[test]
-    fn numbers_that_are_none_are_refused(which in 0_usize..33, bad in prop::sample::select(vec![
+    fn non_finite_points_are_refused(which in 0_usize..33, bad in prop::sample::select(vec![
         f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300,
     ])) {
         use suspension_core::linkages::five_link::Model;
@@ -138,7 +138,7 @@ proptest! {
     }
 
     #[test]
-    fn rates_that_are_none_leave_the_motion_alone(which in 0_usize..2, bad in prop::sample::select(vec![
+    fn non_finite_rates_leave_the_motion_unchanged(which in 0_usize..2, bad in prop::sample::select(vec![
         f64::NAN, f64::INFINITY, 1e160, 1e300,
     ])) {
         let model = support::five_link_model::<f64>();

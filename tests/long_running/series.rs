@@ -77,7 +77,7 @@ fn check(model: &Model<f64>, theta: Signal<f64>) -> Result<bool, TestCaseError> 
 }
 
 #[test]
-fn the_series_is_the_motion() {
+fn a_step_by_series_agrees_with_the_step_to_tolerance() {
     let config = crate::config(1000);
     let cases = (
         prop::collection::vec(-0.01_f64..0.01, 20),

@@ -25,7 +25,7 @@ fn axle() -> Listing {
 }
 
 #[test]
-fn a_refused_step_takes_a_hundred_bytes_for_each_entry_of_the_jacobian() {
+fn a_refused_step_takes_100_bytes_of_stack_per_jacobian_entry() {
     let listing = axle();
     with_stack(100, move || {
         let mut corner = listing
@@ -41,7 +41,7 @@ fn a_refused_step_takes_a_hundred_bytes_for_each_entry_of_the_jacobian() {
 }
 
 #[test]
-fn following_a_curve_takes_two_hundred() {
+fn following_a_curve_takes_200_bytes_of_stack_per_jacobian_entry() {
     let listing = axle();
     with_stack(200, move || {
         let corner = listing
@@ -61,7 +61,7 @@ fn following_a_curve_takes_two_hundred() {
 
 /// Two points on links: few unknowns in a model with room for fifteen.
 #[test]
-fn a_small_listing_takes_the_stack_of_its_models_room_and_two_hundred_kilobytes_to_make() {
+fn making_a_corner_takes_the_stack_of_its_capacity_and_200_kb() {
     const ROOM: usize = 15;
     let text = "fixed: front at [0.2, 0.3, 0.2], rear at [-0.2, 0.3, 0.2];\nfree: hub at [0.0, 0.7, 0.3];\n\
                 hinge arm: front, rear -> hub;\ndrive bump: hub.z;";

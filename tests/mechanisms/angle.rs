@@ -1,4 +1,4 @@
-//! Lines at angles: two cranks on parallel axes that keep theirs turn together, and what is measured of them.
+//! Lines at angles: two cranks on parallel axes at a held angle turn together; measured angles.
 
 use nalgebra::{Rotation3, Vector3};
 use suspension_core::{Build, Linkage, Signal, Values};
@@ -67,7 +67,7 @@ fn turning([angle, rate, second_rate]: [f64; 3]) -> Signal<Points<f64>> {
 }
 
 #[test]
-fn cranks_that_keep_their_angle_turn_together() {
+fn two_cranks_at_a_held_angle_turn_together() {
     let model = Model::new(&design()).expect("two cranks");
     let again = model.with_lengths(&model.lengths()).expect("the same");
     for model in [model, again] {
@@ -82,14 +82,14 @@ fn cranks_that_keep_their_angle_turn_together() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     let model = Model::new(&design()).expect("two cranks");
     checks::derivatives_and_motion(&model, &design(), 0.03);
 }
 
 /// The angle about the axis passes through zero with its rates; that between lines which turn together rests.
 #[test]
-fn measured_angles_are_those_of_the_turn() {
+fn measured_angles_and_rates_match_the_rotation() {
     let model = Model::new(&design()).expect("two cranks");
     let start = model.measures(&Signal::still(design())).value.apart;
     for angle in [-3.0, -0.5, 0.0, 0.2, 2.0] {

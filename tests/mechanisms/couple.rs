@@ -61,7 +61,7 @@ mod held {
     }
 
     #[test]
-    fn what_is_coupled_moves_as_one() {
+    fn coupled_coordinates_move_as_one() {
         let design = at(0.4, 0.5);
         let model = Model::new(&design).expect("two blocks");
         let again = model.with_lengths(&model.lengths()).expect("the same");
@@ -78,14 +78,14 @@ mod held {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let design = at(0.4, 0.5);
         let model = Model::new(&design).expect("two blocks");
         checks::derivatives_and_motion(&model, &design, 0.03);
     }
 
     #[test]
-    fn a_sum_is_measured() {
+    fn a_measured_sum_matches_its_coordinates() {
         let design = at(0.3, 0.6);
         let model = Model::new(&at(0.4, 0.5)).expect("two blocks");
         let signal = Signal::still(design);
@@ -110,7 +110,7 @@ mod driven {
     }
 
     #[test]
-    fn heave_and_roll_are_the_two_heights() {
+    fn drives_in_heave_and_roll_equal_drives_of_both_heights() {
         let (design, other) = (design(), heights::Points::from_values(design().values()));
         let model = Model::new(&design).expect("two arms");
         let by_height = heights::Model::new(&other).expect("two arms");
@@ -129,7 +129,7 @@ mod driven {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("two arms");
         checks::derivatives_and_motion(&model, &design(), 0.03);
     }

@@ -8,7 +8,7 @@ use crate::double_wishbone::design;
 use crate::double_wishbone::listing::{Drives, Model, Points};
 
 #[test]
-fn derivatives_and_motion_with_a_steering_rack() {
+fn derivatives_and_motion_with_a_steering_rack_agree() {
     let model = Model::new(&design()).expect("a double wishbone");
     checks::derivatives(&model, &design());
     let drives = |t| checks::swinging(model.drives_at(&design()), 0.02, t);
@@ -23,7 +23,7 @@ fn derivatives_and_motion_with_a_steering_rack() {
 /// Bump and steer that swing near a singularity of the linkage: one call over the whole time arrives
 /// where many small ones do, in no other assembly.
 #[test]
-fn a_long_way_past_singularities_stays_in_the_assembly() {
+fn one_long_advance_near_singularities_stays_in_the_assembly() {
     let at = Vector3::new;
     let design = Points {
         lower_front: at(0.20, 0.35, 0.16),

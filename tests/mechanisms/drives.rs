@@ -78,7 +78,7 @@ mod along {
 
     /// The rack moved by hand in the one, by its drive in the other: the same motion.
     #[test]
-    fn a_skewed_rack_is_a_chassis_point_that_moves_along_it() {
+    fn a_drive_along_an_oblique_direction_moves_the_rack_on_its_line() {
         let skew = skewed::Model::new(&design()).expect("a wishbone");
         let by_hand = square::Points::from_values(design().values());
         let by_hand = square::Model::new(&by_hand).expect("a wishbone");
@@ -141,7 +141,7 @@ mod along {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = skewed::Model::new(&design()).expect("a wishbone");
         checks::derivatives_and_motion(&model, &design(), 0.02);
     }
@@ -175,7 +175,7 @@ mod length {
     }
 
     #[test]
-    fn an_actuator_turns_a_rocker() {
+    fn an_actuator_turns_a_rocker_as_in_closed_form() {
         let model = Model::new(&design()).expect("a rocker");
         let again = model.with_lengths(&model.lengths()).expect("the same");
         for model in [model, again] {
@@ -197,7 +197,7 @@ mod length {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("a rocker");
         checks::derivatives_and_motion(&model, &design(), 0.03);
         let inputs = Inputs {

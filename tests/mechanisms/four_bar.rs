@@ -48,7 +48,7 @@ fn closed_form(turn: f64) -> Points<f64> {
 }
 
 #[test]
-fn closes_where_two_circles_meet() {
+fn a_four_bar_closes_where_two_circles_intersect() {
     let model = Model::new(&closed_form(1.0)).and_then(|model| model.with_lengths(&LENGTHS));
     let model = model.expect("a four-bar");
     for turn in [0.4, 0.8, 1.3, 1.9, 2.6] {
@@ -68,7 +68,7 @@ fn closes_where_two_circles_meet() {
 }
 
 #[test]
-fn lengths_are_those_of_the_design() {
+fn lengths_of_a_four_bar_are_those_of_its_design() {
     let model = Model::new(&closed_form(1.0)).expect("a four-bar");
     let Lengths {
         crank,
@@ -81,7 +81,7 @@ fn lengths_are_those_of_the_design() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     let design = closed_form(1.0);
     let model = Model::new(&design).expect("a four-bar");
     checks::derivatives_and_motion(&model, &design, 0.05);

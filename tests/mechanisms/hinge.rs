@@ -52,7 +52,7 @@ fn turned(arm: f64, flap: f64) -> Points<f64> {
 }
 
 #[test]
-fn turns_about_both_hinges() {
+fn arm_and_flap_turn_about_their_hinges() {
     let model = Model::new(&design()).expect("an arm with a flap");
     for (arm, flap) in [(0.0, 0.0), (0.2, -0.3), (-0.3, 0.4), (0.1, 0.8)] {
         let expected = turned(arm, flap);
@@ -69,7 +69,7 @@ fn turns_about_both_hinges() {
 }
 
 #[test]
-fn the_wheel_is_carried_by_the_arm() {
+fn the_carrier_of_the_wheel_is_the_frame_of_the_arm() {
     let points = design();
     let carrier = suspension_core::linkage::HasWheel::carrier(&points);
     // The frame of the body: chassis points first.
@@ -77,7 +77,7 @@ fn the_wheel_is_carried_by_the_arm() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     let model = Model::new(&design()).expect("an arm with a flap");
     checks::derivatives_and_motion(&model, &design(), 0.03);
 }

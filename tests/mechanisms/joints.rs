@@ -57,7 +57,7 @@ mod cross {
     }
 
     #[test]
-    fn the_output_turns_as_of_a_universal_joint() {
+    fn the_output_shaft_turns_like_that_of_a_universal_joint() {
         let design = turned(0.3);
         let model = Model::new(&design).expect("two shafts");
         for angle in [-0.5, 0.0, 0.3, 1.0] {
@@ -141,7 +141,7 @@ mod guided {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("an arm");
         checks::derivatives_and_motion(&model, &design(), 0.02);
     }

@@ -93,7 +93,7 @@ mod of_the_chassis {
     }
 
     #[test]
-    fn the_end_of_a_rod_stays_in_the_plane() {
+    fn the_end_of_a_rod_stays_in_the_plane_of_the_chassis() {
         let model = Model::new(&design()).expect("a guide");
         for lift in [-0.05, 0.0, 0.08] {
             let expected = lifted(lift);
@@ -106,7 +106,7 @@ mod of_the_chassis {
 
     /// The unknowns are the distances along the lines, with lengths that are given too.
     #[test]
-    fn the_unknowns_are_distances() {
+    fn unknowns_of_a_point_in_a_plane_are_distances_along_lines() {
         let model = Model::new(&design()).expect("a guide");
         let again = model.with_lengths(&model.lengths()).expect("the same");
         for model in [model, again] {
@@ -121,13 +121,13 @@ mod of_the_chassis {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("a guide");
         checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 
     #[test]
-    fn three_points_in_line_are_refused() {
+    fn a_plane_through_three_collinear_points_is_refused() {
         let mut points = design();
         points.side = points.low + (points.high - points.low) * 2.0;
         let refused = Model::new(&points).expect_err("no plane");
@@ -178,7 +178,7 @@ mod of_a_body {
     }
 
     #[test]
-    fn a_point_on_two_rods_stays_in_the_plane_of_an_arm() {
+    fn a_point_on_two_rods_stays_in_the_plane_of_a_turning_arm() {
         let model = Model::new(&design()).expect("an arm");
         for angle in [-0.2, -0.05, 0.0, 0.1, 0.15] {
             let expected = turned(angle);
@@ -190,7 +190,7 @@ mod of_a_body {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("an arm");
         checks::derivatives_and_motion(&model, &design(), 0.03);
     }

@@ -43,7 +43,7 @@ fn turned(angle: f64) -> Points<f64> {
 }
 
 #[test]
-fn turns_about_its_axis() {
+fn a_rocker_turns_about_its_axis() {
     let model = Model::new(&design()).expect("a rocker");
     for angle in [-0.5, -0.1, 0.0, 0.2, 0.4] {
         let expected = turned(angle);
@@ -59,7 +59,7 @@ fn turns_about_its_axis() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     let model = Model::new(&design()).expect("a rocker");
     checks::derivatives_and_motion(&model, &design(), 0.03);
 }

@@ -119,7 +119,7 @@ mod strut {
     }
 
     #[test]
-    fn the_positions_are_those_of_the_knuckle_s_pose() {
+    fn points_of_a_strut_match_the_pose_of_the_knuckle() {
         let model = Model::new(&design()).expect("a strut");
         let start = model.drives_at(&design());
         for (bump, steer) in [(0.0, 0.0), (0.05, 0.0), (-0.06, 0.02), (0.03, -0.03)] {
@@ -133,14 +133,14 @@ mod strut {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("a strut");
         checks::derivatives_and_motion(&model, &design(), 0.03);
     }
 
     /// The unknown is the strut's length, with lengths that are given too.
     #[test]
-    fn the_unknown_is_the_length_of_the_strut() {
+    fn the_unknown_of_a_slide_is_the_length_of_the_strut() {
         let model = Model::new(&design()).expect("a strut");
         let again = model.with_lengths(&model.lengths()).expect("the same");
         for model in [model, again] {
@@ -153,7 +153,7 @@ mod strut {
     }
 
     #[test]
-    fn a_line_without_length_is_refused() {
+    fn a_slide_on_a_line_of_zero_length_is_refused() {
         let mut points = design();
         points.strut_high = points.strut_low;
         let refused = Model::new(&points).expect_err("no line");
@@ -213,7 +213,7 @@ mod chassis_line {
     }
 
     #[test]
-    fn slides_and_turns() {
+    fn a_knuckle_on_a_pillar_slides_and_turns() {
         let model = Model::new(&design()).expect("a pillar");
         for shift in [-0.06, 0.0, 0.05] {
             let expected = moved(shift);
@@ -225,7 +225,7 @@ mod chassis_line {
     }
 
     #[test]
-    fn derivatives_and_motion() {
+    fn derivatives_and_motion_agree_with_differences() {
         let model = Model::new(&design()).expect("a pillar");
         checks::derivatives_and_motion(&model, &design(), 0.03);
     }

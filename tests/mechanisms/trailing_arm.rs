@@ -52,7 +52,7 @@ fn arm(angle: f64) -> Points<f64> {
 const ANGLES: [f64; 5] = [-0.4, -0.1, 0.0, 0.2, 0.5];
 
 #[test]
-fn turns_to_the_driven_angle() {
+fn an_arm_turns_to_the_driven_angle() {
     let model = Model::new(&arm(0.0)).expect("an arm");
     for angle in ANGLES {
         let expected = arm(angle);
@@ -67,7 +67,7 @@ fn turns_to_the_driven_angle() {
 }
 
 #[test]
-fn turns_to_the_angle_from_its_other_end() {
+fn an_arm_turns_to_the_angle_of_the_reversed_line() {
     let points = |angle| backwards::Points {
         inner: INNER,
         outer: OUTER,
@@ -88,7 +88,7 @@ fn turns_to_the_angle_from_its_other_end() {
 
 /// Longer lengths bring a new angle scale with them.
 #[test]
-fn the_angle_goes_by_the_length_that_is_set() {
+fn a_driven_angle_uses_the_changed_length() {
     let model = Model::new(&arm(0.0)).expect("an arm");
     let mut lengths = model.lengths();
     lengths.arm_inner_hub += 0.02;
@@ -100,7 +100,7 @@ fn the_angle_goes_by_the_length_that_is_set() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     let model = Model::new(&arm(0.1)).expect("an arm");
     checks::derivatives_and_motion(&model, &arm(0.1), 0.05);
 }

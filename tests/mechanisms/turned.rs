@@ -59,7 +59,7 @@ fn changes(start: f64) -> impl Iterator<Item = f64> {
 }
 
 #[test]
-fn a_bar_is_twisted_by_more_than_half_a_turn_either_way() {
+fn a_bar_twists_by_more_than_half_a_turn_either_way() {
     let model = bar::Model::new(&bar()).expect("a bar");
     let again = model.with_lengths(&model.lengths()).expect("the same");
     let start = model.drives_at(&bar());
@@ -79,7 +79,7 @@ fn a_bar_is_twisted_by_more_than_half_a_turn_either_way() {
 }
 
 #[test]
-fn derivatives_and_motion() {
+fn derivatives_and_motion_agree_with_differences() {
     for angle in [0.0, 0.5, 2.0, 3.0, -3.0] {
         let at = twisted(angle);
         let model = bar::Model::new(&at).expect("a bar");
@@ -189,7 +189,7 @@ fn differences<P: Values<Vector3<f64>>>(found: &Signal<P>, expected: &Signal<P>)
 
 /// Motion, forces and proof, over more than half a turn of both.
 #[test]
-fn a_lever_on_a_moving_pin_is_where_rotations_put_it() {
+fn a_lever_on_a_moving_pin_matches_rotations_in_closed_form() {
     let model = lever::Model::new(&lever()).expect("a lever");
     let start = model.drives_at(&lever());
     let certifier = Certifier::new(&model);
@@ -245,7 +245,7 @@ fn a_lever_on_a_moving_pin_is_where_rotations_put_it() {
 
 /// The Taylor series through an angle of zero.
 #[test]
-fn the_series_of_a_turn_is_the_motion() {
+fn the_series_of_a_driven_angle_agrees_with_the_motion() {
     let model = lever::Model::new(&lever()).expect("a lever");
     let start = model.drives_at(&lever());
     let at = |dt: f64| {

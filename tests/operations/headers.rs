@@ -42,13 +42,13 @@ fn claimed(expansion: &str) -> [Counts; 5] {
 }
 
 #[test]
-fn attia2003() {
+fn the_header_of_attia2003_states_the_counted_operations() {
     let header = include_str!("../../suspension-macros/src/snapshots/attia2003.rs");
     assert_eq!(counts(&attia_model()), claimed(header));
 }
 
 #[test]
-fn five_link() {
+fn the_header_of_five_link_states_the_counted_operations() {
     let header = include_str!("../../suspension-macros/src/snapshots/five_link.rs");
     assert_eq!(counts(&five_link_model()), claimed(header));
 }

@@ -114,7 +114,7 @@ fn table() -> String {
 }
 
 #[test]
-fn the_page_has_the_counts() {
+fn operations_md_has_the_counted_operations() {
     let page = || std::fs::read_to_string(PAGE).expect("a page");
     let old = page();
     let (before, rest) = old.split_once(BEGIN).expect("the table's place");

@@ -45,7 +45,7 @@ fn inputs(drives: Drives<f64>) -> Inputs<suspension_core::Still, Drives<f64>> {
 }
 
 #[test]
-fn a_parallelogram_ends_where_it_is_flat() {
+fn the_curve_of_a_parallelogram_ends_where_the_bars_are_in_line() {
     let points = parallelogram(1.0);
     let model = Model::new(&points).expect("a four-bar");
     let inputs = inputs(model.drives_at(&points));
@@ -76,7 +76,7 @@ fn a_parallelogram_ends_where_it_is_flat() {
 }
 
 #[test]
-fn a_crank_that_turns_fully_meets_the_ends_of_its_angle() {
+fn a_fully_turning_crank_has_turning_points_at_angle_0_and_pi() {
     // Grashof: 0.2 + 0.6 < 0.45 + 0.5.
     let (turn, base) = (1.0_f64, 0.6);
     let crank_end = design(base, turn, Vector3::zeros()).crank_end;

@@ -1,4 +1,4 @@
-//! Motions led by another quantity than the drive.
+//! Led motions: another quantity than the drive is prescribed.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::HasWheel;
@@ -65,7 +65,7 @@ fn amax(difference: SVector<f64, 15>) -> f64 {
 }
 
 /// Led by a quantity as it is in the 40-digit reference, everything else is as there.
-fn rates_as_the_reference<L: Build<15, Scalar = f64>>(
+fn compare_rates_with_the_reference<L: Build<15, Scalar = f64>>(
     case: &Case<f64, L>,
     quantity: impl Fn(&Signal<L::Points>) -> Signal<f64>,
 ) {
@@ -115,11 +115,11 @@ fn rates_as_the_reference<L: Build<15, Scalar = f64>>(
 }
 
 #[test]
-fn rates_are_those_of_the_reference() {
-    rates_as_the_reference(&attia(), height);
-    rates_as_the_reference(&five_link(), height);
-    rates_as_the_reference(&attia(), spring);
-    rates_as_the_reference(&attia(), upper_link);
+fn rates_of_a_led_motion_agree_with_the_reference() {
+    compare_rates_with_the_reference(&attia(), height);
+    compare_rates_with_the_reference(&five_link(), height);
+    compare_rates_with_the_reference(&attia(), spring);
+    compare_rates_with_the_reference(&attia(), upper_link);
 }
 
 /// The slope of the height along the unit tangent.
@@ -160,7 +160,7 @@ where
 
 /// Led by its height, the wheel goes round the whole curve, turning points of the drive included,
 /// but for the four places where the height itself turns.
-fn round_by_height<L>(case: &Case<f64, L>)
+fn lead_round_the_curve_by_height<L>(case: &Case<f64, L>)
 where
     L: Build<15, Scalar = f64, Points: HasWheel<f64>>,
 {
@@ -210,14 +210,14 @@ where
 }
 
 #[test]
-fn passes_the_turning_points_of_the_drive() {
-    round_by_height(&attia());
-    round_by_height(&five_link());
+fn a_motion_led_by_height_passes_turning_points_of_the_drive() {
+    lead_round_the_curve_by_height(&attia());
+    lead_round_the_curve_by_height(&five_link());
 }
 
-/// A root whose knuckle is mirrored is no place to be led to.
+/// A root with a mirrored knuckle is no result of a led step.
 #[test]
-fn a_mirrored_knuckle_is_never_led_to() {
+fn a_led_step_to_a_mirrored_knuckle_is_refused() {
     let case = attia::<f64>();
     let plain = Newton {
         max_halvings: 0,
@@ -238,13 +238,13 @@ fn a_mirrored_knuckle_is_never_led_to() {
     assert_eq!((step.expect_err("mirrored"), led), (wrong, start));
 }
 
-/// A target or a quantity that is no number is neither a turning point nor the linkage's fault.
+/// A NaN target or quantity is reported neither as a turning point nor as a fault of the linkage.
 #[test]
-fn a_quantity_that_is_no_number_is_told() {
+fn a_nan_quantity_or_target_of_a_led_motion_is_reported() {
     let case = attia::<f64>();
     let inputs = (case.inputs)(0.0);
     let start = Led::at_rest(&case.curve(), &case.q).expect("regular");
-    let here = height(&start.points(&case.model, &inputs));
+    let height_at_start = height(&start.points(&case.model, &inputs));
     let demand = |quantity: &dyn Fn(&Signal<attia2003::Points<f64>>) -> Signal<f64>, target| {
         let mut led = start;
         let step = Leader::default().step(&case.model, &inputs, quantity, &target, 0.0, &mut led);
@@ -254,13 +254,19 @@ fn a_quantity_that_is_no_number_is_told() {
         assert_eq!((name, led), ("theta", start));
     };
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        demand(&height, Signal { value, ..here });
+        demand(
+            &height,
+            Signal {
+                value,
+                ..height_at_start
+            },
+        );
     }
     let no_rate = |points: &Signal<attia2003::Points<f64>>| Signal {
         rate: f64::NAN,
         ..height(points)
     };
-    demand(&no_rate, here);
+    demand(&no_rate, height_at_start);
 }
 
 suspension_core::linkage! {
@@ -273,9 +279,9 @@ suspension_core::linkage! {
     }
 }
 
-/// The first step from rest is held to its side of the turning point as every other is.
+/// The first step from rest stays on its side of the turning point, as every other step does.
 #[test]
-fn a_first_step_does_not_pass_the_turning_point_that_it_leads_away_from() {
+fn a_first_led_step_does_not_pass_the_turning_point_behind() {
     let corner = arm::Corner::<f64>::design().expect("a regular design");
     let inputs = Inputs::still(Signal::still(corner.drives()));
     let reach = |points: &Signal<arm::Points<f64>>| points.map(|points| points.tip.x);

@@ -44,7 +44,7 @@ fn inputs<T: Real>(drives: Drives<T>) -> Inputs<Still, Drives<T>> {
 }
 
 #[test]
-fn every_measure_leads_through_the_crank_s_turning_point() {
+fn every_measure_leads_through_the_turning_point_of_the_crank() {
     let model = Model::new(&design()).expect("a four-bar");
     let inputs_at_start = inputs(model.drives_at(&design()));
     let start = model.unknowns(&design());
@@ -127,7 +127,7 @@ fn angle_leads<T: Real>(unit: f64, allowed: f64) {
 }
 
 #[test]
-fn an_angle_leads_in_any_unit_and_precision() {
+fn a_measured_angle_leads_in_any_unit_and_precision() {
     angle_leads::<f64>(1.0, 1e-14);
     angle_leads::<f64>(1e3, 1e-14);
     angle_leads::<f32>(1.0, 4e-6);

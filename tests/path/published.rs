@@ -20,7 +20,7 @@ fn turning_points<T: Real, L: Build<15, Scalar = T>>(case: &Case<T, L>, toleranc
     }
 }
 
-fn once_round<T: Real, L: Build<15, Scalar = T>>(case: &Case<T, L>, tolerance: f64) {
+fn follow_the_closed_curve<T: Real, L: Build<15, Scalar = T>>(case: &Case<T, L>, tolerance: f64) {
     for increasing in [true, false] {
         let stretches = case.path(increasing);
         let turns = stretches.iter().filter_map(|stretch| stretch.turning);
@@ -39,23 +39,23 @@ fn once_round<T: Real, L: Build<15, Scalar = T>>(case: &Case<T, L>, tolerance: f
 }
 
 #[test]
-fn both_turning_points_are_known_to_rounding() {
+fn both_turning_points_are_found_to_rounding() {
     turning_points(&attia::<f64>(), 1e-13);
     turning_points(&five_link::<f64>(), 1e-13);
 }
 
 #[test]
-fn the_curve_is_closed() {
-    once_round(&attia::<f64>(), 1e-12);
-    once_round(&five_link::<f64>(), 1e-12);
+fn the_curve_of_the_published_mechanism_is_closed() {
+    follow_the_closed_curve(&attia::<f64>(), 1e-12);
+    follow_the_closed_curve(&five_link::<f64>(), 1e-12);
 }
 
 #[test]
-fn in_single_precision() {
+fn turning_points_and_closed_curve_are_found_in_f32() {
     turning_points(&attia::<f32>(), 1e-5);
     turning_points(&five_link::<f32>(), 1e-5);
-    once_round(&attia::<f32>(), 1e-4);
-    once_round(&five_link::<f32>(), 1e-4);
+    follow_the_closed_curve(&attia::<f32>(), 1e-4);
+    follow_the_closed_curve(&five_link::<f32>(), 1e-4);
 }
 
 #[test]
@@ -91,10 +91,10 @@ fn a_path_that_starts_outside_its_range_makes_no_step() {
         [true, false].map(|increasing| {
             let path = settings.path(case.curve(), &case.q, increasing);
             let mut path = path.expect("a regular start");
-            let here = path.here().configuration;
+            let start_configuration = path.here().configuration;
             let last = path.by_ref().last().expect("a path").expect("regular");
             assert!(path.next().is_none());
-            (last.end, last.place.configuration == here)
+            (last.end, last.place.configuration == start_configuration)
         })
     };
     let start = start.value;

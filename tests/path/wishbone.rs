@@ -58,7 +58,7 @@ fn still(drives: Drives<f64>) -> Signal<Drives<f64>> {
 }
 
 #[test]
-fn the_rack_turns_where_the_tie_rod_is_in_line() {
+fn the_curve_of_the_rack_turns_where_the_tie_rod_is_in_line() {
     let model = model();
     let start = model.drives_at(&design());
     let inputs = Inputs::still(still(start));
@@ -134,7 +134,7 @@ fn swinging(model: &Model<f64>, start: Drives<f64>) -> Inputs<Signal<Fixed<f64>>
 }
 
 #[test]
-fn led_by_a_measure_everything_moves_as_led_by_the_drives() {
+fn a_motion_led_by_a_measure_equals_the_driven_motion() {
     let model = model();
     let start = model.drives_at(&design());
     let inputs = swinging(&model, start);

@@ -28,12 +28,12 @@ kinematics::linkage! {
 }
 
 #[test]
-fn a_module_that_is_a_word_of_rust_has_a_file_without_the_mark() {
+fn the_file_of_a_raw_module_name_has_no_mark() {
     assert_eq!(r#type::Listing::PARTS.drives, ["turn", "slide"]);
 }
 
 #[test]
-fn a_listing_names_the_core_as_the_program_does() {
+fn linkage_finds_the_core_under_another_name() {
     let design = crank::Points {
         pin: Vector3::zeros(),
         end: Vector3::new(0.0, 0.3, 0.4),

@@ -36,7 +36,7 @@ where
 /// A chassis that turns about z with the angular velocity `omega`: the driving angle, measured
 /// from z, stays, and the whole motion turns with it.
 #[test]
-fn turns_with_the_chassis() {
+fn the_series_of_points_turns_with_the_chassis() {
     const K: usize = 24;
     let (t, omega) = (1.0, 0.8);
     let model: five_link::Model<f64> = support::five_link_model();
@@ -118,7 +118,7 @@ suspension_core::linkage! {
 
 /// All drives and chassis points swing; the series must meet the solution of the equations, its
 /// velocities and accelerations.
-fn follows_everything<L, const N: usize>(model: &L, design: &L::Points)
+fn assert_series_follows_the_motion<L, const N: usize>(model: &L, design: &L::Points)
 where
     L: Build<N, Scalar = f64>,
 {
@@ -176,18 +176,18 @@ where
 }
 
 #[test]
-fn a_four_bar_on_a_swinging_chassis() {
+fn the_series_of_a_four_bar_follows_a_swinging_chassis() {
     let design = four_bar::Points {
         crank_pin: Vector3::zeros(),
         rocker_pin: Vector3::new(0.0, 0.6, 0.1),
         crank_end: Vector3::new(0.0, 0.17, 0.1),
         rocker_end: Vector3::new(0.0, 0.55, 0.45),
     };
-    follows_everything(&four_bar::Model::new(&design).expect("a four-bar"), &design);
+    assert_series_follows_the_motion(&four_bar::Model::new(&design).expect("a four-bar"), &design);
 }
 
 #[test]
-fn an_arm_with_a_flap_on_a_swinging_chassis() {
+fn the_series_of_arm_and_flap_follows_a_swinging_chassis() {
     let design = arm::Points {
         inner: Vector3::new(0.40, 0.20, 0.30),
         outer: Vector3::new(0.35, 0.55, 0.28),
@@ -195,12 +195,12 @@ fn an_arm_with_a_flap_on_a_swinging_chassis() {
         hinge_out: Vector3::new(0.02, 0.60, 0.30),
         tip: Vector3::new(-0.15, 0.50, 0.35),
     };
-    follows_everything(&arm::Model::new(&design).expect("an arm"), &design);
+    assert_series_follows_the_motion(&arm::Model::new(&design).expect("an arm"), &design);
 }
 
 /// A signal's polynomial and its values elsewhere.
 #[test]
-fn a_signal_is_a_polynomial() {
+fn the_series_of_a_signal_is_its_polynomial() {
     let signal = support::five_link_inputs(1.0).drives;
     let jet: Jet<_, 5> = Jet::of_signal(&signal);
     let (found, expected) = (jet.signal(0.3), support::five_link_inputs(1.3).drives);

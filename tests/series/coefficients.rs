@@ -31,8 +31,10 @@ fn differences(reference: &Reference, instant: usize, motion: &Motion<f64, 15>) 
 
 /// From one instant the 40-digit solution a quarter of a second away on either side, at about a
 /// third of the radius of convergence: coefficients up to order 32 count.
-fn reaches_the_neighbours<L>(model: &L, inputs: impl Fn(f64) -> Inputs<Still, L::Drives>)
-where
+fn assert_reaches_the_neighbouring_instants<L>(
+    model: &L,
+    inputs: impl Fn(f64) -> Inputs<Still, L::Drives>,
+) where
     L: Linkage<15, Scalar = f64>,
 {
     let reference = Reference::load();
@@ -52,13 +54,16 @@ where
 }
 
 #[test]
-fn forty_terms_reach_the_neighbouring_instants() {
-    reaches_the_neighbours(&support::attia_model(), support::attia_inputs);
-    reaches_the_neighbours(&support::five_link_model(), support::five_link_inputs);
+fn forty_terms_of_the_series_reach_the_neighbouring_instants() {
+    assert_reaches_the_neighbouring_instants(&support::attia_model(), support::attia_inputs);
+    assert_reaches_the_neighbouring_instants(
+        &support::five_link_model(),
+        support::five_link_inputs,
+    );
 }
 
 #[test]
-fn the_first_two_orders_are_velocity_and_acceleration() {
+fn the_first_two_coefficients_are_velocity_and_acceleration() {
     let model: attia2003::Model<f64> = support::attia_model();
     let reference = Reference::load();
     for (instant, t) in INSTANTS.into_iter().enumerate() {
@@ -105,7 +110,7 @@ fn order_of_error<const K: usize>(dt: f64) {
 }
 
 #[test]
-fn the_error_is_of_the_order_of_the_next_term() {
+fn the_error_of_the_series_has_the_order_of_the_next_term() {
     order_of_error::<2>(0.02);
     order_of_error::<3>(0.03);
     order_of_error::<4>(0.04);
@@ -124,7 +129,7 @@ fn turning_points() -> [f64; 2] {
 /// No series converges beyond a turning point, and near one its radius is the distance to it. Half
 /// way, where four singularities are about equally near, the estimate is up to a tenth too large.
 #[test]
-fn the_radius_is_that_to_a_turning_point() {
+fn the_radius_of_convergence_is_the_distance_to_a_turning_point() {
     let model: five_link::Model<f64> = support::five_link_model();
     let rough = support::five_link_rough();
     let mut motion = support::motions(&model, &rough, support::five_link_inputs)[0];
@@ -158,7 +163,7 @@ fn the_radius_is_that_to_a_turning_point() {
 
 /// Fewer orders estimate less well: within a third of the estimate of 40 orders.
 #[test]
-fn few_orders_estimate_the_radius() {
+fn few_orders_estimate_the_radius_of_convergence() {
     let model: five_link::Model<f64> = support::five_link_model();
     let reference = Reference::load();
     for (instant, t) in INSTANTS.into_iter().enumerate() {

@@ -57,7 +57,7 @@ fn follow<T: Real, const K: usize>(tolerance: f64) -> [f64; 3] {
 
 /// Errors do not add up: 1,950 steps end as near as one.
 #[test]
-fn follows_the_published_motion() {
+fn steps_by_series_follow_the_published_motion() {
     let [position, velocity, acceleration] = follow::<f64, 8>(1e-14);
     assert!(position < 5e-14 && velocity < 1e-10 && acceleration < 1e-8);
     let [position, ..] = follow::<f64, 4>(1e-8);
@@ -77,7 +77,7 @@ fn refused<const K: usize>(tolerance: f64, dt: f64) -> SolveError<f64> {
 }
 
 #[test]
-fn a_step_beyond_the_radius_is_refused() {
+fn a_step_beyond_the_radius_of_convergence_is_refused() {
     let error = refused::<8>(1.0, 0.6);
     let SolveError::StepTooLong { step, bound, .. } = error else {
         panic!("{error}");
@@ -98,7 +98,7 @@ const LOCK: f64 = 1.978_367_769_183;
 
 /// Steps by parts of the time to the lock, whatever residual they leave: how many within the radius are
 /// taken, and how many beyond the lock.
-fn towards_the_lock<const K: usize>() -> [usize; 2] {
+fn steps_towards_the_lock<const K: usize>() -> [usize; 2] {
     let (model, mut motion) = start::<f64>(4);
     let inputs = support::five_link_inputs;
     let tracker = SeriesTracker::within(1.0);
@@ -117,12 +117,12 @@ fn towards_the_lock<const K: usize>() -> [usize; 2] {
 }
 
 #[test]
-fn no_order_and_no_tolerance_leads_beyond_a_turning_point() {
+fn no_step_by_series_leads_beyond_a_turning_point() {
     let taken = [
-        towards_the_lock::<2>(),
-        towards_the_lock::<3>(),
-        towards_the_lock::<4>(),
-        towards_the_lock::<8>(),
+        steps_towards_the_lock::<2>(),
+        steps_towards_the_lock::<3>(),
+        steps_towards_the_lock::<4>(),
+        steps_towards_the_lock::<8>(),
     ];
     for [within, beyond] in taken {
         assert!(within >= 20 && beyond == 0, "of 21 and 35: {taken:?}");
@@ -139,7 +139,7 @@ fn a_residual_above_the_tolerance_is_refused() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused() {
+fn a_non_finite_step_tolerance_or_input_is_refused() {
     assert!(matches!(
         refused::<6>(1e-9, f64::NAN),
         SolveError::Overflow { .. }
@@ -171,9 +171,9 @@ fn a_motion_of_another_assembly_is_refused() {
     assert_eq!(mirrored, before);
 }
 
-/// A root whose knuckle is mirrored is no place to step to.
+/// A root with a mirrored knuckle is no result of a step.
 #[test]
-fn a_mirrored_knuckle_is_refused() {
+fn a_step_by_series_to_a_mirrored_knuckle_is_refused() {
     let model: attia2003::Model<f64> = support::attia_model();
     let plain = Newton {
         max_halvings: 0,

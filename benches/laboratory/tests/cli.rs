@@ -7,7 +7,7 @@ mod failures;
 mod program;
 
 #[test]
-fn drives_must_lead() {
+fn a_motion_led_by_a_measure_is_refused() {
     let folder = program::folder();
     let led = program::example("five_link_height.toml");
     std::fs::write(folder.path().join("a.toml"), led).expect("written");

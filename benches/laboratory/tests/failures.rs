@@ -97,7 +97,7 @@ fn at(rows: &[Row], method: Method, value: f64) -> &Row {
 /// An independent implementation found, of 900 starts 1 cm off, 672 right, 222 wrong and 6 without
 /// root for nine distances, and all right for the rigid body.
 #[test]
-fn bad_starts() {
+fn bad_starts_fail_as_often_as_in_an_independent_implementation() {
     let effort = Effort {
         starts: 90,
         ..EFFORT
@@ -135,7 +135,7 @@ fn bad_starts() {
 
 /// With its guard the tracker follows the motion or refuses; integrated velocities drift.
 #[test]
-fn long_steps() {
+fn in_long_steps_the_tracker_stays_right_and_integration_drifts() {
     let effort = Effort {
         starts: 20,
         ..EFFORT
@@ -153,9 +153,9 @@ fn long_steps() {
     assert!(of(&rows, Method::Projected).all(|row| row.residual_m < 1e-14));
 }
 
-/// A mechanism of twice the size is nowhere near its first configuration.
+/// A mechanism of twice the size is far from the configuration of the first.
 #[test]
-fn a_long_run_that_fails_says_where_and_why() {
+fn a_failed_long_run_reports_step_and_reason() {
     let rough = support::five_link_rough::<f64>();
     let points = rough.values();
     let twice = five_link::Points::from_values(points.map(|each| each * 2.0));
@@ -187,7 +187,7 @@ fn a_long_run_that_fails_says_where_and_why() {
 
 /// Both locks of the published mechanism, from the extended system in 40 digits.
 #[test]
-fn turning_points_are_found() {
+fn both_turning_points_of_the_drive_are_found() {
     let case = nine_distances();
     let mut found: Vec<f64> = turning_points(&case.truth(WHOLE))
         .iter()
@@ -203,7 +203,7 @@ fn turning_points_are_found() {
 }
 
 #[test]
-fn beside_turning_points() {
+fn beside_turning_points_the_tracker_is_right_in_every_trial() {
     let rows = rigid_body().counted(WHOLE, &EFFORT, &|subject, survey| {
         subject.try_distances(survey)
     });
@@ -216,7 +216,7 @@ fn beside_turning_points() {
 
 /// In single precision, configurations that cannot be distinguished do not count as wrong.
 #[test]
-fn single_precision_beside_turning_points() {
+fn beside_turning_points_f32_never_changes_the_branch() {
     let case = rigid_body();
     let single = support::five_link_model::<f32>();
     let rows = case.counted(WHOLE, &EFFORT, &|subject, survey| {
@@ -228,7 +228,7 @@ fn single_precision_beside_turning_points() {
 }
 
 #[test]
-fn the_same_seed_gives_the_same_counts() {
+fn the_same_seed_gives_the_same_failure_counts() {
     let case = nine_distances();
     let with_seed = |seed| {
         let effort = Effort { seed, ..EFFORT };

@@ -1,4 +1,4 @@
-//! Steps without end: back and forth over the published motion.
+//! Many steps back and forth over the published motion.
 
 #[path = "../../../tests/counting/mod.rs"]
 mod counting;
@@ -41,7 +41,7 @@ fn stretches<T: Real>(model: &Model<T>, way: Way, later: u64) -> [(Stretch, usiz
     })
 }
 
-fn does_not_drift<T: Real>(model: &Model<T>, bound: f64) {
+fn assert_no_drift<T: Real>(model: &Model<T>, bound: f64) {
     let [(first, _), later @ ..] = stretches(model, Way::Tracked, 150_000);
     for (stretch, allocations) in later {
         println!("{stretch:?}");
@@ -58,14 +58,14 @@ fn does_not_drift<T: Real>(model: &Model<T>, bound: f64) {
 }
 
 #[test]
-fn the_tracker_does_not_drift() {
-    does_not_drift(&support::five_link_model::<f64>(), 5e-16);
-    does_not_drift(&support::five_link_model::<f32>(), 3e-7);
+fn the_tracker_does_not_drift_over_many_passes_of_the_motion() {
+    assert_no_drift(&support::five_link_model::<f64>(), 5e-16);
+    assert_no_drift(&support::five_link_model::<f32>(), 3e-7);
 }
 
 /// The tracker is compared with integrated velocities.
 #[test]
-fn integrated_velocities_drift() {
+fn integrating_velocities_drifts_over_many_passes_of_the_motion() {
     let model = support::five_link_model::<f64>();
     let drifts = stretches(&model, Way::Integrated, 200_000).map(|(stretch, _)| stretch.drift);
     println!("{drifts:?}");

@@ -1,4 +1,4 @@
-//! The chart's reference has its digits.
+//! The accuracy of the chart's reference.
 
 use suspension_core::Signal;
 use suspension_core::linkage::Listing;

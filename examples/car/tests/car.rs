@@ -20,7 +20,7 @@ fn rolling() -> Car {
 }
 
 #[test]
-fn it_comes_to_rest_on_the_loads_of_the_lever() {
+fn at_rest_the_car_has_its_static_wheel_loads() {
     let mut car = rolling();
     car.chassis.position.z += 0.02;
     car.chassis.attitude = UnitQuaternion::from_euler_angles(0.01, -0.02, 0.0);
@@ -72,7 +72,7 @@ fn energy_error(dt: f64) -> f64 {
 }
 
 #[test]
-fn energy_closes_at_the_order_of_the_integrator() {
+fn the_energy_error_of_the_car_is_of_first_order_in_the_step() {
     let errors = [2e-4, 1e-4, 5e-5].map(energy_error);
     for pair in errors.windows(2) {
         let ratio = pair[0] / pair[1];
@@ -81,7 +81,7 @@ fn energy_closes_at_the_order_of_the_integrator() {
 }
 
 #[test]
-fn what_is_symmetric_stays_symmetric() {
+fn a_symmetric_manoeuvre_keeps_the_car_symmetric() {
     let mut car = rolling();
     car.chassis.position.z += 0.03;
     for tick in 0..5_000 {
@@ -103,7 +103,7 @@ fn what_is_symmetric_stays_symmetric() {
 }
 
 #[test]
-fn mirrored_steering_gives_the_mirrored_motion() {
+fn mirrored_steering_gives_the_mirrored_motion_of_the_car() {
     let [left, right] = [0.006, -0.006].map(|rack| {
         let driver = Driver {
             speed: 15.0,
@@ -119,10 +119,17 @@ fn mirrored_steering_gives_the_mirrored_motion() {
         }
         car
     });
-    let [there, here] = [&left, &right].map(|car| car.chassis.position);
-    assert!(there.y.abs() > 5.0, "the car turns: {} m", there.y);
-    let image = Vector3::new(here.x, -here.y, here.z);
-    assert!((there - image).norm() < 1e-9, "{there} and {image}");
+    let [left_position, right_position] = [&left, &right].map(|car| car.chassis.position);
+    assert!(
+        left_position.y.abs() > 5.0,
+        "the car turns: {} m",
+        left_position.y
+    );
+    let image = Vector3::new(right_position.x, -right_position.y, right_position.z);
+    assert!(
+        (left_position - image).norm() < 1e-9,
+        "{left_position} and {image}"
+    );
     for place in 0..4 {
         let difference = left.corners[place].ground.load - right.corners[place ^ 1].ground.load;
         assert!(difference.abs() < 1e-5, "{difference} N");
@@ -130,7 +137,7 @@ fn mirrored_steering_gives_the_mirrored_motion() {
 }
 
 #[test]
-fn half_a_minute_of_bumps_and_turns_is_driven_without_a_refusal() {
+fn every_detail_drives_30_s_over_bumps_and_turns_without_a_refusal() {
     let driver = Driver {
         speed: 20.0,
         rack: 0.006,
@@ -151,7 +158,7 @@ fn half_a_minute_of_bumps_and_turns_is_driven_without_a_refusal() {
 }
 
 #[test]
-fn a_refusal_says_where_and_leaves_a_car_that_goes_on_with_constant_ratios() {
+fn after_a_named_refusal_the_car_drives_on_with_constant_ratios() {
     let mut car = Car::new(&SALOON, Detail::Baked)
         .expect("the design")
         .rolling(20.0);

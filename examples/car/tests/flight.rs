@@ -77,7 +77,7 @@ fn centre_of_mass(car: &Car) -> Vector3<f64> {
 }
 
 #[test]
-fn momentum_and_angular_momentum_are_kept_at_the_order_of_the_integrator() {
+fn errors_of_momentum_and_angular_momentum_are_of_first_order() {
     let [coarse, middle, fine] = [1e-3, 5e-4, 2.5e-4].map(errors);
     for kind in 0..2 {
         for [long, short] in [[coarse, middle], [middle, fine]] {

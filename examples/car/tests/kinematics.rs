@@ -68,7 +68,7 @@ fn left_hub(car: &Car, place: usize) -> Hub {
 }
 
 #[test]
-fn each_tick_has_the_motion_of_a_cold_solve() {
+fn wheel_motion_of_each_tick_agrees_with_a_cold_solve() {
     const DT: f64 = 1e-3;
     let driver = Driver {
         speed: 20.0,
@@ -101,10 +101,10 @@ fn each_tick_has_the_motion_of_a_cold_solve() {
                     },
                 )
             };
-            let (hub, here) = (left_hub(&car, place), at(0.0));
-            let off = (hub.centre.value - origins[place] - here.centre).norm();
+            let (hub, expected) = (left_hub(&car, place), at(0.0));
+            let off = (hub.centre.value - origins[place] - expected.centre).norm();
             assert!(off < 1e-13, "corner {place}, tick {tick}: {off} m");
-            let axis = (here.centre - here.inner).normalize();
+            let axis = (expected.centre - expected.inner).normalize();
             assert!((hub.axis * hub.axis.y.signum() - axis).norm() < 1e-12);
             let [above, below] = [1e-5, -1e-5].map(at);
             let slope = (above.centre - below.centre) / 2e-5;
@@ -116,7 +116,7 @@ fn each_tick_has_the_motion_of_a_cold_solve() {
 }
 
 #[test]
-fn the_carrier_turns_as_the_library_says() {
+fn the_carrier_has_the_angular_velocity_of_the_library() {
     let corner: front::Corner = front::Corner::design().expect("the design");
     let per = corner
         .per(front::Drives {
@@ -171,7 +171,7 @@ fn off(detail: Detail, axle: usize, size: f64) -> [f64; 3] {
 }
 
 #[test]
-fn details_are_as_good_as_they_say() {
+fn wheel_motion_of_each_detail_is_within_its_stated_error() {
     for axle in 0..2 {
         for (detail, bounds) in [
             (Detail::Bounded, [5e-7, 1e-5, 2e-5]),
@@ -200,7 +200,7 @@ fn details_are_as_good_as_they_say() {
 }
 
 #[test]
-fn tables_are_of_the_points_that_they_are_taken_for() {
+fn tables_have_the_points_that_their_indices_name() {
     let names =
         |outputs: &[&'static str], places: [usize; 4]| places.map(|place| outputs[3 * place]);
     let in_front = names(
@@ -224,7 +224,7 @@ fn tables_are_of_the_points_that_they_are_taken_for() {
 }
 
 #[test]
-fn a_car_that_changes_its_detail_drives_on_as_before() {
+fn changing_the_level_of_detail_does_not_disturb_the_motion() {
     const DT: f64 = 1e-3;
     let driver = Driver {
         speed: 20.0,

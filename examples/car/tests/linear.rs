@@ -199,7 +199,7 @@ fn mass(car: &Parameters, corners: &[Corner; 2]) -> Square {
 }
 
 #[test]
-fn it_rides_and_rolls_at_the_frequencies_of_the_linear_model() {
+fn the_car_vibrates_at_the_frequencies_of_the_linear_model() {
     const DT: f64 = 2.5e-4;
     const SIZE: f64 = 1e-4;
     let car = free();

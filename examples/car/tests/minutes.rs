@@ -3,7 +3,7 @@
 use std::process::Command;
 
 #[test]
-fn what_is_no_length_of_a_drive_is_refused() {
+fn a_duration_that_is_not_a_positive_number_is_refused() {
     for minutes in ["x", "-1", "0", "NaN", "inf"] {
         let run = Command::new(env!("CARGO_BIN_EXE_suspension-car"))
             .args(["--minutes", minutes])

@@ -18,7 +18,7 @@ const BUMPS: Road = Road::Bumpy {
 static ALLOCATOR: Counting = Counting;
 
 #[test]
-fn a_tick_does_not_allocate() {
+fn a_tick_of_the_car_does_not_allocate() {
     for detail in Detail::ALL {
         let mut car = Car::new(&SALOON, detail).expect("the design").rolling(20.0);
         let mut others = Detail::Exact.corners().expect("a linkage");

@@ -6,7 +6,7 @@ use suspension_car::saloon::{Axle, SALOON};
 use suspension_car::tyre::Tyre;
 
 #[test]
-fn a_tyre_has_its_stiffness_at_small_slip_and_its_friction_at_large() {
+fn tyre_force_has_slip_stiffness_at_small_and_friction_at_large_slip() {
     let tyre: Tyre = SALOON.tyre;
     let load = tyre.nominal_load;
     for direction in [Vector2::x(), -Vector2::y(), Vector2::new(0.6, 0.8)] {
@@ -37,7 +37,7 @@ fn a_tyre_has_its_stiffness_at_small_slip_and_its_friction_at_large() {
 }
 
 #[test]
-fn slip_settles_at_sliding_over_travelling() {
+fn tyre_slip_settles_at_sliding_speed_over_rolling_speed() {
     let (tyre, sliding) = (SALOON.tyre, Vector2::new(0.1, -0.4));
     for speed in [1.0, 20.0, -20.0] {
         let mut slip = Vector2::zeros();
@@ -51,7 +51,7 @@ fn slip_settles_at_sliding_over_travelling() {
 }
 
 #[test]
-fn the_normal_of_the_road_is_that_of_its_height() {
+fn the_road_normal_is_perpendicular_to_the_slopes_of_its_height() {
     let road = Road::Bumpy {
         size: 0.02,
         from: 10.0,
@@ -75,7 +75,7 @@ fn the_normal_of_the_road_is_that_of_its_height() {
 }
 
 #[test]
-fn spring_and_stops_give_back_what_they_store() {
+fn forces_of_spring_and_stops_are_derivatives_of_their_energy() {
     let strut = Axle::strut(&SALOON.axles[0], 3_000.0, 0.5);
     for (length, travel) in [(0.5, 0.0), (0.47, 0.05), (0.45, 0.09), (0.56, -0.1)] {
         let by_length =

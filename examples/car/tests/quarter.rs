@@ -27,7 +27,7 @@ fn quarter(axle: &Axle, tyre: Tyre) -> Quarter<impl Kinematics> {
 }
 
 #[test]
-fn at_rest_it_stays_at_rest() {
+fn a_quarter_car_at_rest_stays_at_rest() {
     let mut car = quarter(&SALOON.axles[0], SALOON.tyre);
     for _ in 0..1000 {
         car.tick(1e-3).expect("rest");
@@ -53,7 +53,7 @@ fn energy_error((axle, tyre): (Axle, Tyre), dt: f64) -> f64 {
 }
 
 #[test]
-fn energy_closes_at_the_order_of_the_integrator() {
+fn the_energy_error_of_the_quarter_car_is_of_first_order() {
     for car in [UNDAMPED, (SALOON.axles[0], SALOON.tyre)] {
         let errors = [1e-3, 5e-4, 2.5e-4].map(|dt| energy_error(car, dt));
         for pair in errors.windows(2) {
@@ -95,7 +95,7 @@ fn linear_model() -> [Matrix2<f64>; 2] {
 }
 
 #[test]
-fn it_rides_at_the_frequencies_of_the_linear_model() {
+fn the_quarter_car_vibrates_at_the_frequencies_of_the_linear_model() {
     const DT: f64 = 1e-4;
     let [mass, stiffness] = linear_model();
     for (frequency, shape) in support::modes(mass, stiffness) {

@@ -240,7 +240,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_row_is_of_a_point_of_the_catalogue_in_the_spelling_that_is_compared() {
+    fn every_row_of_names_toml_has_a_catalogue_point_in_normal_spelling() {
         let names = Names::read().expect("a table");
         let listings = LISTINGS.iter();
         let points = listings.flat_map(|(linkage, text)| points_of(linkage, text).unwrap());

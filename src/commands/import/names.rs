@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_apart_by_one_line() {
+    fn spelled_names_join_words_by_one_underscore() {
         assert_eq!(
             spelled(" Lower  Wishbone-front.pivot "),
             "lower_wishbone_front_pivot"

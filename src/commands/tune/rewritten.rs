@@ -148,7 +148,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decimals_are_those_of_toml() {
+    fn tuned_coordinates_are_written_as_toml_decimals() {
         for (value, expected) in [
             (0.1 + 0.2, "0.3"),
             (-0.0312, "-0.0312"),
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn edits_are_made_where_they_belong() {
+    fn edits_replace_their_own_ranges_of_the_text() {
         let edits = vec![(7..8, "3".to_owned()), (4..5, "22".to_owned())];
         assert_eq!(edited("a = 1, 2 # b", edits), "a = 22, 3 # b");
     }

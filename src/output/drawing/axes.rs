@@ -168,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn round_numbers_are_beside_the_number() {
+    fn round_numbers_below_and_above_bracket_the_number() {
         for (number, below, above) in [(0.07, 0.05, 0.1), (3.0, 2.0, 5.0), (120.0, 100.0, 200.0)] {
             assert!((round_below(number) - below).abs() < 1e-12 * below);
             assert!((round_above(number) - above).abs() < 1e-12 * above);
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_have_the_decimals_of_their_step() {
+    fn axis_labels_have_the_decimals_of_their_step() {
         for (value, step, expected) in [
             (0.2, 0.05, "0.20"),
             (-0.0, 0.1, "0.0"),

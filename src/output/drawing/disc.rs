@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_rim_is_as_far_from_the_centre_as_the_radius_says() {
+    fn the_drawn_rim_has_the_wheel_radius_about_the_centre() {
         let points = [[0.0, 0.65, 0.30], [0.0, 0.75, 0.30]].map(Vector3::from);
         let wheel = Wheel {
             axis: [0, 1],

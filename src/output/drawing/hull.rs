@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_hull_leaves_inner_points_out() {
+    fn a_convex_hull_omits_inner_points() {
         let corners = vec![(0, 0), (4, 0), (4, 4), (0, 4)];
         let mut all = corners.clone();
         all.extend([(2, 2), (2, 0), (1, 3)]);

@@ -168,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_points_side_by_side_do_not_overlap() {
+    fn labels_of_neighbouring_points_do_not_overlap() {
         let points = [(100, 100), (120, 100), (100, 120)];
         let mut labels = Labels::new(&points, Vec::new(), (300, 300), 1);
         for point in points {
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_points_at_the_sides_stay_on_the_sheet() {
+    fn labels_of_points_at_the_edges_stay_on_the_sheet() {
         // Outside the sheet the name collides with no other.
         let crowd = |column: i32| (0..20).map(move |row| (60 + 12 * column, 15 * row));
         let mut points: Vec<_> = (0..9).flat_map(crowd).collect();
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_keeps_clear_of_the_link_at_its_point() {
+    fn a_label_does_not_cover_the_link_at_its_point() {
         let point = (150, 150);
         for end in [(300, 150), (0, 150), (150, 300), (300, 300), (290, 140)] {
             let line = [point, end];
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_of_a_line_lies_within_a_box() {
+    fn length_of_a_line_within_a_box_is_its_clipped_length() {
         let square = [0, 0, 10, 10];
         for (line, expected) in [
             ([(-5, 5), (15, 5)], 10.0),

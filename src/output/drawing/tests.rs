@@ -34,7 +34,7 @@ fn svg(drawing: &Drawing) -> String {
 }
 
 #[test]
-fn names_each_point_once() {
+fn a_drawing_names_each_point_once() {
     let svg = svg(&corner());
     for name in corner().names {
         assert_eq!(svg.matches(&name).count(), 1, "{name}");
@@ -47,7 +47,7 @@ fn names_each_point_once() {
 }
 
 #[test]
-fn measured_lengths_are_dashed() {
+fn measured_lengths_are_drawn_dashed() {
     let solid = Drawing {
         lengths: Vec::new(),
         ..corner()
@@ -57,7 +57,7 @@ fn measured_lengths_are_dashed() {
 }
 
 #[test]
-fn each_view_has_its_axes_and_the_oblique_one_its_scale() {
+fn flat_views_have_axes_and_the_oblique_view_a_scale() {
     for (seen, expected) in [
         (Seen::Oblique, "0.2 m"),
         (Seen::Front, "y (m)"),
@@ -70,7 +70,7 @@ fn each_view_has_its_axes_and_the_oblique_one_its_scale() {
 }
 
 #[test]
-fn other_places_of_the_motion_are_drawn_too() {
+fn other_positions_of_the_motion_are_drawn() {
     let with_others = Drawing {
         others: vec![corner().points],
         ..corner()
@@ -80,13 +80,13 @@ fn other_places_of_the_motion_are_drawn_too() {
 }
 
 #[test]
-fn without_points_there_is_no_drawing() {
+fn a_mechanism_without_points_has_no_drawing() {
     assert!(Drawing::default().svg(Seen::Oblique, SIZE).is_none());
 }
 
 /// A number may overlap a thick bar.
 #[test]
-fn numbers_are_darker_than_the_bars_and_stand_after_them() {
+fn force_numbers_are_drawn_over_their_bars_in_a_darker_colour() {
     let loaded = Drawing {
         forces: Some(Forces {
             title: "load case".to_owned(),

@@ -119,7 +119,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn up_is_up_and_outboard_is_on_the_right() {
+    fn views_project_z_upwards_and_outboard_to_the_right() {
         let points = [[0.0, 0.3, 0.1], [0.2, 0.7, 0.1], [0.0, 0.7, 0.5]].map(Vector3::from);
         for seen in [Seen::Oblique, Seen::Front] {
             let view = View::fit(&points, Axes::Iso, seen, (100, 100), 10.0).expect("points");
@@ -134,7 +134,7 @@ mod tests {
 
     /// The side view of a wheel on the left shows the car driving to the left.
     #[test]
-    fn right_and_up_and_the_eye_are_right_handed() {
+    fn right_up_and_view_direction_are_right_handed() {
         for (seen, outboard, eye) in [
             (Seen::Front, 1.0, [1.0, 0.0, 0.0]),
             (Seen::Side, 1.0, [0.0, 1.0, 0.0]),

@@ -43,7 +43,7 @@ fn loads(listing: &Read, corner: In<'_, Corner>, forces: &[f64]) -> Loads {
 /// A weight on the wheel's marker: the drive bears it by virtual work, and the forces of each part are in
 /// equilibrium: their sum and moment vanish.
 #[test]
-fn loads_are_borne_and_passed_on() {
+fn a_wheel_load_leaves_the_drive_and_every_part_in_equilibrium() {
     let (listing, corner) = (pushrod(), placed());
     let points = listing.count(POINT);
     let marker = listing.find(POINT, c"axle").expect("a marker");
@@ -108,7 +108,7 @@ fn loads_are_borne_and_passed_on() {
 /// A drive about the axis of an arm's bushes, which also turns the angle of a rod from an axis: the moment
 /// that holds an angle acts on the parts that carry its lines.
 #[test]
-fn moments_about_angles_act_on_the_parts_that_carry_their_lines() {
+fn moments_of_angles_act_on_the_parts_that_carry_their_lines() {
     let listing = Read::new(
         "fixed: outer at [0.4, 0.6, 0.3], inner at [0.4, 0.3, 0.3], mark at [-0.1, 0.3, 0.3], foot at [0.0, 2.0, 0.3];
 free: hub at [0.0, 0.45, 0.3], top at [0.0, 2.3, 0.7];

@@ -144,12 +144,12 @@ impl Moving {
         let drives = [values, [0.0; 2], [0.0; 2]];
         let drives = from(drives.as_flattened());
         let (mut report, mut failure) = (MaybeUninit::uninit(), MaybeUninit::uninit());
-        let (told, wrong) = ((&mut report).into(), (&mut failure).into());
+        let (report_out, wrong) = ((&mut report).into(), (&mut failure).into());
         let corner = self.get_mut();
         let status = if stay {
-            listing::corner_step(corner, drives, 6, 0.5, told, wrong)
+            listing::corner_step(corner, drives, 6, 0.5, report_out, wrong)
         } else {
-            listing::corner_advance(corner, drives, 6, 0.5, told, wrong)
+            listing::corner_advance(corner, drives, 6, 0.5, report_out, wrong)
         };
         match status {
             // SAFETY: the status `Ok` means that the report is written.

@@ -97,7 +97,7 @@ mod tests {
     use super::sine_cosine;
 
     #[test]
-    fn over_a_thousand_turns() {
+    fn f64_sine_and_cosine_are_within_epsilon_over_1000_turns() {
         for step in -200_000..=200_000 {
             let angle = f64::from(step) * 3.141e-2 + 1e-9;
             let (sine, cosine) = sine_cosine(angle);
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn in_single_precision() {
+    fn f32_sine_and_cosine_are_within_epsilon_over_1000_turns() {
         for step in -200_000..=200_000 {
             let angle = step as f32 * 3.141e-2;
             let (sine, cosine) = sine_cosine(angle);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_quarters_and_no_number() {
+    fn sine_and_cosine_are_exact_at_zero_and_nan_for_infinity() {
         assert_eq!(sine_cosine(0.0), (0.0, 1.0));
         assert!(sine_cosine(f64::INFINITY).0.is_nan());
         assert!(sine_cosine(f64::NAN).1.is_nan());

@@ -163,7 +163,7 @@ mod tests {
     const ROUNDING: f64 = 1e-13;
 
     #[test]
-    fn an_inverse_that_is_none_widens_the_proof() {
+    fn an_inexact_inverse_widens_the_proved_radius() {
         // The inverse itself: Y = 0.01, Z = 0, K = 3, h = 0.06.
         let Certificate::Proved {
             radius,
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn no_inverse_proves_nothing() {
+    fn a_matrix_far_from_the_inverse_proves_nothing() {
         for share in [0.0, 2.0, -1.0] {
             let Certificate::Unproved {
                 why: Unproved::NearSingular { defect },

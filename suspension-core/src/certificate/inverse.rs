@@ -119,14 +119,14 @@ mod tests {
     }
 
     #[test]
-    fn the_columns_of_carried_coordinates_are_derived() {
+    fn inverse_columns_of_carried_coordinates_are_derived_from_others() {
         let derived = |unknown, from| Some(Derived { unknown, from });
         let Columns(columns) = Columns::new(&jacobians());
         assert_eq!(columns, [None, derived(2, 3), derived(1, 0), None]);
     }
 
     #[test]
-    fn nothing_is_derived_from_what_is_derived() {
+    fn no_inverse_column_is_derived_from_a_derived_column() {
         let [zero, one] = [0.0, 1.0].map(Enclosed::exact);
         let ring = Matrix3::from([[one, any(), zero], [zero, one, any()], [any(), zero, one]]);
         let Columns(columns) = Columns::new(&ring);
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_derived_is_the_inverse() {
+    fn derived_columns_complete_the_inverse() {
         let jacobian = Matrix4::from([
             [1.0, 0.0, 0.2, 0.9],
             [0.3, 0.0, 1.0, 0.0],

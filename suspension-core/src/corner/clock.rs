@@ -37,7 +37,7 @@ mod tests {
     use super::Clock;
 
     #[test]
-    fn milliseconds_add_up_to_hours() {
+    fn an_f32_clock_adds_milliseconds_to_hours_without_drift() {
         let mut clock = Clock::at(0.0_f32);
         for _ in 0..40_000_000 {
             clock.advance(1e-3);

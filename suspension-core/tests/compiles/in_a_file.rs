@@ -12,7 +12,7 @@ linkage! {
 }
 
 #[test]
-fn statements_in_a_file() {
+fn linkage_reads_statements_from_a_file() {
     let lengths = in_a_file::Lengths { bar: 0.5 };
     assert_eq!(bar::Lengths { bar: 0.5 }.bar, lengths.bar);
 }

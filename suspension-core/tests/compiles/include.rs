@@ -12,7 +12,7 @@ suspension_core::linkage! {
 }
 
 #[test]
-fn each_half_is_the_listing_alone_moved() {
+fn each_included_listing_is_placed_at_its_offset() {
     let design = bars::Corner::<f64>::design().unwrap().points().value;
     assert_eq!(
         [design.left_p.x, design.left_p.y, design.left_p.z],
@@ -26,7 +26,7 @@ fn each_half_is_the_listing_alone_moved() {
 }
 
 #[test]
-fn a_file_includes_files_beside_it() {
+fn a_file_includes_files_in_its_folder() {
     let lengths = include::Corner::<f64>::design().unwrap();
     assert_eq!(lengths.points().value.front_p.x, 1.3);
     assert_eq!(

@@ -25,7 +25,7 @@ suspension_core::linkage! {
 }
 
 #[test]
-fn a_hinge_is_the_same_in_either_order() {
+fn a_hinge_is_the_same_in_either_order_of_its_bodies() {
     let (flap_first, arm_first) = (flap_first::Listing::PARTS, arm_first::Listing::PARTS);
     assert_eq!(flap_first.equations.len(), arm_first.equations.len());
     assert_eq!(arm_first.unknowns[8], "type.z");

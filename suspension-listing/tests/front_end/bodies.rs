@@ -1,4 +1,4 @@
-//! Bodies with too few points, or held too little.
+//! Bodies with too few points or too few equations.
 
 use nalgebra::Vector3;
 use suspension_core::model::constraint::Frame;
@@ -10,7 +10,7 @@ use super::texts::{only_message, places};
 
 /// A body of two points that another body has too adds no equation, as a link there would be one too many.
 #[test]
-fn a_body_that_adds_nothing_is_refused() {
+fn a_body_whose_distance_is_kept_already_is_refused() {
     let begins = "fixed: a, b;\nfree: p, q, r;\n";
     let rest = "body plate: p, q, r;\nlink one: a -> p; link two: b -> p; link three: a -> q;\n\
                 drive x: q.x; drive y: q.y; drive z: r.z;\n";
@@ -26,9 +26,9 @@ fn a_body_that_adds_nothing_is_refused() {
     }
 }
 
-/// The message is about what the body lacks, not about what it carries or the wheel beyond.
+/// The message is about the third point that the body lacks, not about its marker or its wheel.
 #[test]
-fn a_body_that_lacks_its_third_point_is_told_so() {
+fn a_body_with_two_points_and_a_marker_needs_a_third_point() {
     let text = "fixed: a, b;\nfree: p, q;\nbody upright: p, q;\nlink one: a -> p; link two: b -> p; link three: a -> q; link four: b -> q;\n\
                 drive z: q.z;\npoint axle: upright;\npoint rim: upright;\nwheel: axle -> q;\n";
     assert_eq!(
@@ -38,9 +38,9 @@ fn a_body_that_lacks_its_third_point_is_told_so() {
     assert_eq!(places(text), [[3, 6, 7]]);
 }
 
-/// One message says all that there is to do with a link to a marker on a body in line.
+/// One message gives every remedy for a link to a marker on a body whose points are collinear.
 #[test]
-fn a_marker_in_line_with_its_body_is_told_to_slide() {
+fn for_a_marker_in_line_with_its_body_a_slide_is_proposed() {
     let listing = |middle: &str| {
         format!(
             "fixed: a at [0.3, 0.2, 0.2];\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4], r at [0.0, 0.5, 0.5]{middle}\n\
@@ -73,7 +73,7 @@ fn a_marker_in_line_with_its_body_is_told_to_slide() {
 
 /// A body of two points may be a link beside a point that slides on it.
 #[test]
-fn a_marker_in_line_with_two_points_is_told_to_slide() {
+fn for_a_marker_in_line_with_two_points_a_slide_is_proposed() {
     let text = "fixed: a, b;\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4];\nbody strut: p, q;\nlink one: a -> p; link two: b -> p;\n\
                 drive z: q.z; drive x: q.x;\npoint m: strut at [0.0, 0.5, 0.3];\nmeasure height: m.z;\n";
     assert_eq!(
@@ -85,7 +85,7 @@ fn a_marker_in_line_with_two_points_is_told_to_slide() {
 }
 
 #[test]
-fn a_hinge_about_points_that_move_is_said_to_be_a_body() {
+fn for_a_hinge_about_free_points_a_body_is_proposed() {
     let text = "fixed: low, high; free: inner, outer, hub; hinge casing: low, high -> inner, outer;\n\
                 hinge arm: inner, outer -> hub; drive bump: hub.z; drive steer: outer.y;";
     let expected = "a hinge turns about chassis points, and `inner` is a free point; write `body arm: inner, outer, hub;`, which turns about the \
@@ -95,7 +95,7 @@ fn a_hinge_about_points_that_move_is_said_to_be_a_body() {
 
 /// The front end calls a marker in line with its body up to the sine up to which the core refuses the three points as a frame.
 #[test]
-fn what_is_in_line_carries_nothing_in_the_core() {
+fn front_end_and_core_agree_on_when_a_marker_is_in_line() {
     for (off, is_in_line) in [(0.99e-3, true), (1.01e-3, false)] {
         let text = format!(
             "fixed: a at [0.3, 0.2, 0.2];\nfree: p at [0.0, 0.5, 0.2], q at [0.0, 0.5, 0.4], r at [0.0, 0.5, 0.5];\nbody strut: p, q, r;\n\
@@ -107,19 +107,19 @@ fn what_is_in_line_carries_nothing_in_the_core() {
     }
 }
 
-/// An arm on two short links, each of which is stated as a hinge: where there is no link, none is to be removed.
+/// An arm on two short links, each of which is stated as a hinge: a listing without links has no link to remove.
 #[test]
-fn a_link_in_place_of_a_hinge_is_proposed_where_there_are_equations_too_many_and_no_link() {
+fn for_surplus_equations_without_links_a_link_replaces_a_hinge() {
     let text = "fixed: bush, a, b, c, d; free: front, ball, hub; hinge short: a, b -> front; hinge upper: c, d -> ball;\n\
                 body arm: bush, front, ball, hub; drive bump: hub.z;";
-    let said = only_message(text);
+    let message = only_message(text);
     let expected = "2 too many: remove a drive, or write a `link`, which is one equation, in place of a `hinge`, which is two for its first point";
-    assert!(said.ends_with(expected), "{said}");
+    assert!(message.ends_with(expected), "{message}");
 }
 
 /// A carriage that should slide without turning has three equations more than one point of it on the line.
 #[test]
-fn a_body_on_one_slide_is_said_to_turn_where_equations_are_missing() {
+fn for_missing_equations_a_body_on_one_slide_is_named_as_turning() {
     let with = |slides: &str| {
         format!(
             "fixed: low at [0, 0, 0], high at [0, 0, 1], side at [0, 1, 0];\n\
@@ -127,13 +127,13 @@ fn a_body_on_one_slide_is_said_to_turn_where_equations_are_missing() {
              slide guide: a on low -> high;\ndrive bump: hub.z;\n{slides}"
         )
     };
-    let said = only_message(&with("measure far: length(hub -> side);"));
+    let message = only_message(&with("measure far: length(hub -> side);"));
     let expected = "3 more needed: add a link, a drive, or list a point in its body; slide `guide` alone holds body `carriage`, which can still \
                     rotate about the sliding point: a second `slide` on the same line leaves only the rotation about the line, and a `plane` for a third point prevents that too";
-    assert!(said.ends_with(expected), "{said}");
+    assert!(message.ends_with(expected), "{message}");
     let second = "slide upper: b on low -> high;\n";
-    let said = only_message(&with(&format!("{second}measure far: length(hub -> side);")));
-    assert!(!said.contains("alone holds"), "{said}");
+    let message = only_message(&with(&format!("{second}measure far: length(hub -> side);")));
+    assert!(!message.contains("alone holds"), "{message}");
     let stopped = with(&format!("{second}plane slot: hub on low, high, side;"));
     let read = text::parse(&stopped, "corner.linkage", &NoIncludes);
     assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);

@@ -1,5 +1,4 @@
-//! The wishbones of the catalogue, symmetric as drawings have them: the macro's order of pivots
-//! serves them all over their travel.
+//! The wishbones of the catalogue, symmetric as in drawings: pivots in the macro's order stay large over their whole travel.
 
 use std::time::{Duration, Instant};
 
@@ -62,7 +61,7 @@ where
 }
 
 #[test]
-fn wishbones_are_served_over_their_travel() {
+fn pivot_growth_of_wishbones_is_small_over_their_travel() {
     let plain = swing::<double_wishbone::Model<f64>, 12>("double_wishbone", [0.06, 0.03]);
     let pushrod =
         swing::<double_wishbone_pushrod::Model<f64>, 27>("double_wishbone_pushrod", [0.06, 0.03]);
@@ -71,7 +70,7 @@ fn wishbones_are_served_over_their_travel() {
 }
 
 #[test]
-fn the_listings_are_the_files() {
+fn listings_of_the_catalogue_equal_their_files() {
     for (name, listing) in LISTINGS {
         assert_eq!(*listing, catalogue_text(name));
     }
@@ -79,7 +78,7 @@ fn the_listings_are_the_files() {
 
 /// Printed with `--nocapture`; the bound holds without optimisation on a slow computer.
 #[test]
-fn thirty_unknowns_do_not_keep_anyone_waiting() {
+fn a_listing_of_27_unknowns_is_ordered_within_5_s() {
     let text = catalogue_text("double_wishbone_pushrod");
     let start = Instant::now();
     let system = text::parse(&text, "double_wishbone_pushrod", &NoIncludes).expect("a listing");

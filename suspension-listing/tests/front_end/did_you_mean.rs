@@ -3,7 +3,7 @@
 use suspension_listing::did_you_mean::{did_you_mean, nearest, unknown};
 
 #[test]
-fn a_name_is_near_where_a_letter_or_two_are_wrong_or_a_word_is_the_same() {
+fn a_suggested_name_differs_in_one_or_two_letters_or_shares_a_word() {
     let known = ["linkage", "drives", "unit", "wheel_radius", "bump"];
     for (wanted, expected) in [
         ("drive", "; did you mean `drives`?"),
@@ -22,7 +22,7 @@ fn a_name_is_near_where_a_letter_or_two_are_wrong_or_a_word_is_the_same() {
 }
 
 #[test]
-fn where_none_is_known_none_is_listed() {
+fn an_unknown_name_of_a_kind_without_names_lists_none() {
     assert_eq!(
         unknown("measure", "damper", &[]),
         "unknown measure `damper`; the listing states none"
@@ -30,16 +30,16 @@ fn where_none_is_known_none_is_listed() {
 }
 
 #[test]
-fn of_several_the_nearest_and_a_word_of_several_says_nothing() {
+fn the_nearest_name_is_suggested_and_a_word_of_several_names_none() {
     let known = ["lower_rear", "lower_read", "lower_front"];
     assert_eq!(nearest("lower_reat", known), Some("lower_rear"));
     assert_eq!(nearest("lower_fr0nt", known), Some("lower_front"));
     assert_eq!(nearest("lower_ball", known), None);
 }
 
-/// Ends of a part that another layout calls otherwise.
+/// Names of the two ends of a part under which another layout has it.
 #[test]
-fn of_two_that_begin_with_the_same_word_both_are_told() {
+fn two_names_with_the_same_first_word_are_both_suggested() {
     let known = [
         "rack",
         "damper_upper",
@@ -55,7 +55,7 @@ fn of_two_that_begin_with_the_same_word_both_are_told() {
 }
 
 #[test]
-fn letters_in_another_order_are_one_mistake() {
+fn exchanged_letters_count_as_one_mistake() {
     let is_near = |wanted, known| nearest(wanted, [known]).is_some();
     // One letter in names of four, two in names of five.
     assert!(is_near("link", "lnik") && is_near("link", "lik") && is_near("lik", "link"));
@@ -65,7 +65,7 @@ fn letters_in_another_order_are_one_mistake() {
 }
 
 #[test]
-fn a_name_with_a_word_too_many_is_taken_for_the_one_without_it() {
+fn for_a_name_with_a_surplus_word_the_shorter_name_is_suggested() {
     let known = [
         "camber",
         "camber_to_ground",

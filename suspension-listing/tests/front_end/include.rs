@@ -1,4 +1,4 @@
-//! What is included is what would be written by hand.
+//! Included statements equal the same statements written by hand.
 
 use std::path::Path;
 
@@ -103,7 +103,7 @@ fn read(text: &str) -> Result<String, String> {
 }
 
 #[test]
-fn an_axle_in_a_folder_includes_its_corner_beside_it_twice() {
+fn nested_includes_equal_the_same_statements_written_by_hand() {
     let included = read("include rear: \"axles/axle\" at [-2.5, 0.0, 0.0];").expect("an axle");
     let by_hand = read(REAR).expect("an axle");
     let lines = included.lines().zip(by_hand.lines());
@@ -112,16 +112,16 @@ fn an_axle_in_a_folder_includes_its_corner_beside_it_twice() {
     assert_eq!(included.len(), by_hand.len());
 }
 
-/// Behind another name a word of Rust is none.
+/// A keyword of Rust that follows the prefix of an include is no keyword any more.
 #[test]
-fn names_that_are_words_of_rust_are_joined_without_their_mark() {
+fn included_raw_identifiers_lose_their_mark() {
     let included = read("include r#fn: \"raw\";").expect("a point");
     let by_hand = "fixed: fn_type; free: fn_b; link fn_rod: fn_type -> fn_b; drive fn_x: fn_b.x; drive fn_y: fn_b.y;";
     assert_eq!(included, read(by_hand).expect("a point"));
 }
 
 #[test]
-fn what_cannot_be_included_is_refused_at_the_statement() {
+fn a_failed_include_is_refused_at_its_statement() {
     for (text, expected) in [
         ("include left: \"none\";", "vehicle:1:15: cannot read none"),
         (
@@ -177,7 +177,7 @@ fn what_cannot_be_included_is_refused_at_the_statement() {
 }
 
 #[test]
-fn two_includes_of_one_name_are_one_mistake() {
+fn two_includes_of_one_name_give_one_message() {
     let message = read("fixed: middle; include left: \"corner\"; include left: \"corner\";");
     assert_eq!(
         message.expect_err("one name"),
@@ -187,14 +187,14 @@ fn two_includes_of_one_name_are_one_mistake() {
 
 /// There are sixteen ways down to the depth at which it is refused.
 #[test]
-fn a_listing_that_includes_itself_twice_is_one_mistake() {
+fn a_listing_that_includes_itself_twice_gives_one_message() {
     let message = read("include left: \"circle\";").expect_err("a circle");
     assert_eq!(message.matches("includes itself").count(), 1, "{message}");
     assert_eq!(message.lines().count(), 1, "{message}");
 }
 
 #[test]
-fn what_cannot_be_included_is_not_missed_by_a_mirror() {
+fn a_failed_include_gives_no_message_about_its_mirror() {
     let message = read("include left: \"none\"; mirror: left -> right;");
     let message = message.expect_err("no such file");
     assert!(
@@ -208,7 +208,7 @@ fn what_cannot_be_included_is_not_missed_by_a_mirror() {
 }
 
 #[test]
-fn what_is_wrong_with_the_whole_is_at_the_statement() {
+fn a_wrong_count_of_equations_is_reported_at_the_include() {
     let message = read("fixed: middle; include left: \"corner\"; link more: middle -> left_ball;");
     let message = message.expect_err("a drive too many");
     assert!(
@@ -218,7 +218,7 @@ fn what_is_wrong_with_the_whole_is_at_the_statement() {
 }
 
 #[test]
-fn a_mistake_of_an_included_text_is_told_once_of_both_sides() {
+fn a_mistake_in_a_mirrored_include_is_reported_once() {
     let message = read("include left: \"typo\"; mirror: left -> right;").expect_err("a typo");
     assert_eq!(
         message.matches("there is no point `hubb`").count(),

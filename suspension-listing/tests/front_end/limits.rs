@@ -5,7 +5,7 @@ use suspension_listing::text::{LONGEST_NUMBER, MOST_BYTES};
 use super::texts::{mistakes, only_message};
 
 #[test]
-fn what_is_too_large_is_refused() {
+fn a_listing_beyond_the_limits_of_size_is_refused() {
     let long = format!("// {}", "x".repeat(MOST_BYTES));
     assert!(only_message(&long).contains("bytes long; at most 65536 are allowed"));
     let deep = "[".repeat(9) + &"]".repeat(9);
@@ -35,7 +35,7 @@ fn what_is_too_large_is_refused() {
 
 /// Points that a body carries and nothing else holds need no unknowns; what a link, a drive or a marker needs stays.
 #[test]
-fn where_unknowns_are_too_many_points_that_may_be_markers_are_named() {
+fn for_too_many_unknowns_points_that_may_be_markers_are_named() {
     let text = |body: &str| {
         let names: Vec<String> = (0..17).map(|index| format!("p{index}")).collect();
         format!(
@@ -44,14 +44,14 @@ fn where_unknowns_are_too_many_points_that_may_be_markers_are_named() {
             names.join(", ")
         )
     };
-    let said = |body: &str| only_message(&text(body));
-    let carried = said("body plate: b, c, d, e, p1;\ndrive bump: p1.z;");
+    let message_of = |body: &str| only_message(&text(body));
+    let carried = message_of("body plate: b, c, d, e, p1;\ndrive bump: p1.z;");
     let way_out = ": `d`, `e` need none where `point d: plate at [x, y, z];` states them, and not `free` and the body; or state parts";
     assert!(carried.contains(way_out), "{carried}");
     // Three points hold the body.
-    let few = said("body plate: b, d, e;");
+    let few = message_of("body plate: b, d, e;");
     assert!(few.contains("time: state parts"), "{few}");
-    let held = said("body plate: b, c, d, e;\nlink other: a -> d;");
+    let held = message_of("body plate: b, c, d, e;\nlink other: a -> d;");
     assert!(
         held.contains(": `e` needs none where `point e: plate"),
         "{held}"
@@ -60,14 +60,14 @@ fn where_unknowns_are_too_many_points_that_may_be_markers_are_named() {
 
 // The time that numbers take to read grows with the square of their length.
 #[test]
-fn a_number_that_would_take_long_is_refused() {
+fn a_number_of_more_than_100_characters_is_refused() {
     for digits in [LONGEST_NUMBER + 1, MOST_BYTES - 100] {
         let number = "9".repeat(digits);
         let text = format!("fixed: a at [0.0, {number}, 0.0]; free: b;");
         let all = mistakes(&text);
-        let told = all.iter().map(|mistake| mistake.message.as_str());
+        let messages = all.iter().map(|mistake| mistake.message.as_str());
         assert_eq!(
-            told.collect::<Vec<_>>(),
+            messages.collect::<Vec<_>>(),
             ["a number has more than 100 characters"]
         );
         assert_eq!((all[0].column, all[0].length), (19, digits));
@@ -75,7 +75,7 @@ fn a_number_that_would_take_long_is_refused() {
 }
 
 #[test]
-fn any_depth_is_refused_without_descending() {
+fn deeply_nested_brackets_are_refused_without_recursion() {
     for bracket in ["(", "[", "{"] {
         assert!(!mistakes(&bracket.repeat(MOST_BYTES)).is_empty());
     }

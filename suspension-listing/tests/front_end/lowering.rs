@@ -26,7 +26,7 @@ fn frame(body: &Body) -> [String; 3] {
 }
 
 #[test]
-fn the_paper_has_15_equations_and_70_non_zeros() {
+fn attia2003_has_15_equations_and_70_non_zeros() {
     let system = catalogue_system("attia2003");
     assert_eq!((system.rows().len(), system.size()), (15, 15));
     let non_zeros: Vec<usize> = system.pattern().iter().map(Vec::len).collect();
@@ -36,7 +36,7 @@ fn the_paper_has_15_equations_and_70_non_zeros() {
 }
 
 #[test]
-fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
+fn five_link_knuckle_is_a_frame_with_two_carried_points() {
     let system = catalogue_system("five_link");
     let pattern = system.pattern();
     let first_three_points: Vec<usize> = (0..9).collect();
@@ -51,7 +51,7 @@ fn the_rigid_knuckle_is_a_frame_and_two_carried_points() {
 }
 
 #[test]
-fn nine_distances_are_a_cluster_with_two_sides() {
+fn nine_distances_among_five_points_form_a_cluster() {
     let cluster = |name| {
         let system = catalogue_system(name);
         let named = |site: &Site| site.name.to_string();
@@ -64,7 +64,7 @@ fn nine_distances_are_a_cluster_with_two_sides() {
 }
 
 #[test]
-fn links_to_a_hinge_on_the_chassis_are_a_cluster() {
+fn links_to_two_chassis_points_form_a_cluster() {
     let system = determined(quote! {
         mod arm {
             fixed: front, rear, rack;
@@ -113,7 +113,7 @@ fn a_frame_takes_chassis_points_first() {
 }
 
 #[test]
-fn the_edge_of_a_hinge_is_stated_once() {
+fn the_shared_edge_of_two_bodies_is_one_equation() {
     let system = determined(quote! {
         mod hinge {
             fixed: front, rear;
@@ -133,7 +133,7 @@ fn the_edge_of_a_hinge_is_stated_once() {
 }
 
 #[test]
-fn a_body_of_two_points_is_one_distance() {
+fn a_body_of_two_points_is_one_distance_equation() {
     let system = determined(quote! {
         mod bar {
             fixed: a;
@@ -152,7 +152,7 @@ fn a_body_of_two_points_is_one_distance() {
 }
 
 #[test]
-fn a_drive_of_a_chassis_point_is_no_equation() {
+fn a_drive_of_a_chassis_point_adds_no_equation() {
     let system = determined(quote! {
         mod rack {
             fixed: rack, a, b;
@@ -167,7 +167,7 @@ fn a_drive_of_a_chassis_point_is_no_equation() {
 }
 
 #[test]
-fn an_angle_takes_the_length_that_a_body_keeps() {
+fn a_driven_angle_uses_the_length_that_a_body_keeps() {
     for drive in [
         quote!(angle(inner -> hub, z)),
         quote!(angle(hub -> inner, z)),
@@ -186,7 +186,7 @@ fn an_angle_takes_the_length_that_a_body_keeps() {
 }
 
 #[test]
-fn points_of_differences_markers_and_roles_are_used() {
+fn points_of_differences_markers_and_wheels_count_as_used() {
     determined(quote! {
         mod used {
             fixed: datum, pole, mount, top;
@@ -203,7 +203,7 @@ fn points_of_differences_markers_and_roles_are_used() {
 }
 
 #[test]
-fn structural_rank_finds_an_over_determined_part() {
+fn a_surplus_equation_in_one_part_is_found_by_structural_rank() {
     let messages = messages(quote! {
         mod lopsided {
             fixed: a, b, c, d;
@@ -224,7 +224,7 @@ fn structural_rank_finds_an_over_determined_part() {
 }
 
 #[test]
-fn counts_are_compared_before_ranks() {
+fn a_wrong_number_of_equations_is_reported_before_ranks() {
     let messages = messages(quote! {
         mod short {
             fixed: a;
@@ -239,7 +239,7 @@ fn counts_are_compared_before_ranks() {
 
 /// The same four points are the ends of two other lines.
 #[test]
-fn drives_prescribe_the_same_where_one_is_a_multiple_of_the_other() {
+fn two_drives_of_which_one_is_a_multiple_are_refused() {
     let with = |second: TokenStream| {
         messages(quote! {
             mod crank {
@@ -274,7 +274,7 @@ fn drives_prescribe_the_same_where_one_is_a_multiple_of_the_other() {
 }
 
 #[test]
-fn a_measured_angle_has_no_line_along_its_axis() {
+fn a_measured_angle_with_a_line_along_its_axis_is_refused() {
     let messages = messages(quote! {
         mod arm {
             fixed: a, b, c;

@@ -112,7 +112,7 @@ fn parts(system: &System) -> BTreeMap<String, String> {
 }
 
 #[test]
-fn the_other_side_is_the_image() {
+fn a_mirrored_half_equals_the_listing_of_both_sides() {
     let [half, whole] =
         [HALF, WHOLE].map(|text| text::parse(text, "axle", &NoIncludes).expect("an axle"));
     assert_eq!(positions(&half.fixed), positions(&whole.fixed));

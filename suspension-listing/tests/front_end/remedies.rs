@@ -6,7 +6,7 @@ use suspension_listing::text;
 use super::texts::only_message;
 
 #[test]
-fn a_mistyped_name_is_told_the_one_that_was_meant() {
+fn for_a_mistyped_name_the_intended_name_is_suggested() {
     let listing = "fixed: lca_front, lca_rear;\nfree: ball, hub, tie;\nlink fore: lca_front -> ball;\n\
                    link aft: lca_rear -> ball;\nbody upright: ball, hub, tie;\ndrive bump: ball.z;\n";
     for (from, to, expected) in [
@@ -27,14 +27,14 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
             "to carry `axle`; state it as a `body` or a `hinge`, or name three points that carry `axle`; did you mean `upright`?",
         ),
     ] {
-        let told = only_message(&listing.replace(from, to));
-        assert!(told.ends_with(expected), "{told}");
+        let message = only_message(&listing.replace(from, to));
+        assert!(message.ends_with(expected), "{message}");
     }
 }
 
 /// A missing point may be a marker if the statement takes markers.
 #[test]
-fn a_missing_point_is_told_all_ways_to_declare_it() {
+fn for_a_missing_point_all_ways_of_declaration_are_listed() {
     let text = "fixed: a;\nfree: p;\nlink rod: a -> p;\ndrive x: p.x; drive y: p.y;\nmeasure far: length(a -> hub);\n";
     assert_eq!(
         only_message(text),
@@ -48,7 +48,7 @@ fn a_missing_point_is_told_all_ways_to_declare_it() {
 }
 
 #[test]
-fn an_angle_of_an_axis_about_a_line_is_told_how_it_is_written() {
+fn for_an_angle_of_an_axis_about_a_line_the_syntax_is_given() {
     let text = "fixed: a, b;\nfree: p;\nlink rod: a -> p;\ndrive y: p.y;\ndrive z: p.z;\n\
                 measure turn: angle(a -> p, z about a -> b);";
     let message = only_message(text);
@@ -59,7 +59,7 @@ fn an_angle_of_an_axis_about_a_line_is_told_how_it_is_written() {
 }
 
 #[test]
-fn words_that_rust_keeps_to_itself_are_no_names() {
+fn a_keyword_of_rust_is_refused_as_a_name() {
     for text in [
         "fixed: a;\nfree: box;\n",
         "fixed: a;\nfree: p;\nlink rod: box -> p;\ndrive y: p.y; drive z: p.z;",
@@ -79,7 +79,7 @@ fn words_that_rust_keeps_to_itself_are_no_names() {
 }
 
 #[test]
-fn a_point_on_a_link_is_told_how_it_is_written() {
+fn for_a_point_on_a_link_a_slide_and_a_link_are_proposed() {
     let link = "fixed: a, b, c;\nfree: p, q;\nlink one: b -> p;\nlink two: c -> p;\nlink rod: a -> p;\ndrive z: q.z;\n";
     let rest = "link up: a -> q;\nlink down: b -> q;\n";
     assert_eq!(
@@ -95,40 +95,43 @@ fn a_point_on_a_link_is_told_how_it_is_written() {
 }
 
 #[test]
-fn a_body_in_line_is_said_to_spin_where_an_equation_is_missing() {
+fn for_a_missing_equation_a_collinear_body_is_named_as_spinning() {
     let rod = |middle: &str| {
         format!(
             "fixed: a at [0, 0, 0], b at [0, 1, 0];\nfree: p at [0, 0, 1], q at [0, 1, 1], r at {middle};\nbody rod: p, q, r;\n\
              link one: a -> p;\nlink two: b -> q;\nlink three: b -> p;\ndrive y: q.y;\ndrive x: p.x;"
         )
     };
-    let said = only_message(&rod("[0, 0.5, 1]"));
+    let message = only_message(&rod("[0, 0.5, 1]"));
     let expected = "; the points of body `rod` lie on one line, about which the body can rotate: in place of the body write `link NAME: p -> q;`, unless another \
                     body keeps these, and for each other point `slide NAME: r on p -> q;` and `link NAME: p -> r;`";
-    assert!(said.ends_with(expected), "{said}");
+    assert!(message.ends_with(expected), "{message}");
 }
 
 #[test]
-fn a_body_on_two_ball_joints_is_said_to_spin_where_an_equation_is_missing() {
+fn for_a_missing_equation_a_body_on_two_joints_is_named_as_spinning() {
     let with = |statements: &str| {
         format!(
             "fixed: a at [0, 0, 0], b at [0, 1, 0], c at [1, 0, 0];\nfree: p at [0, 0, 1], seat at [0.1, 0.5, 1];\n\
              body rod: a, p, seat;\nlink one: b -> p;\ndrive x: p.x;\n{statements}"
         )
     };
-    let said = only_message(&with("measure far: length(seat -> c);"));
+    let message = only_message(&with("measure far: length(seat -> c);"));
     let expected = "1 more needed: add a link, a drive, or list a point in its body; body `rod` is held only at `a` and `p` and can \
                     rotate about the line through them: an `angle` or a third attachment prevents that";
-    assert!(said.ends_with(expected), "{said}");
+    assert!(message.ends_with(expected), "{message}");
     for stops in ["angle still: a -> seat, b -> c;", "link third: c -> seat;"] {
         let read = text::parse(&with(stops), "corner.linkage", &NoIncludes);
         assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
     }
     let arm = "fixed: a at [0, 0, 0], b at [0, 1, 0], c at [1, 0, 0];\nfree: p at [0, 0, 1], q at [1, 1, 1];\nhinge arm: a, b -> p;\nlink one: c -> q;\n\
                drive y: q.y;\ndrive z: q.z;";
-    let said = only_message(arm);
-    assert!(!said.contains("spins"), "{said}");
+    let message = only_message(arm);
+    assert!(!message.contains("spins"), "{message}");
     let loose = with("free: q at [1, 0, 1];\nlink two: c -> q;\nlink three: seat -> q;");
-    let said = only_message(&loose);
-    assert!(said.ends_with("or list a point in its body"), "{said}");
+    let message = only_message(&loose);
+    assert!(
+        message.ends_with("or list a point in its body"),
+        "{message}"
+    );
 }

@@ -27,18 +27,18 @@ fn compare<L: Build<15, Scalar = f64, Listing: Default>>(name: &str) {
 }
 
 #[test]
-fn attia2003() {
+fn jacobian_entries_of_attia2003_match_the_compiled_linkage() {
     compare::<attia2003::Model<f64>>("attia2003");
 }
 
 #[test]
-fn five_link() {
+fn jacobian_entries_of_five_link_match_the_compiled_linkage() {
     compare::<five_link::Model<f64>>("five_link");
 }
 
 /// Positions along the motion keep every length, to a few parts in a hundred.
 #[test]
-fn the_drive_leads_to_other_positions() {
+fn sampled_positions_along_the_drive_keep_the_lengths() {
     let system = catalogue_system("five_link");
     let positions = positions(&system);
     assert!(positions.len() > 5, "{} positions", positions.len());
@@ -54,7 +54,7 @@ fn the_drive_leads_to_other_positions() {
 }
 
 #[test]
-fn without_a_design_position_nothing_is_known() {
+fn a_listing_with_a_point_without_position_has_no_design() {
     let listing = quote::quote! {
         mod bar {
             fixed: a at [0.0, 0.0, 0.0];

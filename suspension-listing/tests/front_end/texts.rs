@@ -28,14 +28,14 @@ pub(super) fn only_message(text: &str) -> String {
 }
 
 #[test]
-fn a_system_can_be_sent() {
+fn parsed_systems_and_mistakes_are_send_and_sync() {
     fn sent<T: Send + Sync>() {}
     sent::<System>();
     sent::<text::Mistakes>();
 }
 
 #[test]
-fn all_mistakes_are_told_with_their_places() {
+fn all_mistakes_are_reported_with_line_and_column() {
     let text = "\
 fixed: a, b;
 free: p;
@@ -57,7 +57,7 @@ drive z: p.z;
 }
 
 #[test]
-fn a_list_of_points_goes_on_or_ends() {
+fn after_a_point_of_a_list_a_comma_or_semicolon_is_expected() {
     let message = only_message("fixed: a at [0, 0, 0]\nfree: p;\nlink rod: a -> p;");
     assert!(
         message.starts_with("expected `,` or `;`; a `fixed` is written"),
@@ -70,9 +70,9 @@ fn a_list_of_points_goes_on_or_ends() {
     );
 }
 
-/// Not where the next statement begins, lines below it may be.
+/// The next statement may begin several lines below.
 #[test]
-fn a_missing_semicolon_is_told_at_the_end_of_its_statement() {
+fn a_missing_semicolon_is_reported_at_the_end_of_its_statement() {
     for (text, expected) in [
         (
             "fixed: a;\nfree: p;\nlink rod: a -> p\n\n// Of the wheel.\ndrive lift: p.z;",
@@ -88,8 +88,8 @@ fn a_missing_semicolon_is_told_at_the_end_of_its_statement() {
             [3, 17],
         ),
     ] {
-        let told = mistakes(text);
-        let mistake = &told[0];
+        let reported = mistakes(text);
+        let mistake = &reported[0];
         assert!(mistake.message.contains("`;`; a "), "{mistake:?}");
         let place = [mistake.line, mistake.column, mistake.length];
         assert_eq!(place, [expected[0], expected[1], 0], "{text}");
@@ -97,7 +97,7 @@ fn a_missing_semicolon_is_told_at_the_end_of_its_statement() {
 }
 
 #[test]
-fn what_is_missing_at_the_end_is_told_there() {
+fn a_semicolon_missing_at_the_end_of_the_text_is_reported_there() {
     let [mistake] = &mistakes("fixed: a;\nfree: p;\nlink rod: a -> p")[..] else {
         panic!("one mistake");
     };
@@ -108,25 +108,25 @@ fn what_is_missing_at_the_end_is_told_there() {
 
 /// Millimetres in a listing in metres would be taken for a thousand times the length.
 #[test]
-fn a_number_with_its_unit_is_refused() {
+fn a_number_with_a_unit_is_refused() {
     for (text, number, unit) in [
         ("fixed: a at [700mm, 0, 0];", "700", "mm"),
         ("fixed: a at [0, -0.7m, 0];", "0.7", "m"),
         ("fixed: a at [0, 1.5e3f64, 0];", "1.5e3", "f64"),
         ("fixed: a;\nfree: p;\ndrive y: 2in p.y;", "2", "in"),
     ] {
-        let told = mistakes(text);
+        let reported = mistakes(text);
         let expected = format!(
             "a number may not have a unit; write `{number}` in place of `{number}{unit}`: all lengths of a listing are in one unit"
         );
-        let found = told.iter().find(|mistake| mistake.message == expected);
-        let found = found.unwrap_or_else(|| panic!("{text}: {told:?}"));
+        let found = reported.iter().find(|mistake| mistake.message == expected);
+        let found = found.unwrap_or_else(|| panic!("{text}: {reported:?}"));
         assert_eq!(found.length, number.len() + unit.len(), "{text}");
     }
 }
 
 #[test]
-fn what_is_no_token_is_told() {
+fn an_invalid_token_is_reported() {
     for (text, message) in [
         ("fixed: a at [0, 1, 2;", "`[` is not closed; close it"),
         ("fixed: a];", "`]` has no opening bracket; remove it"),
@@ -157,7 +157,7 @@ fn what_is_no_token_is_told() {
 
 /// Prefixes of a listing, and listings without one of their characters, are read or refused.
 #[test]
-fn a_damaged_listing_is_no_danger() {
+fn damaged_listings_are_read_or_refused_without_a_panic() {
     let text = catalogue_text("five_link");
     for (index, letter) in text.char_indices().step_by(7) {
         let (before, rest) = text.split_at(index);

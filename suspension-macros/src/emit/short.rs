@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn initials_of_words_and_one_word_as_it_is() {
+    fn short_names_are_the_initials_or_the_single_word() {
         assert_eq!(
             short(["lower_front", "p6", "track_rod"]),
             ["lf", "p6", "tr"]
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn more_letters_where_names_clash() {
+    fn clashing_short_names_get_more_letters() {
         let names = short(["lower_front", "left_front", "rear"]);
         assert_eq!(names, ["lofr", "lefr", "rear"]);
         // A keyword, a variable, a body; two that have the same letters; none at all.

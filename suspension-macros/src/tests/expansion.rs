@@ -69,11 +69,11 @@ fn spaced(code: &str) -> String {
 }
 
 #[test]
-fn attia2003() {
+fn expansion_of_attia2003_matches_its_snapshot() {
     snapshot("attia2003");
 }
 
 #[test]
-fn five_link() {
+fn expansion_of_five_link_matches_its_snapshot() {
     snapshot("five_link");
 }

@@ -203,7 +203,7 @@ mod tests {
     const ALL: [[usize; 2]; 4] = [[0, 0], [1, 1], [2, 2], [3, 3]];
 
     #[test]
-    fn what_is_solved_is_met() {
+    fn complex_factors_solve_all_or_some_of_the_equations() {
         let x = SVector::from_fn(|row, _| Complex::new(row as f64 - 1.5, 2.0 - row as f64));
         let right = matrix() * x;
         let all = Solved::new(&ALL, &[], None);

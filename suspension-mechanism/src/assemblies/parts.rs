@@ -217,19 +217,19 @@ mod tests {
     ];
 
     #[test]
-    fn each_part_needs_those_before_it() {
+    fn each_part_depends_on_earlier_parts_only() {
         let expected: [&[usize]; 4] = [&[4], &[0, 1], &[2], &[3]];
         assert_eq!(parts(ROWS, |_| false), expected);
     }
 
     #[test]
-    fn linear_parts_belong_to_what_they_follow_from() {
+    fn linear_parts_are_merged_with_the_part_they_follow_from() {
         let expected: [&[usize]; 2] = [&[4], &[0, 1, 2, 3]];
         assert_eq!(parts(ROWS, |part| part.own.len() == 1), expected);
     }
 
     #[test]
-    fn what_has_no_order_is_one_part() {
+    fn a_structurally_singular_system_is_one_part() {
         let singular = [[1, 0, 0, 0, 0]; 5];
         assert_eq!(parts(singular, |_| false), [[0, 1, 2, 3, 4]]);
     }

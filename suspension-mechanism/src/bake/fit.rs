@@ -180,7 +180,7 @@ mod tests {
     /// Every derivative of the circle has length one: over a segment of length `h` the error is
     /// `|product of (x - node)| / 6!` at most, for `h = 1` as given here, and that times `h^6`.
     #[test]
-    fn no_fewer_segments_would_do() {
+    fn the_number_of_baked_segments_is_minimal() {
         for (continuity, product) in [
             (Continuity::Position, 1.0 / 1024.0),
             (Continuity::Velocity, 1.6546e-3),
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_fine_is_refused() {
+    fn an_unreachable_tolerance_is_refused() {
         let wanted = Wanted {
             range: [0.0, 6.0],
             tolerance: 1e-18,

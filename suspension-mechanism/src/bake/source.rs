@@ -132,9 +132,9 @@ fn bound(bound: f64) -> String {
 mod tests {
     use super::*;
 
-    /// The header of a motion that is within 2.44e-7 of a tolerance of 2.5e-7 said 2.6e-7.
+    /// For an error of 2.44e-7 at a tolerance of 2.5e-7 the header once stated 2.6e-7.
     #[test]
-    fn bounds_are_rounded_up_by_less_than_a_digit() {
+    fn stated_bounds_are_rounded_up_by_less_than_a_digit() {
         for (value, expected) in [
             (2.44e-7, "2.5e-7"),
             (2.72e-7, "2.8e-7"),
@@ -149,14 +149,14 @@ mod tests {
 
     /// A reached 2.44e-7 was shown as 2.5e-7 beside a tolerance of 2.45e-7.
     #[test]
-    fn what_is_reached_does_not_seem_to_exceed_what_was_asked() {
-        for (asked, reached, expected) in [
+    fn a_reached_tolerance_is_not_printed_above_the_requested_one() {
+        for (requested, reached, expected) in [
             (2.45e-7, 2.44e-7, "asked: 2.45e-7 m; reached: 2.45e-7 m."),
             (2.45e-7, 2.32e-7, "asked: 2.45e-7 m; reached: 2.4e-7 m."),
             (2.45e-7, 2.46e-7, "asked: 2.45e-7 m; reached: 2.5e-7 m."),
             (1e-6, 9.94e-7, "asked: 1e-6 m; reached: 1e-6 m."),
         ] {
-            let line = tolerance(asked, reached, "m");
+            let line = tolerance(requested, reached, "m");
             assert_eq!(line, format!("Tolerance {expected}"));
         }
     }

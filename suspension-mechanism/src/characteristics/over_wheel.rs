@@ -110,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cubic_is_read_exactly_between_uneven_places_and_not_beyond_them() {
+    fn interpolation_is_exact_for_a_cubic_and_does_not_extrapolate() {
         let places = [0.0, 0.1, 0.25, 0.3, 0.5, 0.6, 0.8];
         let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
         let known = places.map(Some);
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_read_across_what_is_missing() {
+    fn interpolation_does_not_cross_missing_values() {
         let places = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(Some);
         let values = [Some(0.0), Some(1.0), None, Some(3.0), Some(4.0), Some(5.0)];
         let found = read_at(&places, &values, &[0.5, 1.0, 1.5, 2.5, 3.0, 3.5]);

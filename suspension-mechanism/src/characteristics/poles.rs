@@ -55,7 +55,7 @@ mod tests {
 
     /// A swing arm of 4 m at one end of the travel, whose carrier moves parallel at one sixth of it.
     #[test]
-    fn an_arm_is_cut_at_its_pole_and_shown_on_both_sides() {
+    fn a_curve_is_cut_at_its_pole_and_kept_on_both_sides() {
         let places = (0..61).map(|place| f64::from(place) - 10.5);
         let arm: Vec<_> = places.map(|place| Some(200.0 / place)).collect();
         assert!(jumps(&arm));
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_all_along_is_shown() {
+    fn a_curve_that_is_large_everywhere_is_kept() {
         let values: Vec<_> = (30..90).map(|value| Some(f64::from(value))).collect();
         assert_eq!(remove_far(&values, 1.0), values);
     }

@@ -26,7 +26,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_no_span_is_refused_with_what_is_wrong() {
+    fn an_invalid_range_option_is_refused_with_the_reason() {
         assert_eq!("-0.03 : 0.04".parse(), Ok(Span([-0.03, 0.04])));
         for (text, expected) in [
             ("0.03", "write FROM:TO, as -0.06:0.06"),

@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_methods_are_read_as_written() {
+    fn method_names_are_parsed_as_they_are_printed() {
         for name in ["generated", "bounded_2", "series_8", "baked_1e-8"] {
             assert_eq!(
                 name.parse::<Method>().map(|m| m.to_string()),

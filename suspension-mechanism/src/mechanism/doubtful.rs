@@ -127,7 +127,7 @@ mod tests {
     use CountedFrom::{Start, Zero};
 
     #[test]
-    fn values_in_another_unit_or_from_elsewhere_are_doubted() {
+    fn drive_values_in_another_unit_or_from_another_zero_are_doubted() {
         let named = |name: &str, kind| Drive {
             name: name.to_owned(),
             kind,

@@ -32,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn value_and_derivatives() {
+    fn polynomial_has_its_value_and_derivatives() {
         let drive = Polynomial::new(vec![1.0, 2.0, 3.0]);
         assert_eq!(drive.at(2.0), 17.0);
         assert_eq!(drive.derivative().at(2.0), 14.0);

@@ -60,7 +60,7 @@ mod tests {
     use super::listed;
 
     #[test]
-    fn the_last_of_several_words_stands_behind_an_and() {
+    fn listed_words_are_joined_by_commas_and_a_final_and() {
         let listed = |words: &[&str]| listed(words.iter().map(ToString::to_string));
         assert_eq!(listed(&["a"]), "a");
         assert_eq!(listed(&["a", "b"]), "a and b");

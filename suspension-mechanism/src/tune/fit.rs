@@ -206,7 +206,7 @@ mod tests {
 
     /// Rosenbrock's valley, 1960: the least is at (1, 1), the way there is bent.
     #[test]
-    fn the_least_inside_is_found() {
+    fn a_minimum_inside_the_box_is_found() {
         let valley = |at: &DVector<f64>| vec![10.0 * (at[1] - at[0] * at[0]), 1.0 - at[0]];
         let at = found(&square(2.0), valley);
         assert!(
@@ -217,7 +217,7 @@ mod tests {
 
     /// On the side `x = 0.5` of the box Rosenbrock's valley is deepest at `y = x^2`.
     #[test]
-    fn at_a_side_of_the_box_the_others_go_on() {
+    fn with_one_unknown_at_its_bound_the_others_reach_the_minimum() {
         let valley = |at: &DVector<f64>| vec![10.0 * (at[1] - at[0] * at[0]), 1.0 - at[0]];
         let at = found(&square(0.5), valley);
         assert!(
@@ -227,13 +227,13 @@ mod tests {
     }
 
     #[test]
-    fn what_nothing_depends_on_stays() {
+    fn an_unknown_without_influence_stays() {
         let at = found(&square(1.0), |at| vec![at[0] - 0.25]);
         assert!((at[0] - 0.25).abs() < 1e-9 && at[1] == 0.0, "{at}");
     }
 
     #[test]
-    fn what_rounding_alone_depends_on_stays() {
+    fn an_unknown_that_changes_rounding_alone_stays() {
         let rounded = |at: &DVector<f64>| vec![at[0] - 0.25, 3.0 + 1e-13 * (1e7 * at[1]).sin()];
         let at = found(&square(1.0), rounded);
         assert!((at[0] - 0.25).abs() < 1e-6 && at[1] == 0.0, "{at}");
@@ -241,7 +241,7 @@ mod tests {
 
     /// There are no residuals beyond 0.7, as beyond a lock of a mechanism.
     #[test]
-    fn it_stays_where_residuals_are() {
+    fn a_minimum_is_found_beside_a_region_without_residuals() {
         let never = AtomicBool::new(false);
         let evaluate =
             |at: &DVector<f64>| (at[0] < 0.7).then(|| DVector::from_vec(vec![at[0] - 0.6]));

@@ -37,11 +37,11 @@ fn compare(side: &str, y: f64) {
 }
 
 #[test]
-fn left() {
+fn the_left_wheel_agrees_with_adams_car() {
     compare("left", 1.0);
 }
 
 #[test]
-fn right() {
+fn the_right_wheel_agrees_with_adams_car() {
     compare("right", -1.0);
 }

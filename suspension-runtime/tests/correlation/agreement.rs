@@ -25,7 +25,7 @@ impl Agreement {
             self.0.len() - 1
         });
         let quantity = &mut self.0[place];
-        // A difference that is no number is the worst.
+        // A NaN counts as the largest difference.
         let difference = if difference.is_nan() {
             f64::INFINITY
         } else {

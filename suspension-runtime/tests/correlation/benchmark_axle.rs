@@ -8,7 +8,7 @@ use crate::published::{adams_name, folder, geometry, numbers, point};
 use crate::suspension::{DOUBLE_WISHBONE, Suspension, half_turn};
 
 #[test]
-fn benchmark_axle() {
+fn the_benchmark_axle_agrees_with_open_kinematics() {
     let Some(folder) = folder("benchmark_axle") else {
         return;
     };

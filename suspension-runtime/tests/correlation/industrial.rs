@@ -17,8 +17,10 @@ fn spin_axis(toe: f64, camber: f64) -> Vector3<f64> {
 }
 
 #[test]
-fn five_link_rear_axle() {
-    let Some(folder) = folder("industrial::five_link_rear_axle") else {
+fn the_five_link_rear_axle_agrees_with_the_industrial_study() {
+    let Some(folder) =
+        folder("industrial::the_five_link_rear_axle_agrees_with_the_industrial_study")
+    else {
         return;
     };
     let table = geometry(&folder.join("five_link_rear_industrial.toml"));

@@ -81,11 +81,11 @@ fn compare(report: &str) {
 }
 
 #[test]
-fn shark_4x4() {
+fn shark_4x4_agrees_with_lotus() {
     compare("shark_4x4V23");
 }
 
 #[test]
-fn shark_bat() {
+fn shark_bat_agrees_with_lotus() {
     compare("shark_bat");
 }

@@ -1,9 +1,9 @@
-//! Statements of a listing that are of another mechanism in other axes.
+//! Statements of a listing that describe another mechanism in other axes.
 
 use suspension_runtime::Listing;
 
 #[test]
-fn sums_and_directions_across_axes_are_bound_to_them() {
+fn sums_and_oblique_directions_are_bound_to_the_axes() {
     let of = |statement: &str| {
         let text = format!(
             "fixed: a at [0.0, 0.0, 0.0], b at [1.0, 0.0, 0.0]; free: tip at [0.3, 0.4, 0.3], end at [0.3, 0.6, 0.3];

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_runtime::{Listing, ModelError, catalogue};
 
 #[test]
-fn each_point_needs_one_hardpoint_and_no_more() {
+fn a_corner_needs_exactly_one_hardpoint_per_point() {
     let text = catalogue::listing("double_wishbone").expect("a layout");
     let listing = Listing::parse(text).expect("a listing");
     let design = listing.design().expect("of all points");
@@ -27,9 +27,9 @@ fn each_point_needs_one_hardpoint_and_no_more() {
     );
 }
 
-/// Without places, designs that may be meant are looked at, in which a marker has no place of its own.
+/// Without positions, the front end samples possible designs, in which a marker has no position of its own.
 #[test]
-fn a_kingpin_may_start_at_a_marker_of_a_listing_without_places() {
+fn a_kingpin_may_begin_at_a_marker_without_position() {
     let listing = Listing::parse(
         "fixed: lower_front, lower_rear, upper_front, upper_rear, rack;
          free: lower_ball, upper_ball, tie_ball, wheel_centre;

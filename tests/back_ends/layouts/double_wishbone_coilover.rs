@@ -1,16 +1,16 @@
-//! Its damper holds nothing: all other parts move as in the layout without one, and the damper's lower end with the lower
-//! wishbone.
+//! The damper constrains nothing: all other parts move as in the layout without damper, and the damper's lower end moves with
+//! the lower wishbone.
 
 use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
-fn it_moves_as_the_layout_without_a_damper() {
+fn the_coilover_wishbone_moves_like_the_layout_without_damper() {
     let [with, without] = ["double_wishbone_coilover", "double_wishbone"].map(Layout::read);
     let design = with.moved(&[]);
     for bump in TRAVEL {
         for steer in [-0.03, 0.0, 0.03] {
             let [ours, other] =
-                [&with, &without].map(|it| it.moved(&[("bump", bump), ("steer", steer)]));
+                [&with, &without].map(|layout| layout.moved(&[("bump", bump), ("steer", steer)]));
             for point in [
                 "lower_ball",
                 "upper_ball",
@@ -34,7 +34,7 @@ fn it_moves_as_the_layout_without_a_damper() {
 }
 
 #[test]
-fn the_damper_is_compressed_in_bump() {
+fn bump_compresses_the_damper() {
     let layout = Layout::read("double_wishbone_coilover");
     let lengths = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).measure("damper"));
     assert!(lengths.is_sorted_by(|a, b| a > b), "{lengths:?}");

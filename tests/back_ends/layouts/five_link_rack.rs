@@ -12,7 +12,7 @@ const LINKS: [[&str; 2]; 5] = [
 ];
 
 #[test]
-fn the_knuckle_moves_as_it_is_held() {
+fn the_knuckle_velocity_satisfies_its_links_and_tie_rod() {
     let layout = Layout::read("five_link_rack");
     for bump in TRAVEL {
         for steer in [-0.04, 0.0, 0.04] {
@@ -29,7 +29,7 @@ fn the_knuckle_moves_as_it_is_held() {
 }
 
 #[test]
-fn it_steers_by_a_rack_ahead_of_the_axle() {
+fn the_rack_ahead_of_the_axle_gives_toe_and_camber_their_signs() {
     let layout = Layout::read("five_link_rack");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.04).toe < -0.2 && at(0.0, -0.04).toe > 0.2);

@@ -7,7 +7,7 @@ const HINGE: [&str; 2] = ["lower_front", "lower_rear"];
 const LINKS: [[&str; 2]; 2] = [["camber_inner", "camber_ball"], ["toe_inner", "toe_ball"]];
 
 #[test]
-fn the_upright_moves_as_it_is_held() {
+fn the_upright_velocity_satisfies_its_arm_and_links() {
     let layout = Layout::read("integral_link");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump", bump)]);
@@ -42,7 +42,7 @@ fn the_upright_moves_as_it_is_held() {
 
 /// The camber link is shorter than the lower arm.
 #[test]
-fn the_wheel_leans_inboard_in_bump() {
+fn camber_decreases_over_bump() {
     let layout = Layout::read("integral_link");
     let wheels = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).wheel);
     assert!(wheels.iter().is_sorted_by(|a, b| a.camber > b.camber));

@@ -3,7 +3,7 @@
 use super::layout::{Layout, TRAVEL, rolls_about};
 
 #[test]
-fn heave_moves_the_axle_sideways_on_the_rods_circle() {
+fn in_heave_the_axle_moves_sideways_on_the_circle_of_the_rod() {
     let layout = Layout::read("live_axle_panhard");
     let rod = layout.at("panhard_axle") - layout.at("panhard_chassis");
     let start = layout.at("left_wheel_centre").y;
@@ -24,7 +24,7 @@ fn heave_moves_the_axle_sideways_on_the_rods_circle() {
 }
 
 #[test]
-fn the_axle_rolls_about_the_rod() {
+fn the_axle_rolls_about_the_rod_at_the_plane_of_symmetry() {
     let layout = Layout::read("live_axle_panhard");
     let [axle, chassis] = ["panhard_axle", "panhard_chassis"].map(|point| layout.at(point));
     rolls_about(
@@ -34,7 +34,7 @@ fn the_axle_rolls_about_the_rod() {
 }
 
 #[test]
-fn it_rolls_as_far_as_it_heaves() {
+fn opposite_bumps_roll_the_axle_and_lean_its_wheels() {
     let layout = Layout::read("live_axle_panhard");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", -bump)]);

@@ -3,7 +3,7 @@
 use super::layout::{CLOSE, Layout, TRAVEL, rolls_about};
 
 #[test]
-fn heave_keeps_the_axle_in_the_middle() {
+fn heave_keeps_the_axle_centred_and_the_wheels_upright() {
     let layout = Layout::read("live_axle_splayed");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", bump)]);
@@ -13,7 +13,7 @@ fn heave_keeps_the_axle_in_the_middle() {
 }
 
 #[test]
-fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
+fn roll_to_the_left_mirrors_roll_to_the_right() {
     let layout = Layout::read("live_axle_splayed");
     for bump in TRAVEL {
         let [left, right] =
@@ -23,7 +23,7 @@ fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
 }
 
 #[test]
-fn the_axle_rolls_about_where_the_upper_links_meet() {
+fn the_axle_rolls_about_the_intersection_of_the_upper_links() {
     let layout = Layout::read("live_axle_splayed");
     let [front, rear] = ["upper_left_front", "upper_left_rear"].map(|point| layout.at(point));
     rolls_about(

@@ -3,7 +3,7 @@
 use super::layout::{Layout, TRAVEL, rolls_about};
 
 #[test]
-fn heave_leads_the_crank_on_nearly_a_straight_line() {
+fn in_heave_the_crank_centre_moves_on_nearly_a_straight_line() {
     let layout = Layout::read("live_axle_watt");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", bump)]);
@@ -14,13 +14,13 @@ fn heave_leads_the_crank_on_nearly_a_straight_line() {
 }
 
 #[test]
-fn the_axle_rolls_about_the_crank() {
+fn the_axle_rolls_about_the_crank_centre() {
     let layout = Layout::read("live_axle_watt");
     rolls_about(&layout, layout.at("crank_rear"));
 }
 
 #[test]
-fn it_rolls() {
+fn opposite_bumps_give_the_roll_travel() {
     let layout = Layout::read("live_axle_watt");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump_left", bump), ("bump_right", -bump)]);

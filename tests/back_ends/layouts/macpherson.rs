@@ -6,7 +6,7 @@ use super::twist::{Twist, about};
 const HINGE: [&str; 2] = ["lower_front", "lower_rear"];
 
 #[test]
-fn the_strut_passes_the_lower_ball_joint() {
+fn the_strut_line_does_not_pass_through_the_lower_ball_joint() {
     let layout = Layout::read("macpherson");
     let [ball, low, top] = ["lower_ball", "strut_low", "top"].map(|point| layout.at(point));
     let line = (top - low).normalize();
@@ -14,7 +14,7 @@ fn the_strut_passes_the_lower_ball_joint() {
 }
 
 #[test]
-fn the_knuckle_moves_as_it_is_held() {
+fn the_knuckle_velocity_satisfies_top_mount_arm_and_tie_rod() {
     let layout = Layout::read("macpherson");
     for bump in TRAVEL {
         for steer in [-0.06, 0.0, 0.06] {
@@ -37,7 +37,7 @@ fn the_knuckle_moves_as_it_is_held() {
 
 /// The rack is behind the axle: to the left it pushes the rear of the left wheel outboard.
 #[test]
-fn it_steers_and_cambers_as_such_a_strut_does() {
+fn the_rack_behind_the_axle_gives_toe_and_camber_their_signs() {
     let layout = Layout::read("macpherson");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.06).toe > 0.3 && at(0.0, -0.06).toe < -0.3);

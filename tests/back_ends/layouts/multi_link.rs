@@ -12,7 +12,7 @@ const LINKS: [&str; 5] = [
 ];
 
 #[test]
-fn the_knuckle_moves_as_it_is_held() {
+fn the_knuckle_velocity_satisfies_its_five_links() {
     let layout = Layout::read("multi_link");
     for bump in TRAVEL {
         let pose = layout.moved(&[("bump", bump)]);

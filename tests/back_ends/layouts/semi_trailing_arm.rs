@@ -18,7 +18,7 @@ fn angle(axis: &Vector3<f64>, arm: &Vector3<f64>, rise: f64) -> f64 {
 }
 
 #[test]
-fn all_points_turn_about_the_line() {
+fn all_points_turn_about_the_pivot_line() {
     let layout = Layout::read("semi_trailing_arm");
     let origin = layout.at("pivot_inner");
     let axis = Unit::new_normalize(layout.at("pivot_outer") - origin);
@@ -42,7 +42,7 @@ fn all_points_turn_about_the_line() {
 }
 
 #[test]
-fn the_wheel_leans_inboard_in_bump() {
+fn camber_decreases_over_bump() {
     let layout = Layout::read("semi_trailing_arm");
     let camber = TRAVEL.map(|bump| layout.moved(&[("bump", bump)]).wheel.camber);
     assert!(camber.is_sorted_by(|a, b| a > b), "{camber:?}");

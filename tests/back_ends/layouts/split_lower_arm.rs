@@ -13,7 +13,7 @@ const LINKS: [[&str; 2]; 3] = [
 ];
 
 #[test]
-fn the_upright_moves_as_it_is_held() {
+fn the_upright_velocity_satisfies_its_arms_and_tie_rod() {
     let layout = Layout::read("split_lower_arm");
     for bump in TRAVEL {
         for steer in [-0.04, 0.0, 0.04] {
@@ -45,7 +45,7 @@ fn passes(pose: &Pose, [inner, outer]: [&str; 2], x: f64) -> Vector3<f64> {
 
 /// In plan view the lower links' lines meet outboard of both ball joints, which is impossible with a wishbone.
 #[test]
-fn the_virtual_joint_is_outboard_of_both_ball_joints() {
+fn the_virtual_lower_joint_is_outboard_of_both_ball_joints() {
     let layout = Layout::read("split_lower_arm");
     let pose = layout.moved(&[]);
     let [lateral, diagonal, _] = LINKS;
@@ -65,7 +65,7 @@ fn the_virtual_joint_is_outboard_of_both_ball_joints() {
 }
 
 #[test]
-fn it_steers_by_a_rack_behind_the_axle() {
+fn the_rack_behind_the_axle_gives_toe_and_camber_their_signs() {
     let layout = Layout::read("split_lower_arm");
     let at = |bump, steer| layout.moved(&[("bump", bump), ("steer", steer)]).wheel;
     assert!(at(0.0, 0.04).toe > 0.2 && at(0.0, -0.04).toe < -0.2);

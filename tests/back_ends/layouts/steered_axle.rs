@@ -6,7 +6,7 @@ use super::layout::{CLOSE, Layout, TRAVEL};
 const RACK: [f64; 3] = [-0.03, 0.0, 0.03];
 
 #[test]
-fn the_left_side_is_the_double_wishbone() {
+fn the_left_side_moves_like_the_double_wishbone() {
     let (axle, corner) = (
         Layout::read("steered_axle"),
         Layout::read("double_wishbone"),
@@ -30,7 +30,7 @@ fn the_left_side_is_the_double_wishbone() {
 }
 
 #[test]
-fn mirrored_motions_mirror() {
+fn mirrored_drives_give_the_mirrored_motion() {
     let layout = Layout::read("steered_axle");
     for bump in TRAVEL {
         for steer in RACK {
@@ -42,7 +42,7 @@ fn mirrored_motions_mirror() {
 }
 
 #[test]
-fn the_rack_slides() {
+fn the_rack_slides_without_turning() {
     let layout = Layout::read("steered_axle");
     for steer in RACK {
         let pose = layout.moved(&[("steer", steer), ("bump_left", 0.06)]);

@@ -3,7 +3,7 @@
 use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
-fn the_wheel_centre_is_on_a_circle_and_the_wheel_upright() {
+fn the_wheel_centre_moves_on_a_circle_with_constant_camber() {
     let layout = Layout::read("trailing_arm");
     let (pivot, start) = (layout.at("pivot_outer"), layout.at("wheel_centre"));
     let radius = (start - pivot).xz().norm();

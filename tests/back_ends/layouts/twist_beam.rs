@@ -4,7 +4,7 @@
 use super::layout::{CLOSE, Layout, TRAVEL};
 
 #[test]
-fn heave_turns_both_arms_about_the_bushes() {
+fn in_heave_both_arms_turn_about_the_line_of_the_bushes() {
     let layout = Layout::read("twist_beam");
     let (bush, start) = (layout.at("left_bush"), layout.at("left_wheel_centre"));
     let radius = (start - bush).xz().norm();
@@ -19,7 +19,7 @@ fn heave_turns_both_arms_about_the_bushes() {
 }
 
 #[test]
-fn in_roll_an_arm_turns_about_bush_and_middle_of_the_beam() {
+fn in_roll_each_arm_turns_about_its_bush_and_the_beam_middle() {
     let layout = Layout::read("twist_beam");
     let mut middle = layout.at("left_outer");
     middle.y = 0.0;
@@ -35,7 +35,7 @@ fn in_roll_an_arm_turns_about_bush_and_middle_of_the_beam() {
 }
 
 #[test]
-fn roll_to_one_side_is_the_mirror_of_roll_to_the_other() {
+fn roll_to_the_left_mirrors_roll_to_the_right() {
     let layout = Layout::read("twist_beam");
     for bump in TRAVEL {
         let [left, right] =

@@ -8,7 +8,7 @@ use crate::program::{folder, rows, run, text};
 /// Where the curve of the wheel tends to infinity along planes of the drive's coordinate, a general plane intersects it;
 /// where roots tend to infinity as lengths become the mechanism's, they are distinguished from lost ones.
 #[test]
-fn the_list_of_a_layout_is_complete() {
+fn the_list_of_assemblies_of_a_layout_is_complete() {
     let folder = folder();
     for (file, tally) in [
         (
@@ -34,7 +34,7 @@ fn the_list_of_a_layout_is_complete() {
 /// One side of an axle after the other, as far as they follow from the rack: 8 assemblies of the left side, which determines
 /// the rack, times 2 positions of its other end, times 4 of the right side on average.
 #[test]
-fn the_list_of_a_steered_axle_is_complete() {
+fn the_list_of_assemblies_of_a_steered_axle_is_complete() {
     let folder = folder();
     let axle = include_str!("../../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
@@ -105,7 +105,7 @@ fn skew_double_wishbone(seed: u64) -> String {
 }
 
 #[test]
-fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_be() {
+fn a_skew_wishbone_lists_32_assemblies_or_reports_an_incomplete_list() {
     const SEEDS: u64 = 6;
     let folder = folder();
     let mut complete = 0;
@@ -128,7 +128,7 @@ fn a_list_of_a_skew_double_wishbone_is_complete_with_32_or_says_that_it_may_not_
 /// thousands of its sizes away, because only lengths are general. Counts of 24, 32 and 33 were found before, depending on
 /// the last digits of the points.
 #[test]
-fn a_count_does_not_depend_on_the_last_digits_of_points() {
+fn the_count_of_assemblies_does_not_depend_on_last_digits() {
     let folder = folder();
     let table = include_str!("../../../examples/hardpoints.csv");
     std::fs::write(folder.path().join("points.csv"), table).expect("written");

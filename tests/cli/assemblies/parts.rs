@@ -22,7 +22,7 @@ fn listed(statements: &str, drives: &str, arguments: &[&str]) -> Rows {
 /// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker is on either side. The equations
 /// contain the sine of a quarter of the angle, which is the same for minus the angle and for its supplement.
 #[test]
-fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
+fn listed_assemblies_have_the_requested_angle_about_the_axis() {
     let folder = folder();
     let statements = "
         fixed: a at [0, 0, 0], a2 at [0.1, 0, 0], b at [0, 1, 0], b2 at [0.1, 1, 0];
@@ -50,7 +50,7 @@ fn a_driven_angle_about_an_axis_is_the_one_that_is_asked_for() {
 
 /// For an angle of zero or half a turn the quarter has two values: with both, all points coincide.
 #[test]
-fn an_assembly_at_an_angle_of_zero_is_listed_once() {
+fn an_assembly_at_angle_zero_is_listed_once() {
     let rows = listed(
         "
         fixed: left_end at [0.0, 0.3, 0.3], right_end at [0.0, -0.3, 0.3];
@@ -81,7 +81,7 @@ fn an_assembly_at_an_angle_of_zero_is_listed_once() {
 
 /// The position of a sliding point along its line is an unknown too, but not a coordinate.
 #[test]
-fn distances_are_those_of_points() {
+fn distances_of_assemblies_are_computed_from_points_alone() {
     let rows = listed(
         "
         fixed: top at [-0.03, 0.60, 0.48], bot at [0.0, 0.63, 0.18], rack at [0.13, 0.22, 0.24];
@@ -113,7 +113,7 @@ fn distances_are_those_of_points() {
 
 /// At the file's own value the plane of a slide is perpendicular to an axis, and a coordinate of its point is independent.
 #[test]
-fn parts_are_those_of_any_value_of_the_drives() {
+fn parts_of_a_mechanism_do_not_depend_on_the_drive_values() {
     let rows = listed(
         "
         fixed: foot at [0.0, 0.0, 0.0], front at [1.0, 0.0, 0.0], head at [0.0, 0.0, 1.0],
@@ -131,7 +131,7 @@ fn parts_are_those_of_any_value_of_the_drives() {
 
 /// Points on three links each can all be mirrored: their assemblies multiply.
 #[test]
-fn a_list_that_would_be_too_long_is_cut() {
+fn a_list_of_too_many_assemblies_is_cut() {
     let folder = folder();
     let points = 1..=13;
     let at = points

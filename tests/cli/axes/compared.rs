@@ -24,7 +24,7 @@ fn compare(a: &str, b: &str, listing: &str) -> [Output; 2] {
 }
 
 #[test]
-fn a_corner_does_not_differ_from_itself_in_other_axes_and_units() {
+fn a_corner_compares_equal_to_itself_in_other_axes_and_units() {
     let iso = file(AXES[0].0, AXES[0].1, Stated::Catalogue);
     for axes in AXES {
         for stated in [Stated::File, Stated::Listing] {
@@ -56,7 +56,7 @@ fn a_corner_does_not_differ_from_itself_in_other_axes_and_units() {
 }
 
 #[test]
-fn positions_are_in_the_axes_of_the_first() {
+fn compared_positions_are_in_the_axes_of_the_first_file() {
     let [sae, iso] = [AXES[2], AXES[0]].map(|(axes, signs)| file(axes, signs, Stated::Catalogue));
     let [csv, _] = compare(&sae, &iso, "");
     let mut reader = csv::Reader::from_reader(csv.stdout.as_slice());
@@ -70,7 +70,7 @@ fn positions_are_in_the_axes_of_the_first() {
 
 /// In roll the left wheel rises, in any axes, as in the definition of roll camber and roll steer.
 #[test]
-fn the_left_wheel_rises_in_roll() {
+fn the_left_wheel_rises_in_compared_roll_in_any_axes() {
     for (axes, [_, across, up]) in AXES {
         let axle = format!(
             "linkage = \"steered_axle\"\nunit = \"m\"\naxes = \"{axes}\"\nvehicle = {{ wheel_radius = 0.3 }}\n\
@@ -87,7 +87,7 @@ fn the_left_wheel_rises_in_roll() {
 
 /// A rack that moves obliquely, and an oblique pair of coupled coordinates, would change if only one of the axes turned.
 #[test]
-fn what_other_axes_make_another_mechanism_of_is_refused() {
+fn comparing_is_refused_if_other_axes_change_the_mechanism() {
     let skew = |axes: (&str, [f64; 3])| {
         let listing = turned(axes.1).replace(
             "drive steer: rack.y;",

@@ -60,7 +60,7 @@ fn check(car: &Row, alone: &Row, axle: &str, back: f64) {
 }
 
 #[test]
-fn each_axle_of_a_car_is_what_it_is_alone() {
+fn each_axle_of_a_car_equals_the_axle_alone() {
     let car = moved(
         "front_and_rear_axle",
         &vehicle(
@@ -89,7 +89,7 @@ fn each_axle_of_a_car_is_what_it_is_alone() {
 
 /// The drives of one axle move no wheel of the other.
 #[test]
-fn an_axle_does_not_feel_the_other() {
+fn drives_of_one_axle_do_not_move_the_other() {
     let car = moved("front_and_rear_axle", &vehicle("0.3", "0.5"), AT_DESIGN);
     let row = swept(&car, "front_bump_left");
     for name in [
@@ -105,7 +105,7 @@ fn an_axle_does_not_feel_the_other() {
 }
 
 #[test]
-fn what_is_said_of_wheels_that_are_not_there_is_refused() {
+fn vehicle_entries_of_missing_wheels_are_refused() {
     for (vehicle, expected) in [
         (
             "wheel_radius = { middle = 0.3 }\n",
@@ -153,7 +153,7 @@ fn what_is_said_of_wheels_that_are_not_there_is_refused() {
 
 /// A corner in a file in millimetres, twice by `mirror`, with the motion file in the same folder.
 #[test]
-fn a_corner_in_a_file_makes_an_axle() {
+fn a_corner_file_included_and_mirrored_makes_an_axle() {
     let folder = folder();
     let write =
         |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
@@ -208,7 +208,7 @@ fn a_corner_in_a_file_makes_an_axle() {
 }
 
 #[test]
-fn what_the_mechanism_contradicts_of_wheels_is_remarked() {
+fn vehicle_entries_that_the_mechanism_contradicts_are_noted() {
     for (vehicle, expected) in [
         ("wheelbase = 2.65\n", ""),
         (

@@ -24,7 +24,7 @@ fn trailing_arms(drives: &str) -> String {
 }
 
 #[test]
-fn level_normals_have_their_roll_centre_in_the_middle_on_the_ground() {
+fn level_normals_put_the_roll_centre_on_the_ground_in_the_middle() {
     for height in [0.3, 0.35] {
         let drives = format!("bump_left = {height:?}\nbump_right = {height:?}");
         let row = &table(
@@ -60,7 +60,7 @@ wheel left: left_axle -> left_hub;
 wheel right: right_axle -> right_hub;";
 
 #[test]
-fn a_wheel_that_only_one_other_moves_is_read_in_heave_too() {
+fn a_wheel_moved_one_way_by_another_has_quantities_in_heave() {
     let drives = "bump_left = 0.3\nbump_right = 0.3";
     let row = &table(&file(ONE_WAY, CAR, drives), &["motion"])[0];
     // Brakes on the carrier: the contact point turns about the line at a height of 0.4 m, 0.6 m behind the wheel.
@@ -87,7 +87,7 @@ fn rigid_axle(left: &str) -> String {
 }
 
 #[test]
-fn instant_centres_do_not_depend_on_what_drives_an_axle() {
+fn instant_centres_do_not_depend_on_the_drives_of_an_axle() {
     let heights = rigid_axle("left_hub.z");
     let heights = file(&heights, "", "bump_left = 0.3\nbump_right = 0.3");
     let of_left = "length(left_damper_top -> left_damper_low)";
@@ -116,7 +116,7 @@ fn instant_centres_do_not_depend_on_what_drives_an_axle() {
 
 /// Two axles of which the front one is steered and driven by `bump`, the rear one driven by `lift`.
 #[test]
-fn usual_drives_that_do_not_move_a_wheel_are_not_its_own() {
+fn a_usual_drive_name_is_not_the_travel_of_an_unmoved_wheel() {
     let arms = "fixed: a at [0.4, 0.3, 0.3], b at [0.4, 0.6, 0.3], c at [-2.2, 0.3, 0.3], d at [-2.2, 0.6, 0.3],\n\
                 low at [0.0, 0.6, 0.2];\nfree: front_hub at [0.0, 0.7, 0.3], rear_hub at [-2.6, 0.7, 0.3], rack at [0.5, 0.0, 0.2];\n\
                 hinge front_arm: a, b -> front_hub;\nhinge rear_arm: c, d -> rear_hub;\n\
@@ -148,7 +148,7 @@ fn usual_drives_that_do_not_move_a_wheel_are_not_its_own() {
 
 /// Three arms one behind the other: the front and the rear arm have quantities of a car, the one between them has none.
 #[test]
-fn a_wheel_between_the_axles_is_on_neither() {
+fn a_wheel_between_the_axles_has_no_quantities_of_an_axle() {
     let arm = |name: &str, x: f64| {
         format!(
             "fixed: {name}_in at [{:?}, 0.3, 0.35], {name}_out at [{:?}, 0.6, 0.35];\nfree: {name}_left_hub at [{x:?}, 0.7, 0.3];\n\

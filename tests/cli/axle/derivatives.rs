@@ -15,7 +15,7 @@ fn check_derivatives(names: &[&str], step: f64) {
         });
         let [a, b, c] = drives.each_ref().map(String::as_str);
         let rows = table(&steered(DESIGN), &["sweep", "--derivatives", "2", a, b, c]);
-        let [before, here, after] = rows.as_slice() else {
+        let [before, middle, after] = rows.as_slice() else {
             panic!("three places");
         };
         for name in names {
@@ -23,15 +23,15 @@ fn check_derivatives(names: &[&str], step: f64) {
             let second = format!("{first}2");
             for (of, derivative) in [(&none, &first), (&first, &second)] {
                 let slope = (after[of] - before[of]) / (2.0 * step);
-                let size = slope.abs().max(here[of].abs()).max(1.0);
-                assert_near(here[derivative], slope, 2e-6 * size, derivative);
+                let size = slope.abs().max(middle[of].abs()).max(1.0);
+                assert_near(middle[derivative], slope, 2e-6 * size, derivative);
             }
         }
     }
 }
 
 #[test]
-fn derivatives_of_what_an_axle_has_are_those_of_differences() {
+fn derivatives_of_axle_quantities_agree_with_differences() {
     let smooth = [
         "total_toe_rad",
         "track_m",

@@ -4,7 +4,7 @@ use super::super::program::{folder, run, text};
 use super::{DESIGN, assert_near, file, steered, table};
 
 #[test]
-fn drives_of_wheels_are_named_in_a_table() {
+fn naming_the_travel_drive_of_each_wheel_changes_no_result() {
     let named = "travel = { left = \"bump_left\", right = \"bump_right\" }\nsteer = \"steer\"";
     let [named, unnamed] = [named, ""].map(|vehicle| {
         let file = file("steered_axle", vehicle, DESIGN);
@@ -14,7 +14,7 @@ fn drives_of_wheels_are_named_in_a_table() {
 }
 
 #[test]
-fn a_drive_of_no_wheel_is_refused() {
+fn travel_of_an_unknown_wheel_or_drive_is_refused() {
     for (linkage, vehicle, drives, expected) in [
         (
             "steered_axle",
@@ -53,7 +53,7 @@ fn a_drive_of_no_wheel_is_refused() {
 
 /// A page and a comparison have the wheels by name, each definition once.
 #[test]
-fn sheets_and_comparisons_have_both_wheels() {
+fn sheets_and_comparisons_name_both_wheels_of_an_axle() {
     let folder = folder();
     let write = |name: &str, file: String| {
         std::fs::write(folder.path().join(name), file).expect("written");
@@ -99,7 +99,7 @@ fn sheets_and_comparisons_have_both_wheels() {
 
 /// In heave both wheels move equally; in roll one moves at some travel like the other at the opposite travel.
 #[test]
-fn drives_that_are_named_together_move_together() {
+fn drives_joined_in_one_sweep_option_move_together() {
     let heave = table(
         &steered(DESIGN),
         &["sweep", "--drive", "bump_left,bump_right=-0.04:0.04:3"],

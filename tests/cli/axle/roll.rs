@@ -14,7 +14,7 @@ fn in_roll(row: &Row) -> [f64; 2] {
 
 /// A tenth of a millimetre of roll either way.
 #[test]
-fn roll_camber_and_roll_steer_are_those_of_two_states_of_small_roll() {
+fn roll_camber_and_roll_steer_agree_with_differences() {
     for (left, right, steer) in [(0.3, 0.3, 0.34), (0.33, 0.29, 0.345), (0.27, 0.31, 0.325)] {
         let held = format!("bump_left = {left}\nbump_right = {right}\nsteer = {steer}");
         let [dl, dr, ds] = [left - 0.3, right - 0.3, steer - 0.34];
@@ -54,7 +54,7 @@ fn roll_camber_and_roll_steer_are_those_of_two_states_of_small_roll() {
 /// The axle turns about a line in the plane of symmetry: through where the lower links' lines meet, and where those of
 /// the upper ones do.
 #[test]
-fn a_live_axle_rolls_and_steers_about_its_roll_axis() {
+fn a_live_axle_has_the_roll_steer_of_its_geometric_roll_axis() {
     let drives = "bump_left = 0.31\nbump_right = 0.31";
     let axle = file("live_axle_splayed", "", drives);
     let row = table(&axle, &["motion"]).remove(1);
@@ -79,7 +79,7 @@ fn a_live_axle_rolls_and_steers_about_its_roll_axis() {
 
 /// The height of the roll centre of an axle that is symmetric, by one of its wheels.
 #[test]
-fn a_symmetric_axle_has_the_roll_centre_of_each_wheel() {
+fn the_roll_centre_of_a_symmetric_axle_equals_that_of_each_wheel() {
     let row = table(&steered(DESIGN), &["motion"]).remove(1);
     let ground = row["left_contact_z"];
     for wheel in ["left", "right"] {
@@ -91,7 +91,7 @@ fn a_symmetric_axle_has_the_roll_centre_of_each_wheel() {
 /// Wheels of a twist beam move each other: the lifting effect of a lateral force on one of them does not depend on its own
 /// arm alone, and the roll centre is that of the axle.
 #[test]
-fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
+fn coupled_wheels_have_no_roll_centre_of_their_own() {
     let names = |linkage: &str, drives: &str| {
         let folder = folder();
         let file = format!(
@@ -121,7 +121,7 @@ fn wheels_that_move_each_other_have_no_roll_centre_of_their_own() {
 
 /// As on a motorcycle: there is no opposite wheel, and no inboard side.
 #[test]
-fn a_wheel_in_the_middle_of_the_vehicle_has_no_roll_centre() {
+fn a_wheel_on_the_centre_line_has_no_roll_centre() {
     let arm = |y: f64| {
         let at = |x: f64, off: f64, z: f64| format!("[{x:?}, {:?}, {z:?}]", y + off);
         let statements = format!(

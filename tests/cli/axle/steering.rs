@@ -18,7 +18,7 @@ fn turned(row: &Row) -> [f64; 2] {
 }
 
 #[test]
-fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
+fn ackermann_and_turning_circle_follow_from_cotangents_of_steer() {
     let table = table(&steered(DESIGN), &["sweep", "--drive=steer=-0.03:0.03:13"]);
     for (place, row) in table.iter().enumerate() {
         let [outer, inner] = turned(row);
@@ -50,7 +50,7 @@ fn ackermann_and_the_turning_circle_are_those_of_the_cotangents() {
 /// Bump steer may turn the outer wheel nearly straight while the inner one is steered. The ideal difference is then nearly
 /// zero, and a percentage of it means nothing.
 #[test]
-fn a_wheel_that_bump_steer_leaves_nearly_straight_has_no_ackermann() {
+fn a_nearly_straight_outer_wheel_has_no_ackermann_percentage() {
     let ends = [
         ("rack_left", 0.34),
         ("housing_left", 0.20),
@@ -86,7 +86,7 @@ fn a_wheel_that_bump_steer_leaves_nearly_straight_has_no_ackermann() {
 
 /// Its turning circle would be about a centre on the line of the front axle, on the other side.
 #[test]
-fn a_rear_axle_that_steers_has_no_turning_circle() {
+fn a_steered_rear_axle_has_no_turning_circle() {
     for (axle, has_circle) in [("front", true), ("rear", false)] {
         let drives = DESIGN.lines().map(|drive| format!("{axle}_{drive}\n"));
         let file = file("", "wheelbase = 2.6", &drives.collect::<String>());

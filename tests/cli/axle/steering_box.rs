@@ -43,7 +43,7 @@ fn on_an_arm_that_passes_the_axis(vehicle: &str) -> String {
 
 /// The line that a steering ratio needs is that of the drive's kind: an angle of the arm has no rack.
 #[test]
-fn a_steering_ratio_needs_the_line_of_a_steering_box() {
+fn a_missing_steering_ratio_names_the_line_steering_box_ratio() {
     let folder = folder();
     let file = on_a_steering_box("wheel_radius = 0.3");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -62,7 +62,7 @@ fn a_steering_ratio_needs_the_line_of_a_steering_box() {
 
 /// Values that are no angles of the arm: metres of a rack, or a change from the design position.
 #[test]
-fn values_of_a_steering_box_that_seem_to_count_from_its_design_are_noted() {
+fn steering_box_angles_that_count_from_the_design_are_noted() {
     let vehicle = "steering_box_ratio = 16.0";
     let steered = |value: &str| {
         on_a_steering_box(vehicle).replace("steer = 90.0", &format!("steer = {value}"))
@@ -95,17 +95,20 @@ fn values_of_a_steering_box_that_seem_to_count_from_its_design_are_noted() {
         let folder = folder();
         std::fs::write(folder.path().join("a.toml"), &file).expect("written");
         let output = run(folder.path(), arguments);
-        let told = [&output.stdout, &output.stderr].map(|bytes| text(bytes));
-        let told = told.concat();
+        let outputs = [&output.stdout, &output.stderr].map(|bytes| text(bytes));
+        let outputs = outputs.concat();
         match expected {
-            Some(expected) => assert!(told.contains(expected), "{arguments:?}: {told}"),
-            None => assert!(!told.contains("`steer` takes"), "{arguments:?}: {told}"),
+            Some(expected) => assert!(outputs.contains(expected), "{arguments:?}: {outputs}"),
+            None => assert!(
+                !outputs.contains("`steer` takes"),
+                "{arguments:?}: {outputs}"
+            ),
         }
     }
 }
 
 #[test]
-fn a_steering_box_has_the_quantities_of_a_rack() {
+fn a_steering_box_has_the_same_quantities_as_a_rack() {
     let names = [
         "steering_wheel_angle_deg",
         "toe_deg",
@@ -132,9 +135,9 @@ fn a_steering_box_has_the_quantities_of_a_rack() {
     }
 }
 
-/// Degrees that the way to radians and back would change.
+/// Degrees that a conversion to radians and back would change.
 #[test]
-fn degrees_of_a_drive_are_in_tables_as_they_are_stated() {
+fn stated_degrees_of_a_drive_are_printed_unchanged_in_tables() {
     let file = on_an_arm_that_passes_the_axis("steering_box_ratio = 16.0");
     for stated in [-12.0, -7.5, -3.0, 1.5, 6.0] {
         let file = file.replace("steer = 0.0", &format!("steer = {stated:?}"));
@@ -143,7 +146,7 @@ fn degrees_of_a_drive_are_in_tables_as_they_are_stated() {
 }
 
 #[test]
-fn a_ratio_of_a_steering_box_that_makes_no_sense_is_refused() {
+fn an_invalid_steering_box_ratio_is_refused() {
     let of_a_rack =
         "rack_per_turn is the travel of a rack, but the drive that steers, `steer`, is an angle";
     for (vehicle, expected) in [

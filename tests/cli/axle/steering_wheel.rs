@@ -64,7 +64,7 @@ pub(super) fn check(rows: &[Row; 3], names: [&str; 3], to_the_left: f64) {
 }
 
 #[test]
-fn the_steering_ratio_is_that_of_differences_over_the_rack() {
+fn the_steering_ratio_agrees_with_differences_over_the_rack() {
     let vehicle = format!("rack_per_turn = {PER_TURN}");
     let places = swept(&file("steered_axle", &vehicle, DESIGN), 1.0);
     let angle = "steering_wheel_angle_rad";
@@ -78,9 +78,9 @@ fn the_steering_ratio_is_that_of_differences_over_the_rack() {
     }
 }
 
-/// With a rack behind the axle, or with the opposite sign, a turn to the left is still one to the left.
+/// The side does not depend on the rack's position ahead of or behind the axle, nor on the sign of its drive.
 #[test]
-fn the_wheel_is_turned_to_the_left_where_the_road_wheels_are() {
+fn the_steering_wheel_and_the_road_wheels_turn_to_the_same_side() {
     let left = Corner {
         header: "unit = \"m\"",
         signs: [1.0; 3],
@@ -134,7 +134,7 @@ fn the_wheel_is_turned_to_the_left_where_the_road_wheels_are() {
 
 /// A rear wheel that the same rack would not turn has no ratio, though it has the drive of the file.
 #[test]
-fn only_wheels_that_the_rack_turns_have_a_ratio() {
+fn only_wheels_turned_by_the_rack_have_a_steering_ratio() {
     let drives = "front_bump_left = 0.3\nfront_bump_right = 0.3\nfront_steer = 0.34\n\
                   rear_bump_left = 0.29\nrear_bump_right = 0.29";
     let vehicle = format!("steer = \"front_steer\"\nrack_per_turn = {PER_TURN}");
@@ -155,7 +155,7 @@ fn only_wheels_that_the_rack_turns_have_a_ratio() {
 }
 
 #[test]
-fn a_travel_per_turn_in_another_unit_is_remarked() {
+fn rack_per_turn_in_another_unit_is_noted() {
     for (travel, expected) in [
         ("52.0", "52 m: is it in mm? The file is in m"),
         (
@@ -173,7 +173,7 @@ fn a_travel_per_turn_in_another_unit_is_remarked() {
 }
 
 #[test]
-fn a_ratio_is_tuned() {
+fn a_steering_ratio_is_tuned() {
     let motion = format!(
         "{}[tune.moves.tie_ball]\npoints = [\"tie_ball\"]\nalong = \"x\"\nby = [-0.02, 0.02]\n\
          [tune.targets.ratio]\nof = \"steering_ratio\"\nvalue = 15.0\nwithin = 0.001\n",
@@ -193,7 +193,7 @@ fn a_ratio_is_tuned() {
 }
 
 #[test]
-fn a_travel_per_turn_that_makes_no_sense_is_refused() {
+fn an_invalid_rack_per_turn_is_refused() {
     let steered = |vehicle: &str| file("steered_axle", vehicle, DESIGN);
     let vehicle = "[vehicle]\nsteer = \"theta\"\nrack_per_turn = 52.0\n[time]";
     let turned_about_an_axis =
@@ -257,7 +257,7 @@ pub(super) fn check_refused(motion: String, expected: &str) {
 /// The tie rod is perpendicular to the path of its ball, so that the rack does not move it at first. The message says that
 /// the design is singular; it does not ask for another drive of steering.
 #[test]
-fn a_design_in_which_the_tie_rod_locks_is_singular() {
+fn a_tie_rod_that_locks_at_the_design_is_reported_as_singular() {
     let folder = folder();
     let file = "statements = '''
 fixed: low at [0.0, 0.7, 0.2], high at [0.0, 0.7, 0.45], rack at [0.0, 0.3, 0.3];

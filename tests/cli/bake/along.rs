@@ -52,7 +52,7 @@ fn led(folder: &Path) -> Rows {
 /// Positions agree with the motion that the damper leads within the tolerance, rates and second rates within the errors that
 /// the file states.
 #[test]
-fn the_wheel_by_the_damper_is_that_of_the_motion_that_the_damper_leads() {
+fn a_wheel_baked_along_the_damper_equals_the_led_motion() {
     let folder = written();
     let (table, segments) = table(&baked(folder.path(), "toml"));
     let text_of = |key: &str| table[key].as_str().expect("a text").to_owned();
@@ -105,7 +105,7 @@ fn expected(folder: &Path) -> Vec<(f64, [[f64; 6]; 3])> {
 }
 
 #[test]
-fn the_rust_file_compiles_and_reads_the_same_digits() {
+fn a_rust_file_baked_along_a_measure_gives_the_same_digits() {
     let folder = written();
     let file = baked(folder.path(), "rust");
     assert!(
@@ -130,8 +130,8 @@ fn the_rust_file_compiles_and_reads_the_same_digits() {
 }
 
 #[test]
-fn the_c_header_compiles_and_reads_the_same_digits() {
-    if !has_c_compiler("the_c_header_compiles_and_reads_the_same_digits") {
+fn a_c_header_baked_along_a_measure_gives_the_same_digits() {
+    if !has_c_compiler("a_c_header_baked_along_a_measure_gives_the_same_digits") {
         return;
     }
     let folder = written();
@@ -166,7 +166,7 @@ int main(void)
 }
 
 #[test]
-fn a_range_in_which_the_measure_turns_back_is_refused_with_one_that_is_possible() {
+fn a_range_past_a_turning_point_is_refused_with_a_possible_one() {
     let folder = written();
     let bake = ["bake", "a.toml", "--drive", "bump"];
     let output = run(
@@ -188,7 +188,7 @@ fn a_range_in_which_the_measure_turns_back_is_refused_with_one_that_is_possible(
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_arguments_of_bake_along_are_refused() {
     let folder = written();
     for (arguments, message) in [
         (
@@ -247,7 +247,7 @@ fn what_makes_no_sense_is_refused() {
 
 /// In a file in degrees ranges are in degrees, and what is baked in radians.
 #[test]
-fn a_measure_that_is_an_angle_has_the_units_of_the_file() {
+fn the_range_of_a_measured_angle_is_in_the_unit_of_the_file() {
     let folder = written();
     let by_angle = DOUBLE_WISHBONE.replace("unit = \"m\"", "unit = \"m\"\nangle = \"deg\"");
     std::fs::write(folder.path().join("deg.toml"), by_angle).expect("written");
@@ -284,7 +284,7 @@ fn a_measure_that_is_an_angle_has_the_units_of_the_file() {
 
 /// The advice for a drive's range is in the file's units too.
 #[test]
-fn what_is_possible_is_said_in_degrees_where_the_file_is_in_degrees() {
+fn the_possible_range_of_a_file_in_degrees_is_printed_in_degrees() {
     let folder = folder();
     let [start, rate] = [0.8_f64, 0.6].map(f64::to_degrees);
     let file = example("five_link.toml").replace("unit = \"mm\"", "unit = \"mm\"\nangle = \"deg\"");

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::super::program::{example, folder, run};
 use super::{RANGE, baked, baked_of};
 
-/// Whatever a file is called, what is in it has a name that compilers take.
+/// Names in a baked file are valid identifiers for any file name.
 #[test]
-fn names_in_a_file_are_made_of_its_own() {
+fn names_in_a_baked_file_are_valid_identifiers_of_its_file_name() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     for (path, name) in [
@@ -27,7 +27,7 @@ fn names_in_a_file_are_made_of_its_own() {
 }
 
 #[test]
-fn the_header_has_the_range_to_its_last_digit() {
+fn a_baked_header_states_its_range_to_the_last_digit() {
     let range = ["--from", "0.7500000000000001", "--to", "1.0123456789012344"];
     let file = baked(folder().path(), &range);
     let expected = "// Drive: theta from 0.7500000000000001 to 1.0123456789012344 rad.";
@@ -35,7 +35,7 @@ fn the_header_has_the_range_to_its_last_digit() {
 }
 
 #[test]
-fn the_header_says_what_was_baked() {
+fn a_baked_header_states_points_range_units_and_tolerance() {
     let folder = folder();
     let arguments = [
         "--tolerance",
@@ -65,18 +65,18 @@ fn the_header_says_what_was_baked() {
 
 /// Only the wheel has a spin axis.
 #[test]
-fn the_header_of_points_says_nothing_of_a_spin_axis() {
+fn a_header_of_baked_points_does_not_mention_a_spin_axis() {
     let folder = folder();
-    let said = "// The spin axis counts as a point 1 m from the wheel centre.\n";
-    for (points, is_said) in [("wheel", true), ("all", false)] {
+    let expected = "// The spin axis counts as a point 1 m from the wheel centre.\n";
+    for (points, is_mentioned) in [("wheel", true), ("all", false)] {
         let file = baked(folder.path(), &[&RANGE[..], &["--points", points]].concat());
-        assert_eq!(file.contains(said), is_said, "{}", &file[..900]);
-        assert_eq!(file.contains("spin axis"), is_said);
+        assert_eq!(file.contains(expected), is_mentioned, "{}", &file[..900]);
+        assert_eq!(file.contains("spin axis"), is_mentioned);
     }
 }
 
 #[test]
-fn the_header_says_which_of_several_wheels_was_baked() {
+fn a_baked_header_names_the_wheel_of_an_axle() {
     let range = ["--drive", "bump_left=0.28:0.34"];
     let file = baked_of("live_axle_panhard.toml", folder().path(), &range);
     let expected = "// The left wheel centre and spin axis (unit length, outboard) of live_axle_panhard as a function of";
@@ -85,7 +85,7 @@ fn the_header_says_which_of_several_wheels_was_baked() {
 
 /// The baked file of the firmware is written by the program, not by hand.
 #[test]
-fn the_firmwares_wheel_is_as_baked_today() {
+fn the_baked_file_of_the_firmware_is_up_to_date() {
     let folder = folder();
     std::fs::write(
         folder.path().join("attia2003.toml"),

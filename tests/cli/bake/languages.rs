@@ -59,7 +59,7 @@ pub(super) fn bits<T>(numbers: &[[T; 6]; 3], bits: fn(&T) -> u64) -> String {
 }
 
 #[test]
-fn the_rust_file_compiles_and_reads_the_same_digits() {
+fn a_baked_rust_file_gives_the_same_digits() {
     let file = baked_of("attia2003.toml", folder().path(), &["--as", "toml"]);
     for (at, expected) in expected::<f64>(&file) {
         let found = WHEEL_BY_THETA.at(at).expect("inside");
@@ -72,8 +72,8 @@ fn the_rust_file_compiles_and_reads_the_same_digits() {
 }
 
 #[test]
-fn the_c_header_compiles_without_warnings_and_reads_the_same_digits() {
-    if !has_c_compiler("the_c_header_compiles_without_warnings_and_reads_the_same_digits") {
+fn a_baked_c_header_gives_the_same_digits_without_warnings() {
+    if !has_c_compiler("a_baked_c_header_gives_the_same_digits_without_warnings") {
         return;
     }
     the_c_header_reads::<f64>("double", |x| x.to_bits());
@@ -122,8 +122,8 @@ int main(void)
 
 /// Compiles the lines of the page about controllers, and compares with the angles of the program.
 #[test]
-fn camber_and_toe_are_read_off_the_spin_axis_as_the_page_says() {
-    if !has_c_compiler("camber_and_toe_are_read_off_the_spin_axis_as_the_page_says") {
+fn the_c_lines_of_the_controller_page_give_camber_and_toe() {
+    if !has_c_compiler("the_c_lines_of_the_controller_page_give_camber_and_toe") {
         return;
     }
     let page = include_str!("../../../suspension-core/docs/controller.md");
@@ -199,8 +199,8 @@ int main(void)
 }
 
 #[test]
-fn two_baked_headers_are_two_tables() {
-    if !has_c_compiler("two_baked_headers_are_two_tables") {
+fn one_c_program_uses_two_baked_headers() {
+    if !has_c_compiler("one_c_program_uses_two_baked_headers") {
         return;
     }
     let ran = two_in_one_program(["front.toml", "rear.toml"]);
@@ -208,8 +208,8 @@ fn two_baked_headers_are_two_tables() {
 }
 
 #[test]
-fn two_baked_headers_of_one_name_do_not_compile() {
-    if !has_c_compiler("two_baked_headers_of_one_name_do_not_compile") {
+fn two_baked_headers_with_one_name_do_not_compile() {
+    if !has_c_compiler("two_baked_headers_with_one_name_do_not_compile") {
         return;
     }
     let refused = two_in_one_program(["old/front.toml", "new/front.toml"]);

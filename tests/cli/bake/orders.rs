@@ -5,7 +5,7 @@ use std::path::Path;
 use super::super::program::{example, folder, run, text};
 
 #[test]
-fn without_options_the_motion_of_the_file_is_baked_under_out() {
+fn bake_without_options_bakes_the_motion_of_the_file_into_out() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let output = run(folder.path(), &["bake", "a.toml"]);
@@ -24,7 +24,7 @@ fn without_options_the_motion_of_the_file_is_baked_under_out() {
 }
 
 #[test]
-fn one_segment_is_told_in_the_singular() {
+fn one_baked_segment_is_printed_in_the_singular() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     let arguments = ["bake", "a.toml", "--from", "1", "--to", "1.0001"];
@@ -41,7 +41,7 @@ fn one_segment_is_told_in_the_singular() {
 }
 
 #[test]
-fn a_range_that_is_refused_comes_with_one_that_is_possible() {
+fn a_refused_range_is_reported_with_a_possible_one() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     for (ends, reason, kept) in [
@@ -80,7 +80,7 @@ fn a_range_that_is_refused_comes_with_one_that_is_possible() {
 }
 
 #[test]
-fn wrong_orders_are_exit_code_2_and_one_sentence() {
+fn wrong_arguments_of_bake_give_exit_code_2_and_one_sentence() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     for (arguments, expected) in [
@@ -131,7 +131,7 @@ fn wrong_orders_are_exit_code_2_and_one_sentence() {
 /// Other commands count from the design position. Where no part of the range is within reach that is the whole message, without a part
 /// that is possible.
 #[test]
-fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
+fn a_range_that_counts_from_the_design_is_corrected_in_the_message() {
     let folder = folder();
     std::fs::write(
         folder.path().join("a.toml"),
@@ -144,21 +144,21 @@ fn a_range_that_seems_to_count_from_the_design_is_told_the_one_that_does() {
     };
     let own = "`bump` takes the drive's own value, not a change from the design position: `bump` is 0.3 m at the design position; for \
                that range about the design write --drive bump=";
-    let said = bake("bump=-0.03:0.03");
+    let message = bake("bump=-0.03:0.03");
     let expected = format!("a.toml: bump cannot be baked from -0.03 to 0.03: {own}0.27:0.33\n");
-    assert_eq!(said, expected);
-    let said = bake("bump=0.01:0.2");
+    assert_eq!(message, expected);
+    let message = bake("bump=0.01:0.2");
     assert!(
-        said.starts_with(&format!("note: a.toml: {own}0.31:0.5\n")),
-        "{said}"
+        message.starts_with(&format!("note: a.toml: {own}0.31:0.5\n")),
+        "{message}"
     );
-    assert!(said.contains("possible is --from 0.1"), "{said}");
-    let said = bake("bump=0.27:0.33");
-    assert!(!said.contains("note:"), "{said}");
+    assert!(message.contains("possible is --from 0.1"), "{message}");
+    let message = bake("bump=0.27:0.33");
+    assert!(!message.contains("note:"), "{message}");
 }
 
 #[test]
-fn a_value_that_is_no_number_is_refused_with_what_is_wanted() {
+fn an_option_of_bake_without_a_number_is_refused_with_its_format() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
     for (option, wanted) in [
@@ -175,13 +175,16 @@ fn a_value_that_is_no_number_is_refused_with_what_is_wanted() {
     ] {
         let output = run(folder.path(), &["bake", "a.toml", option, "x"]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        let said = text(&output.stderr);
-        assert!(said.contains(option) && said.contains(wanted), "{said}");
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(option) && message.contains(wanted),
+            "{message}"
+        );
     }
 }
 
 #[test]
-fn other_orders_of_derivatives_are_refused_with_those_that_there_are() {
+fn unknown_orders_of_derivatives_are_refused_with_the_known_ones() {
     let folder = folder();
     let wanted = "write 0, 1 or 2";
     for value in ["3", "-1", "1.0", "two"] {
@@ -198,8 +201,8 @@ fn other_orders_of_derivatives_are_refused_with_those_that_there_are() {
         ] {
             let output = run(folder.path(), command);
             assert_eq!(output.status.code(), Some(2), "{output:?}");
-            let said = text(&output.stderr);
-            assert!(said.contains(wanted), "{said}");
+            let message = text(&output.stderr);
+            assert!(message.contains(wanted), "{message}");
         }
     }
 }

@@ -83,7 +83,7 @@ fn expected(folder: &Path) -> Vec<([f64; 2], [[f64; 6]; 3])> {
 }
 
 #[test]
-fn positions_are_within_the_tolerance_of_the_solver_and_rates_follow() {
+fn a_baked_surface_is_within_tolerance_of_the_solver() {
     let folder = folder();
     let mut worst = [0.0_f64; 3];
     for ([bump, steer], found) in expected(folder.path()) {
@@ -124,7 +124,7 @@ fn positions_are_within_the_tolerance_of_the_solver_and_rates_follow() {
 }
 
 #[test]
-fn the_rust_file_compiles_and_reads_the_same_digits() {
+fn a_baked_rust_surface_gives_the_same_digits() {
     let folder = folder();
     is_as_kept(&baked(folder.path(), &[]), "wheel_by_bump_and_steer.rs");
     for (at, expected) in expected(folder.path()) {
@@ -141,8 +141,8 @@ fn the_rust_file_compiles_and_reads_the_same_digits() {
 }
 
 #[test]
-fn the_c_header_compiles_and_reads_the_same_digits() {
-    if !has_c_compiler("the_c_header_compiles_and_reads_the_same_digits") {
+fn a_baked_c_surface_gives_the_same_digits() {
+    if !has_c_compiler("a_baked_c_surface_gives_the_same_digits") {
         return;
     }
     let folder = folder();
@@ -183,7 +183,7 @@ int main(void)
 }
 
 #[test]
-fn what_no_surface_can_be_made_of_is_refused_in_one_sentence() {
+fn an_impossible_surface_is_refused_in_one_sentence() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), FILE).expect("written");
     for (arguments, code, expected) in [

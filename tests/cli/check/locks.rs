@@ -3,11 +3,10 @@
 use super::super::program::{CORNER, folder, run, text};
 use super::{arm, check, line};
 
-/// If the motion locks between two instants, the message names the later one, like that of `motion`; the reach of each drive
-/// is known nevertheless.
-/// all the same.
+/// If the motion locks between two instants, the message names the later one, like that of `motion`; `range` prints the
+/// reach of each drive nevertheless.
 #[test]
-fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
+fn check_and_motion_report_the_same_lock_and_range_succeeds() {
     let folder = folder();
     let time = "{ start = 0.0, stop = 1.0, step = 0.28 }";
     let file = CORNER
@@ -17,18 +16,18 @@ fn check_and_motion_stop_at_one_instant_and_range_goes_on() {
     let [motion, check, range] =
         ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
     let expected = "no configuration at t = 0.56 s with ";
-    let said = text(&motion.stderr);
-    assert_eq!(motion.status.code(), Some(3), "{said}");
-    assert!(said.contains(expected), "{said}");
+    let message = text(&motion.stderr);
+    assert_eq!(motion.status.code(), Some(3), "{message}");
+    assert!(message.contains(expected), "{message}");
     assert_eq!(check.status.code(), Some(3), "{check:?}");
-    let told = line(&check, "motion ");
-    assert!(told.contains(expected), "{told}");
+    let motion_line = line(&check, "motion ");
+    assert!(motion_line.contains(expected), "{motion_line}");
     assert_eq!(range.status.code(), Some(0), "{range:?}");
 }
 
-/// A file whose own motion locks may have a healthy design position: check and sheet say both.
+/// A file whose own motion locks may have a regular design position: check and sheet report both.
 #[test]
-fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
+fn a_motion_out_of_reach_is_reported_beside_a_healthy_design() {
     let moved = "start = 0.0\nstop = 1.0\nstep = 0.5";
     let file = |bump: &str| {
         let timed = CORNER.replace(
@@ -55,22 +54,22 @@ fn a_motion_that_is_out_of_reach_is_told_from_the_design_too() {
         let output = run(folder.path(), &["sheet", "a.toml", "--out", "a.html"]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let page = std::fs::read_to_string(folder.path().join("a.html")).expect("a page");
-        let said = [motion, text(&output.stderr), page.as_str()];
+        let printed = [motion, text(&output.stderr), page.as_str()];
         let Some(expected) = expected else {
             assert!(motion.contains("is within reach"), "{motion}");
             assert_eq!(text(&output.stderr), "wrote a.html\n");
             continue;
         };
-        for said in said {
-            assert!(said.contains(expected), "{said}");
+        for printed in printed {
+            assert!(printed.contains(expected), "{printed}");
         }
         assert!(motion.contains("OUT OF REACH") && page.contains("own motion is out of reach"));
     }
 }
 
-/// Neither the reason nor a doubt is repeated behind the report.
+/// Neither the reason nor a note is repeated after the report.
 #[test]
-fn what_is_out_of_reach_is_told_once() {
+fn a_motion_out_of_reach_is_reported_once() {
     let output = check(&CORNER.replace("bump = 0.3", "bump = 0.0"), &[]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let (report, error) = (text(&output.stdout), text(&output.stderr));
@@ -87,7 +86,7 @@ fn what_is_out_of_reach_is_told_once() {
 
 /// No link is too long or too short: the arm that the drive lifts is perpendicular to the axis of its hinge.
 #[test]
-fn a_hinge_that_locks_is_named_with_its_axis() {
+fn a_locking_hinge_is_named_with_its_axis() {
     let content = CORNER.replace("double_wishbone_pushrod", "trailing_arm");
     let content = content
         .replace("steer = 0.34\n", "")
@@ -104,7 +103,7 @@ fn a_hinge_that_locks_is_named_with_its_axis() {
 
 /// An arm of a twist beam turns about its bush, a point: straight up or down it goes no further.
 #[test]
-fn an_arm_that_locks_is_named_with_its_joint() {
+fn a_locking_arm_is_named_with_its_joint() {
     let drives = "drives = { bump_left = 0.29, bump_right = 0.29 }\n";
     let content =
         format!("linkage = \"twist_beam\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n{drives}");
@@ -131,8 +130,8 @@ fn a_lock_very_near_the_design_is_noted() {
     };
     let output = low(-0.1995);
     let note = line(&output, "note");
-    let said = "a.toml: `bump` reaches a lock at -0.0005 m from the design, ";
-    assert!(note.contains(said), "{note}");
+    let expected = "a.toml: `bump` reaches a lock at -0.0005 m from the design, ";
+    assert!(note.contains(expected), "{note}");
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let output = low(-0.199);
     assert!(line(&output, "notes").ends_with("none"), "{output:?}");
@@ -140,7 +139,7 @@ fn a_lock_very_near_the_design_is_noted() {
 
 /// The arm of a Dubonnet suspension turns about two points of a casing that the steering holds: the arm reaches no further.
 #[test]
-fn an_arm_on_a_body_that_moves_is_named_with_its_hinge() {
+fn a_locking_arm_on_a_moving_body_is_named_with_its_hinge() {
     let output = check(
         "statements = '''
 fixed: low at [0.0, 0.6, 0.2], high at [0.0, 0.55, 0.42], straight at [-0.15, 0.55, 0.3];
@@ -165,7 +164,7 @@ drives = { steer = 0.0, bump = 0.155 }
 
 /// An actuator that is driven to length zero: its points meet, and no direction is left in which it could grow.
 #[test]
-fn a_length_of_zero_is_told_by_the_points_that_meet() {
+fn a_driven_length_of_zero_names_the_points_that_meet() {
     let folder = folder();
     for (anchor, free) in [
         (
@@ -191,27 +190,27 @@ fn a_length_of_zero_is_told_by_the_points_that_meet() {
         let [motion, check, range] =
             ["motion", "check", "range"].map(|command| run(folder.path(), &[command, "a.toml"]));
         let meet = "the length is zero, where `anchor` and `push` meet, and cannot be less";
-        let said = text(&motion.stderr);
+        let message = text(&motion.stderr);
         assert!(
-            said.contains(&format!("the drive `actuator` ends: {meet}")),
-            "{said}"
+            message.contains(&format!("the drive `actuator` ends: {meet}")),
+            "{message}"
         );
-        for said in [line(&check, "actuator "), line(&range, "  lower end")] {
-            assert!(said.contains(&format!(": {meet}")), "{said}");
+        for message in [line(&check, "actuator "), line(&range, "  lower end")] {
+            assert!(message.contains(&format!(": {meet}")), "{message}");
         }
-        let said = [&motion.stderr, &check.stdout, &range.stdout].map(|said| text(said));
-        let said = said.concat();
+        let message = [&motion.stderr, &check.stdout, &range.stdout].map(|message| text(message));
+        let message = message.concat();
         assert!(
-            !said.contains("bifurcation") && !said.contains("pivot, "),
-            "{said}"
+            !message.contains("bifurcation") && !message.contains("pivot, "),
+            "{message}"
         );
     }
 }
 
-/// The lower wishbone bears as much as the tie rod at its lock, and more; but it is the tie rod, or the upper wishbone, that reaches no
-/// further. Links and hinges are named alike.
+/// At the lock the lower wishbone bears more than the tie rod, but the tie rod, or the upper wishbone, reaches no
+/// further. Links and hinges are treated alike.
 #[test]
-fn the_link_that_reaches_no_further_is_named_and_not_the_one_that_bears_most() {
+fn at_a_lock_the_link_out_of_reach_is_named_not_the_most_loaded() {
     let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
     let links =
         "link upper_fore: upper_front -> upper_ball;\nlink upper_aft: upper_rear -> upper_ball;\n";

@@ -5,22 +5,23 @@ use super::axles::axles;
 use super::{compare, rows};
 
 #[test]
-fn quantities_that_only_one_side_has_are_named_once() {
+fn quantities_of_only_one_file_are_named_once() {
     let rocker = CORNER.replace("double_wishbone_pushrod", "double_wishbone_rocker");
     let axle = CORNER
         .replace("double_wishbone_pushrod", "steered_axle")
         .replace("bump = 0.3", "bump_left = 0.3\nbump_right = 0.3");
-    let said = |a: &str, b: &str| {
+    let only_lines = |a: &str, b: &str| {
         let (_folder, output) = compare(a, b, &[]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let report = text(&output.stdout).lines();
-        let said = report.filter(|line| line.starts_with("only "));
-        said.map(str::to_owned).collect::<Vec<_>>()
+        let only_lines = report.filter(|line| line.starts_with("only "));
+        only_lines.map(str::to_owned).collect::<Vec<_>>()
     };
-    assert_eq!(said(CORNER, &rocker), ["only A has: bar_arm (deg)"]);
-    assert_eq!(said(&rocker, CORNER), ["only B has: bar_arm (deg)"]);
-    assert_eq!(said(CORNER, CORNER), [""; 0]);
-    let [of_corner, of_axle] = <[String; 2]>::try_from(said(CORNER, &axle)).expect("two lines");
+    assert_eq!(only_lines(CORNER, &rocker), ["only A has: bar_arm (deg)"]);
+    assert_eq!(only_lines(&rocker, CORNER), ["only B has: bar_arm (deg)"]);
+    assert_eq!(only_lines(CORNER, CORNER), [""; 0]);
+    let [of_corner, of_axle] =
+        <[String; 2]>::try_from(only_lines(CORNER, &axle)).expect("two lines");
     assert_eq!(of_corner, "only A has: damper (m), bar_arm (deg)");
     assert!(of_axle.starts_with("only B has: "), "{of_axle}");
     assert!(of_axle.contains("roll_travel (m)"), "{of_axle}");
@@ -29,20 +30,20 @@ fn quantities_that_only_one_side_has_are_named_once() {
 
 /// For four wheels against two, a line that names each quantity would be longer than the comparison.
 #[test]
-fn wheels_that_only_one_side_has_are_named_as_a_whole() {
+fn wheels_of_only_one_file_are_named_as_a_whole() {
     let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
     let rear = [("rear_left", -2.6, 1.0), ("rear_right", -2.6, -1.0)];
     let both = axles(&[front, rear].concat());
     let (_folder, output) = compare(&both, &axles(&rear), &[]);
     let report = text(&output.stdout);
-    let said = "only A has: all of `front_left`, all of `front_right`\n";
-    assert!(report.contains(said), "{report}");
+    let expected = "only A has: all of `front_left`, all of `front_right`\n";
+    assert!(report.contains(expected), "{report}");
     assert!(!report.contains("only B has"), "{report}");
 }
 
 /// If nothing differs, no place of the largest difference is named.
 #[test]
-fn no_place_is_told_where_a_difference_is_rounding() {
+fn a_difference_within_rounding_has_no_place() {
     let (_folder, output) = compare(CORNER, CORNER, &[]);
     let report = text(&output.stdout);
     let (_, over) = report
@@ -62,8 +63,8 @@ fn no_place_is_told_where_a_difference_is_rounding() {
     let (_folder, output) = compare(CORNER, &moved, &["--csv", "-"]);
     for ([of, quantity, _], [at, a, b, difference]) in rows(&output) {
         let differs = difference.abs() > 1e-11 * a.abs().max(b.abs()).max(1.0);
-        let is_told = of.starts_with("over") && differs;
-        assert_eq!(at.is_finite(), is_told, "{of} {quantity}");
+        let has_place = of.starts_with("over") && differs;
+        assert_eq!(at.is_finite(), has_place, "{of} {quantity}");
     }
 }
 

@@ -5,7 +5,7 @@ use super::{compare, rows};
 
 /// The catalogue's axle is its corner, left and right.
 #[test]
-fn a_wheel_without_a_name_is_compared_with_each_wheel_of_an_axle() {
+fn an_unnamed_wheel_is_compared_with_each_wheel_of_an_axle() {
     let corner = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
     let axle = CORNER
         .replace("double_wishbone_pushrod", "steered_axle")
@@ -72,7 +72,7 @@ fn assert_same(a: &str, b: &str, wanted: &str) {
 }
 
 #[test]
-fn wheels_of_one_name_are_compared_along_their_own_drives() {
+fn wheels_of_the_same_name_are_compared_along_their_own_drives() {
     let (left, right) = (("left", 0.0, 1.0), ("right", 0.0, -1.0));
     // In roll the left wheel rises, in any order of the statements.
     assert_same(&axles(&[left, right]), &axles(&[right, left]), "left");

@@ -6,7 +6,7 @@ use super::{arm, compare, rows};
 
 /// Without a wheel, a length and an angle as drives cannot be compared.
 #[test]
-fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
+fn without_a_wheel_travel_by_height_and_by_angle_is_not_compared() {
     let angle = arm("m", 1.0, 0.4)
         .replace("drive bump: tip.z", "drive bump: angle(front -> tip, z)")
         .replace("bump = 0.0", "bump = 1.5");
@@ -24,7 +24,7 @@ fn a_travel_by_height_and_one_by_angle_are_not_mixed() {
 }
 
 #[test]
-fn a_drive_that_only_one_of_the_files_has_is_named() {
+fn a_drive_of_only_one_file_is_named() {
     let (_folder, output) = compare(CORNER, &arm("m", 1.0, 0.4), &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
@@ -53,9 +53,9 @@ drives = {{ bump = {value:?} }}
     )
 }
 
-/// Held by its damper, a steered wheel rises and falls.
+/// With its damper held, a steered wheel rises and falls.
 #[test]
-fn what_steering_holds_is_told_where_it_is_not_the_same() {
+fn a_wheel_height_that_varies_in_steering_is_reported() {
     let listing =
         include_str!("../../../suspension-core/src/linkages/double_wishbone_pushrod.linkage");
     let by_damper = listing.replace("wheel_centre.z;", "length(damper_inner -> damper_outer);");
@@ -64,16 +64,16 @@ fn what_steering_holds_is_told_where_it_is_not_the_same() {
     let by_damper = CORNER.replace("linkage = \"double_wishbone_pushrod\"\n", &stated);
     let by_damper = by_damper.replace("bump = 0.3", "bump = 0.24083189157584592");
     let options = ["--travel", "-0.01:0.01"];
-    let said = "the drive of travel of A keeps the height of the wheel centre in steering, that of B does not";
+    let expected = "the drive of travel of A keeps the height of the wheel centre in steering, that of B does not";
     let (_folder, output) = compare(CORNER, &by_damper, &options);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    assert!(text(&output.stdout).contains(said), "{output:?}");
+    assert!(text(&output.stdout).contains(expected), "{output:?}");
     let (_folder, output) = compare(&by_damper, &by_damper, &options);
     assert!(!text(&output.stdout).contains("in steering"), "{output:?}");
 }
 
 #[test]
-fn travel_goes_upwards_whatever_the_drive_counts() {
+fn travel_is_compared_upwards_whatever_the_sign_of_the_drive() {
     let up = led_by("wheel_centre.z", 301.0);
     let down = led_by("-1 wheel_centre.z", -301.0);
     let (_folder, output) = compare(&up, &down, &["--csv", "-"]);
@@ -93,18 +93,18 @@ fn travel_goes_upwards_whatever_the_drive_counts() {
 
 /// One suspension, driven by the height of its wheel and by its damper: over the travel of the wheel there is no difference.
 #[test]
-fn travel_by_a_damper_is_compared_over_that_of_the_wheel() {
+fn travel_driven_by_a_damper_is_compared_over_wheel_travel() {
     let up = led_by("wheel_centre.z", 301.0);
     let by_damper = led_by("length(low -> top)", 451.691_266_242_773_4);
     let (_folder, output) = compare(&up, &by_damper, &[]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
-    for said in [
+    for expected in [
         "the wheel rises by 1 per unit of `bump` of A and by 0.6",
         "of `bump upwards` of B: the curves are compared over the travel of the wheel, as far as both go",
         "Largest difference over wheel travel, at a wheel travel (mm)",
     ] {
-        assert!(report.contains(said), "{said}: {report}");
+        assert!(report.contains(expected), "{expected}: {report}");
     }
     let output = compare(&up, &by_damper, &["--csv", "-"]).1;
     let rows = rows(&output);
@@ -129,14 +129,14 @@ fn travel_by_a_damper_is_compared_over_that_of_the_wheel() {
 
 /// A length and an angle have no equal changes, but both lift the wheel.
 #[test]
-fn travel_by_an_angle_is_compared_over_that_of_the_wheel() {
+fn travel_driven_by_an_angle_is_compared_over_wheel_travel() {
     let height = led_by("wheel_centre.z", 301.0);
     let angle = led_by("angle(pin -> wheel_centre, z)", 90.787);
     let (folder, output) = compare(&height, &angle, &["--html", "a.html"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
-    let said = "`bump` of A is a length, `bump upwards` of B an angle: the curves are compared over the travel of the wheel";
-    assert!(report.contains(said), "{report}");
+    let expected = "`bump` of A is a length, `bump upwards` of B an angle: the curves are compared over the travel of the wheel";
+    assert!(report.contains(expected), "{report}");
     let heading = "Largest difference over wheel travel, at a wheel travel (mm)\n";
     let (_, over) = report.split_once(heading).expect(heading);
     let mut lines = over.lines();
@@ -150,7 +150,7 @@ fn travel_by_an_angle_is_compared_over_that_of_the_wheel() {
 
 /// The headings of derivatives, each with the moved wheels.
 #[test]
-fn what_moves_is_named_above_derivatives() {
+fn headings_of_compared_derivatives_name_the_moved_wheels() {
     let front = [("front_left", 0.0, 1.0), ("front_right", 0.0, -1.0)];
     let [left, right] = [("left", 0.0, 1.0), ("right", 0.0, -1.0)];
     let (four, two) = (axles(&front), axles(&[left, right]));
@@ -178,7 +178,7 @@ fn what_moves_is_named_above_derivatives() {
 
 /// The rack of one is positive to the left, that of the other to the right.
 #[test]
-fn racks_that_are_counted_opposite_ways_are_told() {
+fn racks_of_opposite_sign_are_reported() {
     let listing = include_str!("../../../suspension-core/src/linkages/double_wishbone.linkage");
     let led_by = |steer: &str, at: f64| {
         let listing = listing.replace("drive steer: rack.y;", &format!("drive steer: {steer};"));
@@ -193,9 +193,13 @@ fn racks_that_are_counted_opposite_ways_are_told() {
         led_by("rack along [0, -1, 0]", -0.34),
     );
     let note = "`steer` of A and `steer` of B turn the wheels opposite ways: this causes most differences per steer and over steer";
-    for (b, is_told) in [(&right, true), (&left, false)] {
+    for (b, is_reported) in [(&right, true), (&left, false)] {
         let (_folder, output) = compare(&left, b, &[]);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        assert_eq!(text(&output.stdout).contains(note), is_told, "{output:?}");
+        assert_eq!(
+            text(&output.stdout).contains(note),
+            is_reported,
+            "{output:?}"
+        );
     }
 }

@@ -29,47 +29,47 @@ fn with_hinge(points: &str, ball: &str) -> String {
 }
 
 #[test]
-fn the_body_is_named_with_an_order_that_works() {
-    let said = refusal(
+fn a_body_in_line_is_named_with_an_order_of_points_that_works() {
+    let message = refusal(
         "check",
         &[("a.toml", &with_body("lb, rod, ub, wc, tb"))],
         &[],
     );
     assert_eq!(
-        said,
+        message,
         "a.toml:10:6: the first three points of body `knuckle` carry the others, and `lb`, `rod` and `ub` lie in line; \
          list `tb` before `ub`, or move one of them off the line"
     );
-    works(&with_body("lb, rod, tb, ub, wc"));
+    assert_works(&with_body("lb, rod, tb, ub, wc"));
 }
 
 #[test]
-fn the_hinge_is_named_with_an_order_that_works() {
-    let said = refusal(
+fn a_hinge_in_line_is_named_with_an_order_of_points_that_works() {
+    let message = refusal(
         "check",
         &[("a.toml", &with_hinge("pin, ball", "[0, 0.5, 0.3]"))],
         &[],
     );
     assert_eq!(
-        said,
+        message,
         "a.toml:5:7: point `pin` of hinge `arm` lies on the axis `front`, `rear`, and the first point after the arrow must be \
          off the axis, because the axis and this point carry the other points; list `ball` before `pin`, or move it off the axis"
     );
-    works(&with_hinge("ball, pin", "[0, 0.5, 0.3]"));
+    assert_works(&with_hinge("ball, pin", "[0, 0.5, 0.3]"));
 }
 
 #[test]
-fn no_order_is_named_where_none_works() {
-    let said = refusal(
+fn for_a_hinge_without_a_working_order_none_is_proposed() {
+    let message = refusal(
         "check",
         &[("a.toml", &with_hinge("pin, ball", "[0.1, 0, 0]"))],
         &[],
     );
     let remedy = "; list a point off the line before `pin`, or move it off the axis";
-    assert!(said.ends_with(remedy), "{said}");
+    assert!(message.ends_with(remedy), "{message}");
 }
 
-fn works(file: &str) {
+fn assert_works(file: &str) {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     let output = run(folder.path(), &["check", "a.toml"]);

@@ -4,7 +4,7 @@ use super::super::program::{CORNER, edited, folder, run, text};
 use super::refusal;
 
 #[test]
-fn a_file_in_place_of_a_command_is_told_the_command() {
+fn for_a_file_in_place_of_a_command_the_command_is_named() {
     for (file, advice) in [
         (
             "a.toml",
@@ -20,14 +20,14 @@ fn a_file_in_place_of_a_command_is_told_the_command() {
         ),
     ] {
         let output = run(folder().path(), &[file]);
-        let said = text(&output.stderr);
+        let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2));
-        assert!(said.contains(&format!("tip: {advice}\n")), "{said}");
+        assert!(message.contains(&format!("tip: {advice}\n")), "{message}");
     }
 }
 
 #[test]
-fn a_key_in_the_wrong_table_is_told_where_it_stands() {
+fn for_a_key_in_the_wrong_table_the_right_table_is_named() {
     for (line, place) in [
         ("wheel_radius = 0.3", "wheel_radius belongs under [vehicle]"),
         ("axes = 3", "axes belongs above the first table"),
@@ -37,14 +37,14 @@ fn a_key_in_the_wrong_table_is_told_where_it_stands() {
         ),
     ] {
         let file = CORNER.replace("steer =", &format!("{line}\nsteer ="));
-        let said = refusal("motion", &[("a.toml", &file)], &[]);
-        assert!(said.ends_with(place), "{said}");
+        let message = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(message.ends_with(place), "{message}");
     }
 }
 
 /// Among keys: above all tables and in tables without names.
 #[test]
-fn an_unknown_field_that_stands_elsewhere_is_told_where() {
+fn for_an_unknown_field_its_right_table_is_named() {
     let head = "linkage = \"trailing_arm\"\nunit = \"m\"\n";
     for (lines, key, place) in [
         ("rack_per_turn = 0.05\n", "rack_per_turn", "under [vehicle]"),
@@ -63,15 +63,15 @@ fn an_unknown_field_that_stands_elsewhere_is_told_where() {
         ),
     ] {
         let file = format!("{head}{lines}");
-        let said = refusal("motion", &[("a.toml", &file)], &[]);
+        let message = refusal("motion", &[("a.toml", &file)], &[]);
         let expected = format!("unknown field `{key}`; {key} belongs {place}");
-        assert!(said.ends_with(&expected), "{said}");
+        assert!(message.ends_with(&expected), "{message}");
     }
 }
 
 /// Springs, moves and targets belong in tables with their names.
 #[test]
-fn a_table_without_its_name_is_answered_with_the_heading_to_write() {
+fn for_a_table_without_a_name_the_heading_to_write_is_given() {
     for (lines, heading) in [
         ("[springs]\nalong = \"bump\"\n", "[springs.NAME]"),
         ("[tune.targets]\nof = \"toe\"\n", "[tune.targets.NAME]"),
@@ -86,14 +86,14 @@ fn a_table_without_its_name_is_answered_with_the_heading_to_write() {
         ),
         ("[tune.moves]\nby = [-0.01, 0.01]\n", "[tune.moves.NAME]"),
     ] {
-        let said = refusal("motion", &[("a.toml", &format!("{CORNER}{lines}"))], &[]);
+        let message = refusal("motion", &[("a.toml", &format!("{CORNER}{lines}"))], &[]);
         let expected = format!("which has a name: write its lines under {heading}");
-        assert!(said.ends_with(&expected), "{said}");
+        assert!(message.ends_with(&expected), "{message}");
     }
 }
 
 #[test]
-fn keys_that_every_file_needs_are_missed_at_once() {
+fn all_missing_required_keys_are_reported_at_once() {
     for (file, missing) in [
         (
             "linkage = \"trailing_arm\"\nunit = \"m\"\n",
@@ -102,21 +102,21 @@ fn keys_that_every_file_needs_are_missed_at_once() {
         ("linkage = \"trailing_arm\"\n", &["unit", "time", "drives"]),
         ("unit = \"m\"\ntime = { instants = [0.0] }\n", &["drives"]),
     ] {
-        let said = refusal("motion", &[("a.toml", file)], &[]);
-        assert_eq!(said.lines().count(), 1, "{said}");
-        let told = said.matches("missing field `").count();
-        assert_eq!(told, missing.len(), "{said}");
+        let message = refusal("motion", &[("a.toml", file)], &[]);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        let missing_fields = message.matches("missing field `").count();
+        assert_eq!(missing_fields, missing.len(), "{message}");
         for name in missing {
             assert!(
-                said.contains(&format!("missing field `{name}`; write ")),
-                "{said}"
+                message.contains(&format!("missing field `{name}`; write ")),
+                "{message}"
             );
         }
     }
 }
 
 #[test]
-fn a_key_that_is_missing_is_told_with_what_to_write() {
+fn a_missing_key_is_reported_with_the_line_to_write() {
     for (line, expected) in [
         (
             "unit = \"m\"\n",
@@ -131,23 +131,23 @@ fn a_key_that_is_missing_is_told_with_what_to_write() {
             "missing field `drives`; write [drives] with a line for each",
         ),
     ] {
-        let said = refusal("sheet", &[("a.toml", &CORNER.replace(line, ""))], &[]);
-        assert!(said.contains(expected), "{said}");
+        let message = refusal("sheet", &[("a.toml", &CORNER.replace(line, ""))], &[]);
+        assert!(message.contains(expected), "{message}");
     }
 }
 
 #[test]
-fn all_lengths_that_are_missing_are_named() {
+fn all_missing_lengths_are_named() {
     let file = edited("d7_2", "").replace("\nd7_6", "\n# d7_6");
-    let said = refusal("motion", &[("a.toml", &file)], &[]);
+    let message = refusal("motion", &[("a.toml", &file)], &[]);
     assert!(
-        said.ends_with("lengths `d7_2`, `d7_6` are missing"),
-        "{said}"
+        message.ends_with("lengths `d7_2`, `d7_6` are missing"),
+        "{message}"
     );
 }
 
 #[test]
-fn a_point_without_position_is_told_where_to_write_it() {
+fn points_without_position_are_named_with_the_line_to_write() {
     let motion = "listing = \"a.linkage\"\nunit = \"m\"\ntime = { instants = [0.0] }\ndrives = { lift = 0.0 }\n";
     let listing = "fixed: fore at [0.3, 0.0, 0.0], aft;\nfree: tip;\nlink front: fore -> tip;\n\
                    link rear: aft -> tip;\ndrive lift: tip.z;\n";
@@ -163,13 +163,13 @@ fn a_point_without_position_is_told_where_to_write_it() {
     ] {
         let motion = format!("{motion}{tip}");
         let files = [("a.toml", motion.as_str()), ("a.linkage", listing)];
-        let said = refusal("motion", &files, &[]);
-        assert!(said.ends_with(expected), "{said}");
+        let message = refusal("motion", &files, &[]);
+        assert!(message.ends_with(expected), "{message}");
     }
 }
 
 #[test]
-fn a_file_of_another_kind_is_named_as_what_it_is() {
+fn a_file_of_another_kind_is_identified_in_the_message() {
     let listing = "//! An arm.\nfixed: hinge at [0.0, 0.0, 0.0];\n";
     for (name, content, expected) in [
         (
@@ -188,13 +188,13 @@ fn a_file_of_another_kind_is_named_as_what_it_is() {
             "the file is empty; suspension motion --help shows what a motion file contains",
         ),
     ] {
-        let said = refusal("sheet", &[(name, content)], &[]);
-        assert!(said.contains(expected), "{said}");
+        let message = refusal("sheet", &[(name, content)], &[]);
+        assert!(message.contains(expected), "{message}");
     }
 }
 
 #[test]
-fn a_mistake_of_a_listing_is_told_at_its_place_there() {
+fn a_mistake_in_a_listing_file_is_reported_at_its_place() {
     let (_, listing) = suspension_core::linkages::LISTINGS
         .iter()
         .find(|(name, _)| *name == "double_wishbone_pushrod")
@@ -230,14 +230,14 @@ fn a_mistake_of_a_listing_is_told_at_its_place_there() {
 }
 
 #[test]
-fn a_listing_that_cannot_be_read_is_told_with_the_line_that_names_it() {
+fn an_unreadable_listing_is_reported_at_the_line_that_names_it() {
     let motion = CORNER.replace(
         "linkage = \"double_wishbone_pushrod\"",
         "listing = \"y.linkage\"",
     );
-    let said = refusal("motion", &[("x.toml", &motion)], &[]);
+    let message = refusal("motion", &[("x.toml", &motion)], &[]);
     assert!(
-        said.starts_with("x.toml:1:11: y.linkage: cannot be read: "),
-        "{said}"
+        message.starts_with("x.toml:1:11: y.linkage: cannot be read: "),
+        "{message}"
     );
 }

@@ -6,7 +6,7 @@ use super::super::program::CORNER;
 use super::refusal;
 
 #[test]
-fn a_mistyped_name_is_told_the_one_that_was_meant() {
+fn for_a_mistyped_name_the_intended_one_is_suggested() {
     for (from, to, expected) in [
         ("[drives]", "[drive]", "; did you mean `drives`?"),
         (
@@ -26,60 +26,60 @@ fn a_mistyped_name_is_told_the_one_that_was_meant() {
             "; did you mean `bump`?",
         ),
     ] {
-        let said = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
+        let message = refusal("motion", &[("a.toml", &CORNER.replace(from, to))], &[]);
         assert!(
-            said.starts_with("a.toml:") && said.ends_with(expected),
-            "{said}"
+            message.starts_with("a.toml:") && message.ends_with(expected),
+            "{message}"
         );
     }
 }
 
 #[test]
-fn a_mistyped_drive_of_an_option_is_told_the_one_that_was_meant() {
+fn for_a_mistyped_drive_of_an_option_the_intended_one_is_suggested() {
     for (command, options) in [
         ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),
         ("assemblies", &["--drive", "bumb", "--at", "0.3"]),
         ("bake", &["--drive", "bumb=0.29:0.31"]),
     ] {
-        let said = refusal(command, &[("a.toml", CORNER)], options);
+        let message = refusal(command, &[("a.toml", CORNER)], options);
         let expected = "unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
-        assert!(said.ends_with(expected), "{said}");
+        assert!(message.ends_with(expected), "{message}");
     }
 }
 
 #[test]
-fn a_mistyped_option_is_told_the_one_that_was_meant() {
+fn for_a_mistyped_option_the_intended_one_is_suggested() {
     for (command, wrong, meant) in [
         ("motion", "--cvs", "--csv"),
         ("motion", "--jsno", "--json"),
         ("sweep", "--drives", "--drive"),
         ("sheet", "--otu", "--out"),
     ] {
-        let said = refusal(command, &[("a.toml", CORNER)], &[wrong, "x"]);
+        let message = refusal(command, &[("a.toml", CORNER)], &[wrong, "x"]);
         let expected = format!("tip: a similar argument exists: '{meant}'");
-        assert!(said.contains(&expected), "{said}");
-        assert!(!said.contains("to pass"), "{said}");
+        assert!(message.contains(&expected), "{message}");
+        assert!(!message.contains("to pass"), "{message}");
     }
 }
 
 #[test]
-fn a_measure_is_not_listed_among_the_drives() {
-    let said = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
+fn a_measure_used_as_a_drive_is_refused_with_the_drives() {
+    let message = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
     assert_eq!(
-        said,
+        message,
         "`damper` is a measure, not a drive; the drives are bump, steer"
     );
-    let said = refusal(
+    let message = refusal(
         "motion",
         &[("a.toml", &CORNER.replace("steer =", "heave ="))],
         &[],
     );
     let expected = "unknown drive `heave`; the drives are bump, steer, and one of them may be replaced by damper, bar_arm";
-    assert!(said.contains(expected), "{said}");
+    assert!(message.contains(expected), "{message}");
 }
 
 #[test]
-fn a_mistyped_key_is_told_with_the_one_that_is_near() {
+fn for_a_mistyped_key_a_similar_one_is_suggested() {
     for (mistyped, expected) in [
         (
             "linkag =",
@@ -91,13 +91,13 @@ fn a_mistyped_key_is_told_with_the_one_that_is_near() {
         ),
     ] {
         let file = CORNER.replace("linkage =", mistyped);
-        let said = refusal("motion", &[("a.toml", &file)], &[]);
-        assert!(said.starts_with(expected), "{said}");
+        let message = refusal("motion", &[("a.toml", &file)], &[]);
+        assert!(message.starts_with(expected), "{message}");
     }
 }
 
 #[test]
-fn a_load_that_is_no_line_of_its_case_is_told_how_it_is_written() {
+fn an_invalid_load_is_refused_with_its_syntax() {
     for (load, expected) in [
         (
             "[[loads.braking.forces]]\nat = \"contact\"\nforce = [100.0, 0.0, 3000.0]\n",
@@ -108,14 +108,14 @@ fn a_load_that_is_no_line_of_its_case_is_told_how_it_is_written() {
             "a.toml:9:11: invalid type: string \"none\", expected a number",
         ),
     ] {
-        let said = refusal("loads", &[("a.toml", &format!("{CORNER}{load}"))], &[]);
+        let message = refusal("loads", &[("a.toml", &format!("{CORNER}{load}"))], &[]);
         let how = "; a force is written contact = [-3000.0, 0.0, 4000.0], in N, under [loads.NAME]";
-        assert_eq!(said, format!("{expected}{how}"));
+        assert_eq!(message, format!("{expected}{how}"));
     }
 }
 
 #[test]
-fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
+fn a_name_that_collides_with_the_column_of_a_quantity_is_refused() {
     let listing = LISTINGS
         .iter()
         .find(|(name, _)| *name == "double_wishbone_pushrod");
@@ -124,7 +124,7 @@ fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
         "linkage = \"double_wishbone_pushrod\"",
         "listing = \"a.linkage\"",
     );
-    for (statement, said_of) in [
+    for (statement, expected) in [
         (
             "measure toe: angle(lower_ball -> upper_ball, z);",
             "`toe` of the listing would have the column name `toe_rad` of toe angle in tables",
@@ -135,30 +135,33 @@ fn a_name_that_makes_the_column_of_a_quantity_is_refused() {
         ),
     ] {
         let listing = format!("{listing}\n{statement}\n");
-        let said = refusal("motion", &[("a.toml", &file), ("a.linkage", &listing)], &[]);
-        assert_eq!(said, format!("a.toml: {said_of}: give it another name"));
+        let message = refusal("motion", &[("a.toml", &file), ("a.linkage", &listing)], &[]);
+        assert_eq!(message, format!("a.toml: {expected}: give it another name"));
     }
 }
 
 /// In a file whose unit differs from that of the catalogue's hardpoints, so that it has to state them all.
 #[test]
-fn a_mistyped_point_of_a_file_in_millimetres_is_told_with_its_line() {
+fn a_mistyped_point_in_millimetres_is_reported_at_its_line() {
     let file = CORNER.replace("unit = \"m\"", "unit = \"mm\"")
         + "[points]\nlower_bal = [5.0, 700.0, 170.0]\n";
-    let said = refusal("motion", &[("a.toml", &file)], &[]);
+    let message = refusal("motion", &[("a.toml", &file)], &[]);
     let line = 1 + file
         .lines()
         .position(|line| line.starts_with("lower_bal"))
         .expect("a line");
     assert!(
-        said.starts_with(&format!("a.toml:{line}:1: unknown point `lower_bal`; ")),
-        "{said}"
+        message.starts_with(&format!("a.toml:{line}:1: unknown point `lower_bal`; ")),
+        "{message}"
     );
-    assert!(said.ends_with("; did you mean `lower_ball`?"), "{said}");
+    assert!(
+        message.ends_with("; did you mean `lower_ball`?"),
+        "{message}"
+    );
 }
 
 #[test]
-fn a_spring_along_a_drive_is_told_the_measure_that_it_needs() {
+fn a_spring_along_a_drive_is_refused_with_the_measure_to_write() {
     let listing = LISTINGS.iter().find(|(name, _)| *name == "double_wishbone");
     let (_, by_height) = listing.expect("a text");
     let by_length = by_height.replace("wheel_centre.z;", "length(upper_front -> lower_ball);");
@@ -170,11 +173,11 @@ fn a_spring_along_a_drive_is_told_the_measure_that_it_needs() {
         (*by_height, "a -> b"),
         (&*by_length, "upper_front -> lower_ball"),
     ] {
-        let said = refusal("check", &[("a.toml", &file), ("a.linkage", listing)], &[]);
+        let message = refusal("check", &[("a.toml", &file), ("a.linkage", listing)], &[]);
         let expected = format!(
             "a.toml:9:9: `bump` is a drive, and a spring acts along a measure: add `measure NAME: length({line});` to the listing, and \
              write along = \"NAME\""
         );
-        assert_eq!(said, expected);
+        assert_eq!(message, expected);
     }
 }

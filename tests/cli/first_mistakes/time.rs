@@ -3,9 +3,9 @@
 use super::super::program::{CORNER, folder, run, text};
 
 #[test]
-fn a_stop_between_two_steps_is_not_reached_without_a_word() {
+fn a_stop_between_two_steps_is_noted() {
     let folder = folder();
-    let said = |step: &str| {
+    let notes_with = |step: &str| {
         let file = CORNER.replace(
             "instants = [0.0]",
             &format!("start = 0, stop = 1, step = {step}"),
@@ -15,16 +15,16 @@ fn a_stop_between_two_steps_is_not_reached_without_a_word() {
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         text(&output.stderr).to_owned()
     };
-    assert_eq!(said("0.1"), "");
+    assert_eq!(notes_with("0.1"), "");
     assert_eq!(
-        said("0.3"),
+        notes_with("0.3"),
         "note: a.toml: the motion ends at t = 0.9 s: its stop at 1 s is not a whole number of steps of 0.3 s\n"
     );
 }
 
 /// In binary the motion is shorter than its one step: 0.3 - 0.1 < 0.2.
 #[test]
-fn a_step_as_long_as_the_motion_leads_to_its_end() {
+fn one_step_as_long_as_the_motion_reaches_its_stop() {
     let folder = folder();
     let time = "time = { start = 0.1, stop = 0.3, step = 0.2 }";
     let file = CORNER.replace("time = { instants = [0.0] }", time);

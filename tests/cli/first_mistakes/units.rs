@@ -9,10 +9,10 @@ fn corner_with(points: &str) -> String {
 }
 
 #[test]
-fn a_point_in_another_unit_is_named_first_at_its_place() {
+fn a_point_in_another_unit_is_reported_first_at_its_place() {
     // The spin axis has no length: the marker coincides with the wheel centre.
     let flat = "axle = { from = \"wheel_centre\", offset = [0.0, 0.0, 0.0] }\n";
-    let said = refusal(
+    let message = refusal(
         "motion",
         &[(
             "a.toml",
@@ -21,12 +21,12 @@ fn a_point_in_another_unit_is_named_first_at_its_place() {
         &[],
     );
     let first = "a.toml:10:14: `lower_ball` lies 699 m from the other points: is it in mm?\n";
-    assert!(said.starts_with(first), "{said}");
-    assert_eq!(said.lines().count(), 2, "{said}");
+    assert!(message.starts_with(first), "{message}");
+    assert_eq!(message.lines().count(), 2, "{message}");
 }
 
 #[test]
-fn a_point_in_another_unit_with_which_a_mechanism_can_be_built_is_remarked() {
+fn a_buildable_point_in_another_unit_is_noted() {
     let folder = folder();
     for (points, expected) in [
         ("lower_ball = [0.005, 0.71, 0.17]", ""),

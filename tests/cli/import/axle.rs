@@ -45,7 +45,7 @@ fn assert_near(found: f64, expected: f64, what: &str) {
 }
 
 #[test]
-fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
+fn import_and_sheet_turn_both_sides_into_the_page_of_an_axle() {
     let folder = folder();
     let path = folder.path();
     std::fs::write(path.join("front.csv"), symmetric()).expect("written");
@@ -74,7 +74,7 @@ fn two_commands_lead_from_a_file_of_both_sides_to_the_sheet_of_the_axle() {
 
 /// The axle's corners on the shared rack equal the corner of the same file with its own rack.
 #[test]
-fn each_side_is_the_corner_alone_and_the_rack_is_one() {
+fn corners_of_an_imported_axle_equal_the_corner_on_its_own_rack() {
     let folder = folder();
     let path = folder.path();
     import(path, "front.csv", &symmetric(), &[]);
@@ -119,7 +119,7 @@ fn each_side_is_the_corner_alone_and_the_rack_is_one() {
 }
 
 #[test]
-fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
+fn every_layout_with_a_wheel_centre_is_imported_as_an_axle() {
     let mut made = 0;
     for (linkage, listing) in LISTINGS {
         let listing = Listing::parse(listing).expect("a listing");
@@ -164,7 +164,7 @@ fn every_corner_of_the_catalogue_makes_an_axle_within_the_limits() {
 /// Angles and radii that a table states for each side, in a file whose points are mirror images. The middle of an anti-roll
 /// bar is one point in the file, without a side.
 #[test]
-fn a_bar_of_both_sides_is_halved() {
+fn an_anti_roll_bar_of_both_sides_is_halved() {
     let folder = folder();
     let bar = [
         ("arb_bend", [120.0, -200.0, 130.0]),
@@ -202,7 +202,7 @@ fn a_bar_of_both_sides_is_halved() {
 }
 
 #[test]
-fn what_is_no_corner_is_no_axle() {
+fn import_refuses_an_axle_of_points_that_are_no_corner() {
     let folder = folder();
     let path = folder.path();
     let listing = LISTINGS
@@ -245,7 +245,7 @@ fn what_is_no_corner_is_no_axle() {
 
 /// A listing written for an axle that then cannot be built is removed, and one that existed before is kept.
 #[test]
-fn what_cannot_be_built_leaves_all_as_it_was() {
+fn an_axle_that_cannot_be_built_leaves_the_files_unchanged() {
     let folder = folder();
     let path = folder.path();
     let file = symmetric().replace(
@@ -269,7 +269,7 @@ fn what_cannot_be_built_leaves_all_as_it_was() {
 
 /// The catalogue's coordinates are in metres, and the motion file in the unit of the hardpoint file.
 #[test]
-fn a_point_that_is_deleted_from_an_axle_does_not_come_from_the_catalogue() {
+fn a_deleted_axle_point_is_missing_not_taken_from_the_catalogue() {
     let folder = folder();
     let path = folder.path();
     import(path, "front.csv", &symmetric(), &["--axle"]);
@@ -292,7 +292,7 @@ fn a_point_that_is_deleted_from_an_axle_does_not_come_from_the_catalogue() {
 }
 
 #[test]
-fn statements_in_a_motion_file_are_called_as_the_file() {
+fn statements_in_a_motion_file_have_the_name_of_the_file() {
     let folder = folder();
     let path = folder.path();
     import(path, "front.csv", &symmetric(), &["--axle"]);
@@ -306,7 +306,7 @@ fn statements_in_a_motion_file_are_called_as_the_file() {
 
 /// The option replaces existing files: the motion file, and its listing.
 #[test]
-fn an_axle_is_imported_again_in_another_layout() {
+fn importing_an_axle_again_replaces_motion_file_and_listing() {
     let folder = folder();
     let path = folder.path();
     import(path, "a.csv", &symmetric(), &["--axle"]);

@@ -49,7 +49,7 @@ fn model() -> String {
 }
 
 #[test]
-fn all_formats_have_the_same_points() {
+fn all_hardpoint_formats_import_the_same_points() {
     let with_blanks = CORNER.map(|(name, [x, y, z])| format!("  {name}   {x}  {y} {z}  # bush\n"));
     let german = CORNER.map(|(name, [x, y, z])| format!("\"{name}\";{x},0;{y},000;{z},0;bush\n"));
     let assigned = CORNER.map(|(name, [x, y, z])| format!("{name} = [{x}, {y}, {z}];\n"));
@@ -88,7 +88,7 @@ fn all_formats_have_the_same_points() {
 
 /// The axle point is marked relative to the wheel centre, along the spin axis; without toe and camber along y.
 #[test]
-fn angles_and_the_radius_are_read_where_a_format_has_them() {
+fn toe_camber_and_radius_are_imported_from_formats_that_have_them() {
     let folder = folder();
     let offset = |name: &str, file: &str| {
         let imported = import(folder.path(), name, file, &[]);
@@ -125,7 +125,7 @@ fn angles_and_the_radius_are_read_where_a_format_has_them() {
 }
 
 #[test]
-fn lengths_are_in_the_unit_that_the_file_states_or_else_has_the_size_of() {
+fn the_unit_of_lengths_is_stated_or_inferred_from_their_size() {
     let folder = folder();
     let found = |file: &str, options: &[&str]| {
         let imported = import(folder.path(), "a.sub", file, options);
@@ -149,8 +149,8 @@ fn lengths_are_in_the_unit_that_the_file_states_or_else_has_the_size_of() {
         let (unit, why) = found(&table(&points), &[]);
         assert_eq!(unit, expected);
         let apart = 590.0 * millimetre;
-        let said = format!("as the points are up to {}", &apart.to_string()[..3]);
-        assert!(why.contains(&said), "{why}");
+        let expected_text = format!("as the points are up to {}", &apart.to_string()[..3]);
+        assert!(why.contains(&expected_text), "{why}");
     }
     let (unit, why) = found(&table(&CORNER), &["--unit", "in"]);
     assert_eq!(unit, "in");

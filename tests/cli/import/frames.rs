@@ -22,7 +22,7 @@ fn expected(y: f64) -> BTreeMap<String, [f64; 3]> {
 }
 
 #[test]
-fn axes_are_told_by_the_order_of_points_and_named() {
+fn axes_are_inferred_from_the_order_of_points_and_named() {
     let folder = folder();
     for (axes, signs) in [
         (
@@ -40,14 +40,18 @@ fn axes_are_told_by_the_order_of_points_and_named() {
     ] {
         let imported = import(folder.path(), "a.csv", &corner("", signs), &[]);
         assert_eq!(imported.points(), expected(1.0));
-        let told = format!("note: a.csv: axes are {axes}");
-        assert!(imported.notes.contains(&told), "{}", imported.notes);
+        let expected_text = format!("note: a.csv: axes are {axes}");
+        assert!(
+            imported.notes.contains(&expected_text),
+            "{}",
+            imported.notes
+        );
     }
 }
 
 /// A published layout has the same names, and its front links behind the rear ones.
 #[test]
-fn axes_of_five_links_are_told() {
+fn axes_of_a_five_link_suspension_are_inferred() {
     let folder = folder();
     let listed = listed("multi_link");
     for (signs, axes) in [([1.0, 1.0], "ISO 8855"), ([-1.0, -1.0], "Adams")] {
@@ -62,13 +66,13 @@ fn axes_of_five_links_are_told() {
             listed.iter().cloned().collect(),
             "{axes}"
         );
-        let told = format!("note: a.csv: axes are {axes} (");
-        assert!(imported.notes.contains(&told), "{}", imported.notes);
+        let expected = format!("note: a.csv: axes are {axes} (");
+        assert!(imported.notes.contains(&expected), "{}", imported.notes);
     }
 }
 
 #[test]
-fn axes_that_are_stated_are_taken_and_doubted_where_points_speak_against_them() {
+fn stated_axes_are_used_and_a_contradiction_by_points_is_noted() {
     let folder = folder();
     let imported = import(
         folder.path(),
@@ -89,10 +93,10 @@ fn axes_that_are_stated_are_taken_and_doubted_where_points_speak_against_them() 
 }
 
 #[test]
-fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
+fn an_imported_corner_keeps_its_side_unless_the_other_is_requested() {
     let folder = folder();
     let right = [1.0, -1.0, 1.0];
-    for (file, options, y, said) in [
+    for (file, options, y, expected_text) in [
         (
             corner("hpl_", [1.0; 3]),
             vec![],
@@ -144,8 +148,8 @@ fn a_corner_stays_on_its_side_unless_the_other_is_wanted() {
         ),
     ] {
         let imported = import(folder.path(), "a.csv", &file, &options);
-        assert_eq!(imported.points(), expected(y), "{said}");
-        assert!(imported.notes.contains(said), "{}", imported.notes);
+        assert_eq!(imported.points(), expected(y), "{expected_text}");
+        assert!(imported.notes.contains(expected_text), "{}", imported.notes);
         let axle = imported.motion["points"]["axle"]["offset"][1].as_float();
         assert_eq!(axle, Some(-100.0 * y));
     }
@@ -172,7 +176,7 @@ fn assert_angles(imported: &Imported, axle: &str, degrees: [f64; 2]) {
 }
 
 #[test]
-fn a_column_of_sides_may_have_their_first_letters() {
+fn a_column_of_sides_may_contain_initials() {
     let folder = folder();
     let of = |side: &str, y: f64| {
         let rows = corner("", [1.0, y, 1.0]);
@@ -185,13 +189,17 @@ fn a_column_of_sides_may_have_their_first_letters() {
     for (side, y) in [("left", 1.0), ("right", -1.0)] {
         let imported = import(folder.path(), "a.csv", &file, &["--side", side]);
         assert_eq!(imported.points(), expected(y));
-        let said = format!("the corner is the {side} one");
-        assert!(imported.notes.contains(&said), "{}", imported.notes);
+        let expected_text = format!("the corner is the {side} one");
+        assert!(
+            imported.notes.contains(&expected_text),
+            "{}",
+            imported.notes
+        );
     }
 }
 
 #[test]
-fn a_mirror_image_has_the_angles_and_the_radius_of_its_corner() {
+fn a_mirrored_corner_keeps_the_angles_and_radius_of_the_original() {
     let folder = folder();
     let numbers = "toe_angle, left, 0.4\ncamber_angle, left, -1.3\ntire_radius, left, 229\n";
     let file = corner("hpl_", [1.0; 3]) + numbers;
@@ -204,7 +212,7 @@ fn a_mirror_image_has_the_angles_and_the_radius_of_its_corner() {
 }
 
 #[test]
-fn each_side_has_the_angles_under_its_names() {
+fn each_side_has_the_angles_stated_for_that_side() {
     let folder = folder();
     let sides = corner("hpl_", [1.0; 3]) + &corner("hpr_", [1.0, -1.0, 1.0]);
     let numbers = "pvl_toe_angle, 0.4\npvr_toe_angle, 0.1\ncamber_angle, -1.3\n";
@@ -215,7 +223,7 @@ fn each_side_has_the_angles_under_its_names() {
 
 /// In the axes of the names the corner is on the left; in the stated axes on the right.
 #[test]
-fn a_side_that_names_and_axes_do_not_share_is_settled_by_the_user() {
+fn the_side_option_settles_a_conflict_of_names_and_axes() {
     let folder = folder();
     let mirrored = corner("hpl_", [1.0; 3]);
     let options = ["--axes", "iso", "--side", "left"];

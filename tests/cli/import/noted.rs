@@ -1,10 +1,10 @@
-//! Remarks on hardpoints that may be mistakes.
+//! Notes on hardpoints that may be mistakes.
 
 use super::super::program::folder;
 use super::{CORNER, import, table};
 
 #[test]
-fn a_pushrod_on_the_upper_wishbone_is_doubted() {
+fn a_pushrod_near_the_upper_wishbone_is_noted() {
     let folder = folder();
     let pulled = table(&CORNER).replace(
         "prod_outboard, 2, -520, 150",
@@ -19,7 +19,7 @@ fn a_pushrod_on_the_upper_wishbone_is_doubted() {
 }
 
 #[test]
-fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
+fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
     let folder = folder();
     let doubt = "is on the other side of the vehicle than";
     let turned = table(&CORNER).replace("lca_outer, -4, -560", "lca_outer, -4, 560");
@@ -42,7 +42,7 @@ fn a_point_on_the_other_side_of_the_vehicle_is_doubted() {
 
 /// Corners of the catalogue are left ones; the imported one may be either.
 #[test]
-fn the_layout_is_described_without_a_side() {
+fn the_note_on_the_layout_does_not_name_a_side() {
     let folder = folder();
     let imported = import(
         folder.path(),
@@ -50,15 +50,15 @@ fn the_layout_is_described_without_a_side() {
         &table(&CORNER),
         &["--side", "right"],
     );
-    let said = "A double wishbone with a steering rack, a pushrod from the lower wishbone to a rocker, and a damper.\n";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let expected = "A double wishbone with a steering rack, a pushrod from the lower wishbone to a rocker, and a damper.\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
 
 /// The rates of the drives are in no file of hardpoints.
 #[test]
-fn the_motion_is_said_to_be_an_example() {
+fn a_note_calls_the_imported_motion_an_example() {
     let folder = folder();
     let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    let said = "the motion is an example: for one second bump grows by 30 mm a second, other drives are held\n";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let expected = "the motion is an example: for one second bump grows by 30 mm a second, other drives are held\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
 }

@@ -1,4 +1,4 @@
-//! Files that are refused, and remarks on accepted ones.
+//! Files that are refused, and notes on accepted ones.
 
 use super::super::program::{folder, run, text};
 use super::{CORNER, import, table};
@@ -23,62 +23,65 @@ pub(super) fn refusal(name: &str, content: &str, options: &[&str]) -> String {
 }
 
 #[test]
-fn what_is_missing_is_named_at_once_with_the_names_that_would_do() {
-    let said = refusal(
+fn all_missing_points_are_named_at_once_with_accepted_names() {
+    let message = refusal(
         "a.csv",
         &without(&["tierod_outer", "shock_to_chassis"]),
         &["--linkage", "double_wishbone_rocker"],
     );
     assert!(
-        said.starts_with(
+        message.starts_with(
             "a.csv: double_wishbone_rocker lacks `damper_inner` (or shock_to_chassis, "
         ),
-        "{said}"
+        "{message}"
     );
     assert!(
-        said.contains("; `tie_ball` (or tierod_outer, tie_rod_outer, "),
-        "{said}"
+        message.contains("; `tie_ball` (or tierod_outer, tie_rod_outer, "),
+        "{message}"
     );
-    let said = refusal("a.csv", &without(&["lca_rear"]), &[]);
+    let message = refusal("a.csv", &without(&["lca_rear"]), &[]);
     assert!(
-        said.contains("no layout has all its points here; the nearest, double_wishbone"),
-        "{said}"
+        message.contains("no layout has all its points here; the nearest, double_wishbone"),
+        "{message}"
     );
-    assert!(said.contains("lacks `lower_rear` (or lca_rear, "), "{said}");
+    assert!(
+        message.contains("lacks `lower_rear` (or lca_rear, "),
+        "{message}"
+    );
 }
 
 #[test]
-fn a_point_that_a_missing_one_places_is_not_asked_for() {
-    let said = refusal("a.csv", &without(&["wheel_center"]), &[]);
-    assert!(said.contains(" lacks `wheel_centre` (or "), "{said}");
-    assert!(!said.contains("axle"), "{said}");
+fn a_point_placed_by_a_missing_point_is_not_reported_as_missing() {
+    let message = refusal("a.csv", &without(&["wheel_center"]), &[]);
+    assert!(message.contains(" lacks `wheel_centre` (or "), "{message}");
+    assert!(!message.contains("axle"), "{message}");
 }
 
 #[test]
-fn a_layout_that_has_none_of_the_points_is_told() {
-    let said = refusal("a.csv", &table(&CORNER), &["--linkage", "twist_beam"]);
+fn a_layout_without_any_point_of_the_file_is_refused() {
+    let message = refusal("a.csv", &table(&CORNER), &["--linkage", "twist_beam"]);
     let expected = "a.csv: twist_beam has none of the file's points, `lca_front` for one; without --linkage they choose the layout";
-    assert_eq!(said, expected);
+    assert_eq!(message, expected);
 }
 
 #[test]
-fn a_mistyped_name_is_told_with_its_line_and_the_one_that_was_meant() {
-    let said = refusal(
+fn a_mistyped_name_is_reported_with_line_and_suggestion() {
+    let message = refusal(
         "a.csv",
         &(table(&CORNER).replace("uca_outer", "hpl_uca_outr") + "ballast, 1, 2, 3\n"),
         &["--linkage", "double_wishbone"],
     );
     assert!(
-        said.starts_with("a.csv: double_wishbone lacks `upper_ball` (or uca_outer, "),
-        "{said}"
+        message.starts_with("a.csv: double_wishbone lacks `upper_ball` (or uca_outer, "),
+        "{message}"
     );
     let unknown =
         "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16)";
-    assert!(said.ends_with(unknown), "{said}");
+    assert!(message.ends_with(unknown), "{message}");
 }
 
 #[test]
-fn what_is_not_used_and_what_is_not_there_is_noted() {
+fn unused_points_and_missing_parts_are_noted() {
     let folder = folder();
     let file = without(&["shock_to_chassis"]) + "hps_global, 0, 0, 0\n";
     let imported = import(folder.path(), "a.csv", &file, &[]);
@@ -101,7 +104,7 @@ fn what_is_not_used_and_what_is_not_there_is_noted() {
 
 /// File, its content, options, and the beginning or a part of the last line of the message.
 #[test]
-fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
+fn an_ambiguous_file_is_refused() {
     let corner = table(&CORNER);
     let labelled = corner.replace("wheel_center", "hpl_wheel_center");
     let without_names = "-140, -170, 125\n150, -175, 120\n";
@@ -218,13 +221,13 @@ fn a_file_that_cannot_be_read_without_a_guess_is_refused() {
         ),
     ];
     for (name, content, options, expected) in cases {
-        let said = refusal(name, &content, &options);
-        assert!(said.contains(expected), "{expected}: {said}");
+        let message = refusal(name, &content, &options);
+        assert!(message.contains(expected), "{expected}: {message}");
     }
 }
 
 #[test]
-fn a_motion_file_that_is_there_is_not_replaced_unasked() {
+fn import_does_not_replace_a_motion_file_without_out() {
     let folder = folder();
     std::fs::write(folder.path().join("a.csv"), table(&CORNER)).expect("written");
     std::fs::write(folder.path().join("a.toml"), "mine").expect("written");

@@ -1,4 +1,4 @@
-//! Rows and columns of a table that are refused, and remarks on mistyped names.
+//! Rows and columns of a table that are refused, and notes on mistyped names.
 
 use super::super::program::folder;
 use super::refused::refusal;
@@ -6,7 +6,7 @@ use super::{CORNER, import, table};
 
 /// Part of a row, and its replacement.
 #[test]
-fn a_point_needs_three_numbers() {
+fn a_point_row_without_three_numbers_is_refused() {
     for [row, other] in [
         ["150, -175, 120", "150, -175"],
         ["150, -175, 120", "150, -175, 120, 7"],
@@ -16,9 +16,9 @@ fn a_point_needs_three_numbers() {
         ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
         ["150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""],
     ] {
-        let said = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
+        let message = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
         let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and without units";
-        assert!(said.starts_with(expected), "{other}: {said}");
+        assert!(message.starts_with(expected), "{other}: {message}");
     }
 }
 
@@ -52,7 +52,7 @@ fn a_minus_of_a_typeset_table_is_one() {
 }
 
 #[test]
-fn what_is_stated_twice_is_refused() {
+fn a_point_or_number_stated_twice_is_refused() {
     for (rows, expected) in [
         (
             "lca_rear, 1, 2, 3\n",
@@ -63,59 +63,60 @@ fn what_is_stated_twice_is_refused() {
             "a.csv:18:1: `toe_angle` stands in a.csv:16 already, as 0.1; leave one of them",
         ),
     ] {
-        let said = refusal("a.csv", &format!("{}{rows}", table(&CORNER)), &[]);
-        assert!(said.contains(expected), "{said}");
+        let message = refusal("a.csv", &format!("{}{rows}", table(&CORNER)), &[]);
+        assert!(message.contains(expected), "{message}");
     }
 }
 
 #[test]
-fn columns_that_are_swapped_are_refused() {
+fn swapped_columns_are_refused() {
     // The second in coordinates of the vehicle, the origin far ahead.
     for (columns, ahead) in [([1, 0, 2], 0.0), ([1, 0, 2], 2600.0), ([0, 2, 1], 0.0)] {
         let placed = CORNER.map(|(name, [x, y, z])| (name, [x + ahead, y, z]));
         let swapped = placed.map(|(name, at)| (name, columns.map(|column| at[column])));
-        let said = refusal("a.csv", &table(&swapped), &[]);
+        let message = refusal("a.csv", &table(&swapped), &[]);
         let expected = "a.csv: the columns seem to be swapped: the second one is y, across the vehicle, and is ";
-        assert!(said.starts_with(expected), "{said}");
+        assert!(message.starts_with(expected), "{message}");
     }
 }
 
 #[test]
-fn a_unit_that_is_none_of_motion_files_is_refused() {
+fn centimetres_are_refused_as_the_unit_of_a_table() {
     for heading in [
         "# unit: cm",
         "name, x [cm], y [cm], z [cm]",
         "# all lengths in centimetres",
     ] {
-        let said = refusal("a.csv", &format!("{heading}\n{}", table(&CORNER)), &[]);
+        let message = refusal("a.csv", &format!("{heading}\n{}", table(&CORNER)), &[]);
         let expected = "a.csv:1:1: lengths are in c";
-        assert!(said.starts_with(expected), "{said}");
+        assert!(message.starts_with(expected), "{message}");
         assert!(
-            said.ends_with("; convert them to mm, m or in, and say so here"),
-            "{said}"
+            message.ends_with("; convert them to mm, m or in, and say so here"),
+            "{message}"
         );
     }
 }
 
 #[test]
-fn a_number_that_cannot_be_read_is_refused() {
+fn an_unreadable_number_is_refused() {
     for line in [
         "toe_angle, 0,15",
         "camber_angle, -0.026 rad",
         "tire_radius, 12 x 30",
         "toe_angle 0,15",
     ] {
-        let said = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
-        assert!(said.starts_with("a.csv:1:1: `"), "{said}");
+        let message = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
+        assert!(message.starts_with("a.csv:1:1: `"), "{message}");
         assert!(
-            said.ends_with("` needs one number after it, with a decimal point and without a unit"),
-            "{said}"
+            message
+                .ends_with("` needs one number after it, with a decimal point and without a unit"),
+            "{message}"
         );
     }
 }
 
 #[test]
-fn a_number_that_is_mistyped_is_told_with_the_one_that_was_meant() {
+fn a_mistyped_name_of_a_number_is_noted_with_a_suggestion() {
     let folder = folder();
     let imported = import(
         folder.path(),
@@ -128,7 +129,7 @@ fn a_number_that_is_mistyped_is_told_with_the_one_that_was_meant() {
 }
 
 #[test]
-fn rows_may_be_numbered() {
+fn rows_of_a_hardpoint_table_may_be_numbered() {
     let rows = table(&CORNER) + "toe_angle, 0.2\n";
     let rows = rows.lines().enumerate();
     let numbered: String = rows.map(|(row, line)| format!("{row}, {line}\n")).collect();
@@ -139,7 +140,7 @@ fn rows_may_be_numbered() {
 
 /// A pushrod that is not known would leave a double wishbone without one.
 #[test]
-fn words_of_a_name_may_be_joined_or_apart() {
+fn words_of_a_point_name_may_be_joined_or_separate() {
     let names = [
         ("prod_outboard", "Push rod outer"),
         ("prod_inboard", "Push rod inner"),
@@ -169,7 +170,7 @@ fn words_of_a_name_may_be_joined_or_apart() {
 }
 
 #[test]
-fn a_point_that_is_mistyped_and_not_needed_is_told_with_the_one_that_was_meant() {
+fn a_mistyped_optional_point_is_noted_with_a_suggestion() {
     let folder = folder();
     let file = table(&CORNER).replace("shock_to_chassis", "shock_to_chasis");
     let imported = import(folder.path(), "a.csv", &file, &[]);

@@ -5,7 +5,7 @@ use super::{GRID, loaded, table};
 
 /// A bar is not a spring that carries a wheel, at any place among the file's springs.
 #[test]
-fn an_example_of_a_case_has_the_spring_that_the_wheel_moves() {
+fn the_proposed_load_case_names_a_spring_moved_by_the_wheel() {
     let springs = "[springs.bar]\nalong = \"roll_travel\"\nrate = 9000.0\n\
                    [springs.coil]\nalong = \"damper_left\"\nrate = 30000.0\nload = 3000.0\n";
     let folder = folder();
@@ -21,7 +21,7 @@ fn an_example_of_a_case_has_the_spring_that_the_wheel_moves() {
 }
 
 #[test]
-fn what_is_no_load_is_refused_with_its_place() {
+fn an_invalid_load_is_refused_at_its_place() {
     for (case, expected) in [
         ("", "no load case; write [loads.braking]"),
         (
@@ -116,7 +116,7 @@ fn what_is_no_load_is_refused_with_its_place() {
 
 /// The name of a spring differs from that of the measure along which it acts.
 #[test]
-fn what_bears_the_load_may_be_named_as_a_spring() {
+fn a_load_case_may_name_the_spring_that_bears_the_load() {
     let springs = "[springs.coil]\nalong = \"damper\"\nrate = 28000.0\nload = 3800.0\n";
     let case = |by: &str| {
         let case = format!("[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"{by}\"\n");
@@ -129,7 +129,7 @@ fn what_bears_the_load_may_be_named_as_a_spring() {
 
 /// Cases differ in the parts that bear their loads, and so do their columns.
 #[test]
-fn each_case_has_its_own_columns() {
+fn each_load_case_has_its_own_columns() {
     let cases = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n";
     let row = &table(&loaded(cases), &[])[0];
     assert!(row.contains_key("a_damper_N") && !row.contains_key("b_damper_N"));
@@ -139,21 +139,21 @@ fn each_case_has_its_own_columns() {
 }
 
 #[test]
-fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
+fn a_measure_that_does_not_move_with_a_drive_cannot_bear_its_load() {
     let folder = folder();
     // The bar's arm is joined to the rocker, which steering does not move if the wheel stays.
     let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\nsteer = \"bar_arm\"\nbump = \"damper\"\n";
     std::fs::write(folder.path().join("a.toml"), loaded(case)).expect("written");
     let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
-    let is_told = text(&output.stderr).contains("load case `a` has no answer");
-    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    let is_reported = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_reported && output.status.code() == Some(3), "{output:?}");
     assert!(!folder.path().join("a.csv").exists());
     // Other cases have theirs.
     let other = format!("{case}[loads.b]\ncontact = [0.0, 0.0, 4000.0]\n");
     std::fs::write(folder.path().join("a.toml"), loaded(&other)).expect("written");
     let output = run(folder.path(), &["loads", "a.toml", "--csv", "a.csv"]);
-    let is_told = text(&output.stderr).contains("load case `a` has no answer");
-    assert!(is_told && output.status.code() == Some(3), "{output:?}");
+    let is_reported = text(&output.stderr).contains("load case `a` has no answer");
+    assert!(is_reported && output.status.code() == Some(3), "{output:?}");
     let beyond = [
         "loads",
         "a.toml",
@@ -176,7 +176,7 @@ fn what_does_not_move_with_a_drive_cannot_bear_its_load() {
 /// Rows are written immediately. All states of this motion need 40 MB; limits of the shell apply to its children, in kB.
 #[cfg(target_os = "linux")]
 #[test]
-fn the_memory_of_a_long_motion_is_bounded() {
+fn loads_of_a_long_motion_take_bounded_memory() {
     let folder = folder();
     let case = "[loads.a]\ncontact = [0.0, 0.0, 4000.0]\n";
     let motion = "time = { start = 0.0, stop = 1.0, step = 2e-4 }";

@@ -15,7 +15,7 @@ fn picture(case: &str) -> String {
 
 /// A pure moment has no arrow, and does not take the number of another.
 #[test]
-fn the_number_at_an_arrow_is_that_of_its_force() {
+fn the_number_at_an_arrow_is_its_force_beside_a_moment() {
     let picture =
         picture("axle = { moment = [0.0, 50.0, 0.0] }\ncontact = [-3000.0, 0.0, 4000.0]\n");
     assert!(picture.contains("\n5000 N\n"), "{picture}");
@@ -23,7 +23,7 @@ fn the_number_at_an_arrow_is_that_of_its_force() {
 
 /// Two links of a wishbone have forces below half a newton, one of them in compression.
 #[test]
-fn a_load_that_is_rounded_to_zero_has_no_sign() {
+fn a_force_rounded_to_zero_is_drawn_without_sign() {
     let picture = picture("lower_ball = [0.3, 0.0, 0.0]\n");
     assert!(
         picture.contains("\n0 N\n") && !picture.contains("-0 N"),
@@ -33,7 +33,7 @@ fn a_load_that_is_rounded_to_zero_has_no_sign() {
 
 /// A spring that carries the wheel is pressed; a force that makes its measure smaller pulls.
 #[test]
-fn springs_have_their_forces() {
+fn drawings_show_spring_forces_with_their_sign() {
     let carried = "wheel_centre = [0.0, 0.0, 4000.0]\nbump = \"damper\"\n";
     let row = &table(&loaded(&format!("[loads.a]\n{carried}")), &[])[0];
     let pressed = format!("\n-{:.0} N\n", row["a_damper_N"]);

@@ -97,7 +97,11 @@ fn assert_balanced(file: &str, parts: &[&str], [carrier, joint]: [&str; 2], chas
         let joined: Vec<_> = joined.copied().collect();
         assert!(joined.len() > 1);
         assert_near(sum(&joined), [Vector3::zeros(); 2], joint);
-        let is_chassis = |there| chassis.iter().any(|(point, _)| at(place, point) == there);
+        let is_chassis = |position| {
+            chassis
+                .iter()
+                .any(|(point, _)| at(place, point) == position)
+        };
         let on_chassis = all.into_iter().filter(|[point, _]| is_chassis(*point));
         let [rack, tie_ball] = ["rack", "tie_ball"].map(|point| at(place, point));
         let pull = (tie_ball - rack).normalize() * row["a_tie_rod_N"];
@@ -118,7 +122,7 @@ fn assert_near(found: [Vector3<f64>; 2], expected: [Vector3<f64>; 2], what: &str
 
 /// The lower wishbone carries the lower end of the damper.
 #[test]
-fn a_wishbone_with_a_coilover_is_balanced() {
+fn parts_of_a_wishbone_with_a_coilover_are_in_equilibrium() {
     let drives = "bump = 0.3\nsteer = 0.34";
     for more in ["bump = \"coil\"", "damper = 5000.0\nbump = \"damper\""] {
         assert_balanced(
@@ -132,7 +136,7 @@ fn a_wishbone_with_a_coilover_is_balanced() {
 
 /// The top mount bears the spring and the transverse force of the strut.
 #[test]
-fn a_strut_is_balanced() {
+fn parts_of_a_macpherson_strut_are_in_equilibrium() {
     let drives = "bump = 0.31\nsteer = 0.33";
     assert_balanced(
         &braking("macpherson", drives, "bump = \"coil\""),
@@ -144,7 +148,7 @@ fn a_strut_is_balanced() {
 
 /// The spring pushes its ends apart along the damper, the upper one upwards.
 #[test]
-fn the_top_mount_has_the_force_of_the_spring() {
+fn the_top_mount_bears_the_spring_force_along_the_damper() {
     let drives = "bump = 0.3\nsteer = 0.34";
     let file = braking("double_wishbone_coilover", drives, "bump = \"coil\"");
     let row = &table(&file, &[])[0];
@@ -169,7 +173,7 @@ fn the_top_mount_has_the_force_of_the_spring() {
 
 /// A force that is stated in the measure whose spring bears the rest: the row has the sum, as the joints at its ends do, and says so.
 #[test]
-fn a_stated_force_is_in_the_row_of_the_spring_beside_it() {
+fn the_row_of_a_spring_includes_a_stated_force() {
     let drives = "bump = 0.3\nsteer = 0.34";
     let alone = braking("double_wishbone_coilover", drives, "bump = \"coil\"");
     let both = braking(

@@ -41,7 +41,7 @@ hinge arm: outer, inner -> hub;\n"
 /// A bar exerts only a moment about its own axis: the bushes bear the load by the lever rule, for any line of the arm in the
 /// angle.
 #[test]
-fn bushes_bear_what_a_torsion_bar_carries() {
+fn bushes_of_an_arm_on_a_torsion_bar_bear_the_lever_rule_forces() {
     let load = "hub = [0.0, 0.0, 1000.0]";
     for hub in [0.6, 0.45, 0.3, 0.7] {
         for from in ["outer", "inner"] {
@@ -74,7 +74,7 @@ fn bushes_bear_what_a_torsion_bar_carries() {
 /// At the joint of knuckle and wishbone one presses on the other; the bushes bear that force, and the bar a moment about
 /// their line.
 #[test]
-fn a_wishbone_on_a_torsion_bar_is_in_equilibrium() {
+fn a_wishbone_on_a_torsion_bar_is_in_equilibrium_with_bushes() {
     let [af, ar, lb] = [[0.3, 0.3, 0.2], [-0.25, 0.28, 0.18], [0.0, 0.7, 0.16]].map(Vector3::from);
     for from in ["af", "ar"] {
         let statements = format!(
@@ -111,7 +111,7 @@ wheel: axle -> wc;\n"
 
 /// The moment depends neither on the zero of its angle nor on the number of turns.
 #[test]
-fn a_moment_does_not_depend_on_the_turn_that_its_angle_is_on() {
+fn a_moment_does_not_depend_on_the_turn_of_its_angle() {
     let statements =
         "fixed: a at [0.0, 0.0, 0.3], ahead at [0.2, 0.0, 0.3], mark at [0.0, 0.3, 0.3];
 free: p at [0.0, 0.0, 0.5];
@@ -147,7 +147,7 @@ const ANGLE: f64 = 0.949_505_195_260_471;
 
 /// The statement that holds the angle of a link bears its moment, and the link the remaining force along it.
 #[test]
-fn a_link_bears_the_same_however_its_angle_is_stated() {
+fn the_force_in_a_link_does_not_depend_on_how_its_angle_is_stated() {
     let marks = "fixed: above at [0.0, 0.0, 0.6], side at [0.16, -0.05, 0.3];\n";
     let angles = [
         ("", "angle(a -> p, z)"),
@@ -182,7 +182,7 @@ fn a_link_bears_the_same_however_its_angle_is_stated() {
 
 /// At both ends of the angle all forces are in equilibrium, including the couple on each line.
 #[test]
-fn links_at_an_angle_that_is_held_are_in_equilibrium() {
+fn links_at_a_held_angle_are_in_equilibrium() {
     let statements = "fixed: a at [0.0, 0.0, 0.3], b at [0.3, 0.5, 0.2], c at [-0.3, 0.4, 0.25], d at [0.6, 0.1, 0.5];
 free: p at [0.05, 0.16, 0.42], q at [0.4, 0.35, 0.5];
 link ap: a -> p;
@@ -218,9 +218,9 @@ drive up: p.z;\n";
     );
 }
 
-/// A line between two points of the chassis is the chassis', whichever hinge has these points too.
+/// A line between two chassis points belongs to the chassis, even if a hinge has these points too.
 #[test]
-fn what_acts_between_the_chassis_and_an_arm_loads_no_other_arm() {
+fn a_moment_between_chassis_and_arm_loads_no_other_arm() {
     let row = |line: &str, marks: &str| {
         let statements = format!(
             "fixed: af at [0.2, 0.35, 0.16], ar at [-0.2, 0.30, 0.18], uf at [0.15, 0.42, 0.42], ur at [-0.15, 0.40, 0.44];
@@ -248,7 +248,7 @@ measure held: angle({line}, uf -> ub);\n"
 /// A link that is the axis of a driven angle has the same force as one that is the axis of a measured angle with the same
 /// moment.
 #[test]
-fn an_axis_bears_what_is_left_beside_the_moments_on_lines() {
+fn an_axis_link_has_the_same_force_for_driven_and_measured_angles() {
     let statements = |angle: &str| {
         format!(
             "fixed: e at [0.0, 0.0, 0.3], n at [0.2, 0.0, 0.35], g at [0.3, 0.45, 0.1];
@@ -278,7 +278,7 @@ drive up: f.z;
 
 /// An arm on a moving body, pressed midway between both points that they share: each bears half.
 #[test]
-fn an_axis_between_two_bodies_has_action_and_reaction() {
+fn moments_on_an_axis_between_two_bodies_are_equal_and_opposite() {
     let statements = "fixed: f1 at [0.3, 0.3, 0.2], f2 at [-0.3, 0.3, 0.2];
 free: e at [0.0, 0.6, 0.2], f at [0.0, 0.6, 0.5], n at [0.2, 0.5, 0.2], a at [0.15, 0.65, 0.35];
 hinge car: f1, f2 -> e, f, n;
@@ -304,7 +304,7 @@ drive turn: angle(e -> n, e -> a about e -> f);\n";
 /// A T-bar whose twist is measured from its foot's own hinge line, or from another line of the chassis: the load on the
 /// chassis there is no load on the foot, which tilts about that line and carries the stem.
 #[test]
-fn what_carries_an_axis_is_in_equilibrium_beside_a_line_of_the_chassis() {
+fn a_foot_that_carries_an_axis_is_in_equilibrium_with_a_chassis_line() {
     let rows = ["side -> low", "low -> side", "low -> out", "out -> side"].map(|line| {
         let statements = format!(
             "fixed: side at [0.0, 0.1, 0.2], low at [0.0, 0.0, 0.2], out at [0.05, 0.2, 0.25];

@@ -26,7 +26,7 @@ fn moment(row: &std::collections::BTreeMap<String, f64>, name: &str) -> Vector3<
 
 /// A case may state the load, the measure may bear that of a drive, or both: the loads are added.
 #[test]
-fn a_torsion_bar_has_its_moment_on_the_arm() {
+fn the_moment_of_a_torsion_bar_acts_on_the_arm() {
     for (case, expected) in [
         ("bar = -300.0", -300.0),
         ("bump = \"bar\"", -400.0),
@@ -50,7 +50,7 @@ fn a_torsion_bar_has_its_moment_on_the_arm() {
 
 /// An arm on a moving body: a load between both acts on the two with opposite signs, and each body is in equilibrium.
 #[test]
-fn an_angle_between_two_bodies_has_action_and_reaction() {
+fn a_load_in_an_angle_acts_oppositely_on_both_bodies() {
     let file = "statements = '''\nfixed: f1 at [0.3, 0.3, 0.2], f2 at [-0.3, 0.3, 0.2];
 free: e at [0.0, 0.6, 0.2], f at [0.0, 0.6, 0.5], n at [0.2, 0.5, 0.2], a at [0.15, 0.65, 0.35];
 hinge car: f1, f2 -> e, f, n;

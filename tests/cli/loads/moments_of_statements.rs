@@ -49,7 +49,7 @@ fn moment(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
 
 /// A universal joint turns both parts by opposite moments; with that of the drive, each part is in equilibrium.
 #[test]
-fn parts_are_in_equilibrium_with_angles_that_are_driven_and_held() {
+fn parts_are_in_equilibrium_with_driven_and_held_angles() {
     for (unit, size) in [("m", 1.0), ("mm", 1000.0)] {
         let row = &table(&file(unit, size), &[])[0];
         let [on_arm, on_subframe, rock] =

@@ -33,7 +33,7 @@ fn loaded() -> String {
 
 /// Two links share a bracket, an actuator pushes at another; all brackets together bear the loads.
 #[test]
-fn links_and_actuators_at_a_point_are_together() {
+fn forces_of_links_and_actuators_at_a_chassis_point_are_added() {
     let row = &table(&loaded(), &[])[0];
     let pull = |link: &str, from, to| {
         let along = Vector3::from(to) - Vector3::from(from);
@@ -58,7 +58,7 @@ fn links_and_actuators_at_a_point_are_together() {
 
 /// A link with a mass is among the joints too, and counts once; the weight of all is borne.
 #[test]
-fn the_chassis_bears_the_weight_of_all_parts() {
+fn forces_on_the_chassis_sum_to_loads_and_weights() {
     let masses =
         "[masses]\nfore = 3.0\nbrace = 2.0\ntip = 10.0\n[loads.a]\nhub = [0.0, 0.0, 500.0]";
     let row = &table(&frame(masses), &[])[0];
@@ -69,7 +69,7 @@ fn the_chassis_bears_the_weight_of_all_parts() {
 }
 
 #[test]
-fn the_report_has_a_table_of_the_brackets() {
+fn the_loads_report_has_a_table_of_forces_on_the_chassis() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), loaded()).expect("written");
     let row = &table(&loaded(), &[])[0];
@@ -90,7 +90,7 @@ fn the_report_has_a_table_of_the_brackets() {
 
 /// The report answers why a drive bears nothing, what moves, and how bushes share a load.
 #[test]
-fn the_report_explains_what_it_assumes() {
+fn the_loads_report_explains_borne_loads_and_shares_of_bushes() {
     let rocker = include_str!("../../../examples/double_wishbone_rocker.toml");
     let without_spring = rocker.replace("bump = \"damper\"\n", "");
     let note = |hinges: &str| {
@@ -115,8 +115,8 @@ fn the_report_explains_what_it_assumes() {
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
         let output = run(folder.path(), &["loads", "a.toml"]);
         let report = text(&output.stdout).to_owned();
-        for said in [drive, "\nrack (driven) ", "\nlower_front "] {
-            assert!(report.contains(said), "{said}: {report}");
+        for expected in [drive, "\nrack (driven) ", "\nlower_front "] {
+            assert!(report.contains(expected), "{expected}: {report}");
         }
         let to_a_table = run(folder.path(), &["loads", "a.toml", "--csv", "-"]);
         for output in [output, to_a_table] {

@@ -38,7 +38,7 @@ fn short(value: f64) -> f64 {
 }
 
 #[test]
-fn the_drives_at_one_place_are_named() {
+fn the_heading_of_a_load_case_names_the_drive_values() {
     let file = loaded(BRAKING);
     for (more, expected) in [
         (
@@ -57,7 +57,7 @@ fn the_drives_at_one_place_are_named() {
 
 /// The drive that moves is named beside each force, the other one once above them all.
 #[test]
-fn a_grid_has_the_place_of_each_extreme() {
+fn over_a_grid_each_extreme_force_has_its_place() {
     let more = ["--drive", "bump=-0.05:0.04:5"];
     let (report, table) = report_and_table(&loaded(BRAKING), &more);
     let expected =
@@ -75,7 +75,7 @@ fn a_grid_has_the_place_of_each_extreme() {
 }
 
 #[test]
-fn a_grid_of_two_drives_has_both_at_each_extreme() {
+fn over_a_grid_of_two_drives_extremes_name_both_values() {
     let more = [
         "--drive",
         "bump=-0.05:0.05:3",
@@ -92,16 +92,16 @@ fn a_grid_of_two_drives_has_both_at_each_extreme() {
     );
 }
 
-/// A number that is equal at all places has no place of its maximum.
+/// A force that is equal at all places has no place of an extreme.
 #[test]
-fn what_is_the_same_everywhere_has_no_place() {
+fn a_constant_force_has_no_place_of_its_extreme() {
     let file = loaded(&format!("{BRAKING}bump = \"damper\"\n"));
     let (report, _) = report_and_table(&file, &["--drive", "bump=-0.05:0.05:3"]);
     assert!(line(&report, "bump").ends_with("N"), "{report}");
 }
 
 #[test]
-fn a_motion_has_the_time_of_each_extreme() {
+fn over_a_motion_each_extreme_force_has_its_time() {
     let motion = "time = { start = 0.0, stop = 1.0, step = 0.25 }";
     let file = loaded(BRAKING)
         .replace("time = { instants = [0.0] }", motion)
@@ -119,7 +119,7 @@ fn a_motion_has_the_time_of_each_extreme() {
 
 /// A motion does not overwrite the table of a grid.
 #[test]
-fn grids_and_motions_have_tables_of_their_own() {
+fn tables_of_grids_and_motions_are_separate_files() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), loaded(BRAKING)).expect("written");
     let grid = ["loads", "a.toml", "--drive", "bump=-0.05:0.05:3"];
@@ -129,10 +129,10 @@ fn grids_and_motions_have_tables_of_their_own() {
     ] {
         let output = run(folder.path(), options);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
-        let (told, path) = (text(&output.stderr), Path::new("out").join(name));
+        let (message, path) = (text(&output.stderr), Path::new("out").join(name));
         assert!(
-            told.contains(&format!("wrote {}\n", path.display())),
-            "{told}"
+            message.contains(&format!("wrote {}\n", path.display())),
+            "{message}"
         );
     }
     let grid = std::fs::read(folder.path().join("out/a_loads.csv")).expect("a table");
@@ -140,7 +140,7 @@ fn grids_and_motions_have_tables_of_their_own() {
 }
 
 #[test]
-fn near_a_lock_the_place_is_told() {
+fn the_warning_near_a_lock_names_the_place() {
     let file = include_str!("../../../examples/attia2003.toml");
     let file = format!("{file}[loads.a]\np11 = [0.0, 0.0, 1000.0]\n");
     let more = ["--absolute", "--drive", "theta=1.57842626:2.17842626:4"];

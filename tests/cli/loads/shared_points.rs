@@ -22,7 +22,7 @@ const KNUCKLE: &str = "body knuckle: ";
 /// How they share the force along their line is not determined: each has half of what the bodies pass on there, in whatever
 /// order the points are stated.
 #[test]
-fn two_points_of_two_bodies_share_the_force_along_their_line() {
+fn two_shared_points_of_bodies_share_the_axial_force_equally() {
     for ends in ["low, high", "high, low"] {
         let row = &table(&kingpin([ARM, KNUCKLE], ends), &[])[0];
         let [knuckle_low, knuckle_high, arm_low, arm_high] =
@@ -46,7 +46,7 @@ fn two_points_of_two_bodies_share_the_force_along_their_line() {
 }
 
 #[test]
-fn a_note_says_that_two_points_share_a_load() {
+fn a_note_explains_the_equal_shares_of_two_shared_points() {
     let folder = folder();
     let file = kingpin([ARM, KNUCKLE], "low, high");
     std::fs::write(folder.path().join("a.toml"), file).expect("written");

@@ -22,7 +22,7 @@ fn run_loads(file: &str, more: &[&str]) -> (String, String) {
 }
 
 #[test]
-fn the_spring_that_bears_a_load_is_named() {
+fn the_row_of_a_measure_names_the_spring_that_bears_the_load() {
     let helper = "[springs.helper]\nalong = \"damper\"\nrate = 1000.0\n";
     for (springs, expected) in [
         ("", "\ndamper  "),
@@ -46,7 +46,7 @@ fn the_spring_that_bears_a_load_is_named() {
 
 /// If a drive bears the load, the springs bear nothing: one note says so for all cases.
 #[test]
-fn springs_that_bear_nothing_are_noted_once() {
+fn springs_without_load_are_noted_once() {
     let second = "[loads.b]\ncontact = [0.0, 3500.0, 5000.0]\n";
     let expected = "note: a.toml: the drive `bump` bears the load of [loads.a] and [loads.b], and no spring does; write bump = \"coil\" there for \
                     the spring to bear it\n";
@@ -78,7 +78,7 @@ fn springs_that_bear_nothing_are_noted_once() {
 
 /// Each drive of an axle has the spring of its own side, and not the bar.
 #[test]
-fn each_wheel_of_an_axle_has_its_own_spring() {
+fn the_note_on_springs_names_the_spring_of_each_wheel() {
     let file = "linkage = \"live_axle_panhard\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
                 drives = { bump_left = 0.31, bump_right = 0.31 }\n\
                 springs.bar = { along = \"roll_travel\", rate = 90000.0 }\n\
@@ -92,7 +92,7 @@ fn each_wheel_of_an_axle_has_its_own_spring() {
 }
 
 #[test]
-fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
+fn drive_and_spring_in_the_wrong_order_are_refused_with_the_right_one() {
     for (line, expected) in [
         (
             "spring = \"damper\"",
@@ -132,7 +132,7 @@ fn a_spring_that_is_named_the_wrong_way_round_is_refused_with_what_was_meant() {
 
 /// The contact points of an axle have the names of its wheels.
 #[test]
-fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
+fn without_a_load_case_the_proposal_names_contact_points_of_the_file() {
     for (layout, drives, expected) in [
         (
             "live_axle_panhard",
@@ -160,7 +160,7 @@ fn a_file_without_a_load_case_is_told_of_its_own_contact_point() {
 
 /// A spring of one side does not bear the load of the other one: a note names the measure of that side, once for all cases.
 #[test]
-fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
+fn a_spring_on_one_side_alone_is_noted_with_the_other_measure() {
     let left = "springs.left = { along = \"damper_left\", rate = 30000.0, load = 2000.0 }\n";
     let right = "springs.right = { along = \"damper_right\", rate = 30000.0, load = 2000.0 }\n";
     let loads = "left_contact = [0.0, 0.0, 3000.0], right_contact = [0.0, 0.0, 3000.0]";
@@ -193,7 +193,7 @@ fn a_spring_of_one_side_alone_is_noted_with_the_measure_of_the_other() {
 
 /// The load of a spring of both wheels is not the load of one wheel.
 #[test]
-fn a_spring_of_both_wheels_is_not_proposed_for_one() {
+fn a_spring_of_both_wheels_is_not_proposed_for_one_wheel() {
     let file = "linkage = \"steered_axle\"\nunit = \"m\"\nvehicle = { wheel_radius = 0.3 }\ntime = { instants = [0.0] }\n\
                 drives = { bump_left = 0.3, bump_right = 0.3, steer = 0.34 }\n\
                 springs.bar = { along = \"roll_travel\", rate = 90000.0 }\n\

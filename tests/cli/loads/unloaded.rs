@@ -5,7 +5,7 @@ use super::{BRAKING, force, loaded, table};
 
 /// Parts without load at any place are named in one line, instead of rows of zeros; the written table contains them.
 #[test]
-fn what_bears_nothing_is_named_in_one_line() {
+fn parts_without_load_are_named_in_one_line() {
     let folder = folder();
     let case = "[loads.a]\nrack = [0.0, 100.0, 0.0]\nlower_ball = [0.0, 0.0, 3e-3]\n";
     let braking = format!("{BRAKING}bump = \"damper\"\n");

@@ -4,7 +4,7 @@ use super::corner;
 use crate::program::{folder, run, text};
 
 #[test]
-fn what_is_no_mass_is_refused_with_its_place() {
+fn an_invalid_mass_is_refused_at_its_place() {
     for (masses, case, expected) in [
         (
             "uprigth = 3.0",
@@ -75,8 +75,8 @@ fn what_is_no_mass_is_refused_with_its_place() {
 
 /// A mass on only one of two equal parts of both sides was probably forgotten on the other.
 #[test]
-fn masses_of_one_side_alone_are_noted() {
-    let said = |masses: &str| {
+fn a_mass_on_one_side_alone_is_noted() {
+    let notes_with = |masses: &str| {
         let folder = folder();
         let file = format!(
             "linkage = \"steered_axle\"\nunit = \"m\"\ntime = {{ instants = [0.0] }}\n\
@@ -87,13 +87,13 @@ fn masses_of_one_side_alone_are_noted() {
     };
     let one = "left_wheel_centre = 20.0\nrack = 4.0\n";
     assert_eq!(
-        said(one),
+        notes_with(one),
         "note: a.toml: [masses] has `left_wheel_centre`, and `right_wheel_centre` of the other side has no mass; state it too\n"
     );
     assert_eq!(
-        said(&format!("{one}right_tie_rod = 0.9\n")),
+        notes_with(&format!("{one}right_tie_rod = 0.9\n")),
         "note: a.toml: [masses] has `left_wheel_centre` and `right_tie_rod`, and `right_wheel_centre` and `left_tie_rod` of the other side have no \
          mass; state them too\n"
     );
-    assert_eq!(said(&format!("{one}right_wheel_centre = 20.0\n")), "");
+    assert_eq!(notes_with(&format!("{one}right_wheel_centre = 20.0\n")), "");
 }

@@ -6,7 +6,7 @@ use super::notes;
 /// Points that the file does not state keep their positions in the listing: a note says so if the points around them are
 /// elsewhere.
 #[test]
-fn a_point_that_stays_behind_the_others_is_remarked() {
+fn a_point_left_behind_by_moved_neighbours_is_noted() {
     let file =
         |points: &str| CORNER.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="));
     let at_centre = |height: &str| {
@@ -29,7 +29,7 @@ fn a_point_that_stays_behind_the_others_is_remarked() {
             at_centre("0.31").replace("points = {", &format!("points = {{ {relative},")),
             None,
         ),
-        // A change of a hardpoint that may well be meant.
+        // A change of a hardpoint that may be intended.
         (file("tie_ball = [0.12, 0.68, 0.20]"), None),
         (file("lower_front = [0.20, 0.35, 0.16]"), None),
         // Another body.
@@ -42,20 +42,20 @@ fn a_point_that_stays_behind_the_others_is_remarked() {
             )),
         ),
     ] {
-        let told = notes(&file);
+        let message = notes(&file);
         let Some((which, beside, remedy)) = expected else {
-            assert_eq!(told, "");
+            assert_eq!(message, "");
             continue;
         };
         for expected in [which, beside, remedy] {
-            assert!(told.contains(expected), "{told}");
+            assert!(message.contains(expected), "{message}");
         }
     }
 }
 
 /// One point on the other side than its wheel: of a corner, or of an axle a point with the wheel's name.
 #[test]
-fn a_point_on_the_wrong_side_is_remarked() {
+fn a_point_on_the_wrong_side_is_noted() {
     let corner = |point: &str| {
         let corner = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
         let corner = corner.replace("steer = 0.34\n", "");
@@ -90,15 +90,15 @@ fn a_point_on_the_wrong_side_is_remarked() {
         ),
     ] {
         let expected = format!("`{point}` is on the other side of the vehicle than `{centre}`");
-        let told = notes(&file);
-        assert!(told.contains(&expected), "{told}");
+        let message = notes(&file);
+        assert!(message.contains(&expected), "{message}");
     }
     assert_eq!(notes(&axle("right_upper_rear = [-0.15, -0.42, 0.42]")), "");
 }
 
 /// The note accompanies its consequence: a motion that its drives cannot begin.
 #[test]
-fn a_point_on_the_wrong_side_is_told_where_a_motion_is_out_of_reach() {
+fn a_point_on_the_wrong_side_is_noted_with_a_motion_out_of_reach() {
     let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
     let file = file.replace(
         "vehicle =",
@@ -108,34 +108,34 @@ fn a_point_on_the_wrong_side_is_told_where_a_motion_is_out_of_reach() {
     std::fs::write(folder.path().join("a.toml"), file.replace("0.3\n", "0.6\n")).expect("written");
     let output = run(folder.path(), &["motion", "a.toml"]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let told = text(&output.stderr);
+    let message = text(&output.stderr);
     assert!(
-        told.contains("is out of reach from the design position"),
-        "{told}"
+        message.contains("is out of reach from the design position"),
+        "{message}"
     );
     let doubt = "\na.toml: `upper_ball` is on the other side of the vehicle than `wheel_centre`";
-    assert_eq!(told.matches(doubt).count(), 1, "{told}");
+    assert_eq!(message.matches(doubt).count(), 1, "{message}");
 }
 
-/// Two points that are mixed up, of the wheel or on its axis; toe and camber as of a wheel are none of it.
+/// Exchanged points of the wheel or of its axis are noted; usual toe and camber are not.
 #[test]
-fn a_spin_axis_far_off_the_y_direction_is_remarked() {
+fn a_spin_axis_far_from_the_y_direction_is_noted() {
     let file = |points: &str| {
         let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
         file.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="))
     };
-    let told = notes(&file("axle = [0.1, 0.69, 0.3]"));
+    let message = notes(&file("axle = [0.1, 0.69, 0.3]"));
     let expected = "note: a.toml: the spin axis of the wheel, from `axle` to `wheel_centre`, is 59 deg off the y direction at the design";
-    assert!(told.contains(expected), "{told}");
-    let told = notes(&file("axle = [0.02, 0.65, 0.32]"));
-    assert!(!told.contains("off the y direction"), "{told}");
+    assert!(message.contains(expected), "{message}");
+    let message = notes(&file("axle = [0.02, 0.65, 0.32]"));
+    assert!(!message.contains("off the y direction"), "{message}");
 }
 
 /// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
 #[test]
-fn drives_that_are_meant_otherwise_are_remarked() {
+fn drive_values_in_another_unit_or_from_another_zero_are_noted() {
     let folder = folder();
-    let said = |bump: &str, arguments: &[&str]| {
+    let notes_with = |bump: &str, arguments: &[&str]| {
         let file = CORNER.replace("bump = 0.3", &format!("bump = {bump}"));
         let file = file.replace("instants = [0.0]", "start = 0.0, stop = 1.0, step = 0.5");
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
@@ -178,15 +178,15 @@ fn drives_that_are_meant_otherwise_are_remarked() {
              leave out --absolute to state changes",
         ),
     ] {
-        let told = said(bump, arguments);
-        assert!(told.contains(expected), "{bump}: {told}");
+        let message = notes_with(bump, arguments);
+        assert!(message.contains(expected), "{bump}: {message}");
     }
     for arguments in [
         &motion[..],
         &sweep("bump=-0.05:0.05:3"),
         &[&sweep("bump=0.25:0.35:3")[..], &["--absolute"]].concat(),
     ] {
-        let told = said("[0.3, 0.05]", arguments);
-        assert!(!told.contains("note:"), "{told}");
+        let message = notes_with("[0.3, 0.05]", arguments);
+        assert!(!message.contains("note:"), "{message}");
     }
 }

@@ -13,7 +13,7 @@ fn axle(arms: &str, statements: &str) -> String {
 
 /// Points in ISO 8855 under other axes, or the other way round.
 #[test]
-fn a_wheel_on_the_other_side_than_its_name_is_remarked() {
+fn a_wheel_on_the_side_opposite_to_its_name_is_noted() {
     let arms = "left_outer at [0.4, 0.65, 0.3], left_inner at [0.3, 0.35, 0.3]";
     let statements = "hinge left_arm: left_outer, left_inner -> left_wheel_centre;\n\
                       point left_axle: left_arm at [0.0, 0.6, 0.3];\nwheel left: left_axle -> left_wheel_centre;";
@@ -28,7 +28,7 @@ fn a_wheel_on_the_other_side_than_its_name_is_remarked() {
 
 /// A chassis point adds no unknowns, so the counts of equations and unknowns are the same with one point and with two.
 #[test]
-fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
+fn a_point_of_neither_side_shared_by_both_sides_is_noted() {
     let hinge = "hinge left_arm: OUTER, left_inner -> left_wheel_centre;";
     let links = "link left_fore: OUTER -> left_wheel_centre;\nlink left_aft: left_inner -> left_wheel_centre;";
     for (statements, part) in [(hinge, "arm"), (links, "fore")] {
@@ -50,7 +50,7 @@ fn a_point_of_neither_side_that_parts_of_both_join_is_remarked() {
 
 /// The image of a point has its position of the listing, although the file moves the point.
 #[test]
-fn a_point_that_is_moved_without_its_image_is_remarked() {
+fn a_point_moved_without_its_mirror_image_is_noted() {
     let statements = "hinge left_arm: left_outer, left_inner -> left_wheel_centre;";
     let arms = "left_outer at [0.4, 0.65, 0.3], left_inner at [0.3, 0.35, 0.3]";
     let of = |points: &str| notes(&format!("{}[points]\n{points}\n", axle(arms, statements)));
@@ -67,13 +67,13 @@ fn a_point_that_is_moved_without_its_image_is_remarked() {
     assert_eq!(of(left), note("left_outer", "right_outer", right));
     assert_eq!(of(right), note("right_outer", "left_outer", left));
     let both = format!("{left}\nleft_inner = [0.3, 0.36, 0.3]");
-    let said = of(&both);
+    let message = of(&both);
     assert!(
-        said.contains(
+        message.contains(
             "[points] moves `left_outer`, `left_inner` and not their images `right_outer`, `right_inner`: the two sides of the vehicle are no \
              longer alike; state them too, as right_outer = [0.4, -0.65, 0.32], if they should be\n"
         ),
-        "{said}"
+        "{message}"
     );
     assert_eq!(of(&format!("{left}\n{right}")), "");
     assert_eq!(

@@ -14,11 +14,11 @@ fn axle(rack: &str, vehicle: &str) -> String {
 }
 
 #[test]
-fn a_wheel_that_the_drive_of_steering_leaves_still_is_remarked() {
+fn a_wheel_that_steering_does_not_turn_is_noted() {
     let ends = "left_rack at [-0.1, 0.3, 0.3];";
-    let told = notes(&axle(ends, "{}"));
+    let message = notes(&axle(ends, "{}"));
     let expected = "note: a.toml: the drive `steer` turns the left wheel and not the right wheel: to steer both it moves one end of a rack";
-    assert!(told.starts_with(expected), "{told}");
+    assert!(message.starts_with(expected), "{message}");
     let stated = notes(&axle(ends, "{ steer = { left = 'steer' } }"));
     assert_eq!(stated, "");
     let joined = "left_house at [-0.1, 0.1, 0.3];\nfree: left_rack at [-0.1, 0.3, 0.3];\n\

@@ -25,7 +25,7 @@ const TRAVEL: &str = "travel = { fl = \"bump_left\", fr = \"bump_right\" }";
 const CAR: &str = "axle = \"front\"\nwheelbase = 2.6\ncg_height = 0.5\nbrake_share = 0.6\n";
 
 #[test]
-fn the_travel_of_each_wheel_is_proposed_where_it_is_needed() {
+fn a_note_proposes_the_travel_drive_of_each_wheel_if_needed() {
     let expected = format!(
         "note: a.toml: no drive is named as the travel of the fl wheel and the fr wheel, and quantities of [vehicle] that need it are \
          left out; write {TRAVEL} under [vehicle]\n"
@@ -39,7 +39,7 @@ fn the_travel_of_each_wheel_is_proposed_where_it_is_needed() {
 }
 
 #[test]
-fn a_sheet_proposes_the_travel_of_each_wheel() {
+fn sheet_proposes_the_travel_drive_of_each_wheel() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), arms("")).expect("written");
     let output = run(folder.path(), &["sheet", "a.toml"]);
@@ -50,7 +50,7 @@ fn a_sheet_proposes_the_travel_of_each_wheel() {
 }
 
 #[test]
-fn wheels_that_heave_and_roll_are_told_what_they_lack() {
+fn for_drives_in_heave_and_roll_the_missing_travel_is_noted() {
     let both = arms("")
         .replace("drive bump_left: fl_wc.z;\n", "")
         .replace(

@@ -4,7 +4,7 @@ use super::super::program::{folder, run, text};
 use super::table;
 
 #[test]
-fn of_an_axle_the_names_of_its_wheels_are_proposed() {
+fn for_quantities_of_an_axle_names_with_its_wheels_are_proposed() {
     let folder = folder();
     let axle = include_str!("../../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
@@ -42,7 +42,7 @@ fn of_an_axle_the_names_of_its_wheels_are_proposed() {
 /// follow, so that the height of the rack affects bump steer like that of a rack on a chassis point. Along the line it moves
 /// alone.
 #[test]
-fn the_end_of_a_rack_takes_its_line_with_it() {
+fn moving_a_rack_end_moves_the_line_and_the_other_end() {
     let file = |layout: &str, drives: &str| {
         format!(
             "linkage = \"{layout}\"\nunit = \"m\"\nvehicle = {{ wheel_radius = 0.3 }}\ntime = {{ instants = [0.0] }}\n\
@@ -84,7 +84,7 @@ fn the_end_of_a_rack_takes_its_line_with_it() {
 
 /// Each wheel of an axle is moved by its own drive: most derivatives with respect to the other one are zero.
 #[test]
-fn what_is_zero_and_unchanged_is_gathered_in_one_line() {
+fn zero_and_unchanged_quantities_are_gathered_in_one_line() {
     let folder = folder();
     let axle = include_str!("../../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");
@@ -109,7 +109,7 @@ fn what_is_zero_and_unchanged_is_gathered_in_one_line() {
 
 /// A quantity of each wheel also needs the missing line; a wheel's name in the wrong place is not a quantity.
 #[test]
-fn of_a_wheel_the_line_that_is_missing_is_named_too() {
+fn a_missing_quantity_of_one_wheel_names_the_line_to_write() {
     let folder = folder();
     let axle = include_str!("../../../examples/steered_axle.toml");
     std::fs::write(folder.path().join("axle.toml"), axle).expect("written");

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::super::program::{CORNER, folder, rows, run, text};
 
 #[test]
-fn places_beyond_a_lock_are_left_out_and_counted() {
+fn places_beyond_a_lock_are_omitted_and_counted() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
     let arguments = ["sweep", "a.toml", "--drive", "steer=-0.2:0.2:5"];
@@ -31,7 +31,7 @@ fn places_beyond_a_lock_are_left_out_and_counted() {
 /// The tip of two arms reaches places nearer than their sum and farther than their difference; a straight path may pass
 /// either limit.
 #[test]
-fn every_place_that_neighbours_lead_to_is_reached_whatever_the_order_of_the_drives() {
+fn every_reachable_place_is_reached_in_any_order_of_the_drives() {
     let file = "statements = '''
 fixed: o1 at [0, 0, 0], o2 at [0, 0, 0.2];
 free: a at [0.25, 0.16583123951777, 0.0], a2 at [0.25, 0.16583123951777, 0.2], b at [0.35, 0.0, 0.0];
@@ -66,7 +66,7 @@ drives = { px = 0.35, py = 0.0 }
 
 /// A platform on three driven lengths changes its assembly round a cusp of its drives, while the determinant keeps its sign.
 #[test]
-fn no_place_is_reached_in_another_assembly_round_a_cusp() {
+fn no_place_beyond_a_cusp_is_reached_in_another_assembly() {
     let file = "statements = '''
 fixed: a1 at [0, 0, 0], a2 at [1.591, 0, 0], a3 at [0, 1, 0];
 free: p1 at [-0.8726595331862909, 1.2175669752170042, 0],

@@ -1,4 +1,4 @@
-//! Moves of an axle's left side that its right side makes too.
+//! Moves of an axle's left side that are mirrored to its right side.
 
 use std::path::Path;
 
@@ -24,9 +24,9 @@ fn assert_toes(folder: &Path, expected: f64) {
     assert!(difference.abs() < 1e-6, "{row:?}");
 }
 
-/// Left as right: the file that is written is symmetric.
+/// The written file is symmetric.
 #[test]
-fn mirrored_points_keep_an_axle_symmetric() {
+fn moves_of_mirrored_points_keep_an_axle_symmetric() {
     let folder = folder();
     let tune = "\
 [tune.moves.axle]
@@ -41,9 +41,9 @@ by = [-0.02, 0.02]
     assert_toes(folder.path(), 0.1);
 }
 
-/// Turnbuckles of both sides by the same: the file that is written is symmetric.
+/// Turnbuckles of both sides change by the same length: the written file is symmetric.
 #[test]
-fn a_length_of_the_other_side_is_moved_with_it() {
+fn a_mirrored_length_is_moved_equally() {
     let folder = folder();
     let turnbuckles = |mirrored: &str| {
         format!(

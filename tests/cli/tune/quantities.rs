@@ -5,14 +5,14 @@ use super::{file, met, target, tuned};
 
 /// A name may begin with a shorter one: `camber_to_ground`, `kingpin_offset`.
 #[test]
-fn every_quantity_that_sensitivities_tell_may_be_a_target() {
+fn every_quantity_of_sensitivities_may_be_a_target() {
     let folder = folder();
     let drives = "steer = 0.34\nbump_left = 0.3\nbump_right = 0.3";
     let axle =
         |tune: &str| file("steered_axle", drives, tune).replace("0.3 }", "0.3, wheelbase = 2.6 }");
     std::fs::write(folder.path().join("a.toml"), axle("")).expect("written");
-    let told = run(folder.path(), &["sensitivities", "a.toml"]);
-    let lines = text(&told.stdout)
+    let sensitivities = run(folder.path(), &["sensitivities", "a.toml"]);
+    let lines = text(&sensitivities.stdout)
         .lines()
         .filter(|line| !line.starts_with(' '));
     let names = lines.filter_map(|line| Some(line.split_once(": ")?.0));
@@ -30,7 +30,7 @@ fn every_quantity_that_sensitivities_tell_may_be_a_target() {
 
 /// There is no Ackermann percentage if the wheels are hardly steered.
 #[test]
-fn a_place_without_a_value_is_told() {
+fn a_target_at_a_place_without_value_is_refused() {
     let folder = folder();
     let drives = "steer = 0.34\nbump_left = 0.3\nbump_right = 0.3";
     let moves =

@@ -6,7 +6,7 @@ use super::{DRIVES, FLAT, file, met, tuned};
 
 /// The same target in millimetres, radians and the axes of Adams.
 #[test]
-fn units_and_axes_do_not_matter() {
+fn tuning_does_not_depend_on_units_and_axes() {
     let moved = |file: &str| -> Vec<f64> {
         let folder = folder();
         let output = tuned(folder.path(), file);
@@ -76,7 +76,7 @@ fn units_and_axes_do_not_matter() {
 }
 
 #[test]
-fn what_cannot_be_tuned_is_refused_with_its_place() {
+fn an_invalid_tune_table_is_refused_at_its_place() {
     let drives = "bump = 0.3\nsteer = 0.34";
     for (tune, code, expected) in [
         ("", 2, "nothing to tune: write [tune.moves.NAME]"),
@@ -189,7 +189,7 @@ fn what_cannot_be_tuned_is_refused_with_its_place() {
 
 /// In a file in metres a box in millimetres is noted before the search.
 #[test]
-fn a_box_in_another_unit_is_remarked() {
+fn the_limits_of_a_move_in_another_unit_are_noted() {
     let drives = "bump = 0.3\nsteer = 0.34";
     for (by, expected) in [
         ("[-0.03, 0.03]", None),
@@ -211,7 +211,7 @@ fn a_box_in_another_unit_is_remarked() {
 
 /// Thirteen places along each of eight drives are more than a computer holds.
 #[test]
-fn too_many_places_are_refused() {
+fn too_many_places_of_a_target_are_refused() {
     let names = ["ax", "ay", "az", "bx", "by", "bz", "cx", "cy"];
     let each = |of: &dyn Fn(&str) -> String| names.map(of).concat();
     let drives = each(&|name| format!("drive {name}: {}.{};\n", &name[..1], &name[1..]));
@@ -226,19 +226,19 @@ fn too_many_places_are_refused() {
     let folder = folder();
     let output = tuned(folder.path(), &file);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let told = "a grid may have 1000000 places at most";
-    assert!(text(&output.stderr).contains(told), "{output:?}");
+    let expected = "a grid may have 1000000 places at most";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
 }
 
 /// Other tables of a file have drives' own values.
 #[test]
-fn a_range_of_a_target_that_seems_to_be_of_own_values_is_noted_with_the_changes() {
+fn a_target_range_in_absolute_values_is_noted_with_the_changes() {
     let folder = folder();
     let own = FLAT.replace("bump = [-0.06, 0.06]", "bump = [0.24, 0.36]");
     let output = tuned(folder.path(), &file("double_wishbone", DRIVES, &own));
-    let told = "note: a.toml: [tune.targets.bump_steer]: `bump` takes a change from the design position, not the drive's own value: \
+    let expected = "note: a.toml: [tune.targets.bump_steer]: `bump` takes a change from the design position, not the drive's own value: \
                 `bump` is 0.3 m at the design position; write bump = [-0.06, 0.06]\n";
-    assert!(text(&output.stderr).starts_with(told), "{output:?}");
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
     let output = met(folder.path(), &file("double_wishbone", DRIVES, FLAT));
     assert!(
         !text(&output.stderr).contains("takes a change"),

@@ -5,7 +5,7 @@ use super::{DRIVES, FLAT, file, met, swept, target, tuned};
 
 /// If a point of a drive is moved along the drive, the motion begins at the new position.
 #[test]
-fn drives_begin_where_the_design_has_them() {
+fn the_tuned_motion_begins_at_the_new_design() {
     let folder = folder();
     let drives = "bump = [0.3, 0.01]\nsteer = [0.348, 0.001, 0.2]";
     let known = file(
@@ -43,7 +43,7 @@ within = 1e-5
 
 /// Springs have their load at the design that is found, as the file that is written says.
 #[test]
-fn what_springs_do_is_met_by_the_file_that_is_written() {
+fn the_tuned_file_meets_targets_of_springs() {
     let folder = folder();
     let tune = "\
 [springs.spring]
@@ -64,7 +64,7 @@ by = [-0.05, 0.05]
 
 /// A marker that the file states relative to a point moves with it.
 #[test]
-fn a_marker_follows_the_point_that_it_is_stated_off() {
+fn a_marker_stated_relative_to_a_tuned_point_moves_with_the_point() {
     let folder = folder();
     let marker = "[points]\nwheel_centre = [0.0, 0.75, 0.3]\naxle = { from = \"wheel_centre\", offset = [0.0, -0.1, 0.001] }\n";
     let tune = "\
@@ -82,7 +82,7 @@ by = [-0.05, 0.05]
 
 /// Neither the listing that is read nor a file that was there is lost.
 #[test]
-fn points_are_added_in_the_form_that_the_file_has() {
+fn tuned_points_are_added_in_the_form_of_the_file() {
     for (stated, expected) in [
         ("[points]\n# none yet\n", "[points]\ntie_ball = ["),
         (
@@ -131,7 +131,7 @@ fn points_are_added_in_the_form_that_the_file_has() {
 }
 
 #[test]
-fn what_is_there_is_not_replaced_unasked() {
+fn tune_does_not_replace_existing_files_without_out() {
     let folder = folder();
     let path = |name: &str| folder.path().join(name);
     let drives = "bump = 0.31\nsteer = 0.33";
@@ -141,7 +141,7 @@ fn what_is_there_is_not_replaced_unasked() {
     std::fs::write(path("corner.linkage"), listing).expect("written");
     std::fs::write(path("a.toml"), own).expect("written");
     std::fs::write(path("a_tuned.toml"), "mine").expect("written");
-    for (arguments, told) in [
+    for (arguments, expected) in [
         (
             &["tune", "a.toml"][..],
             "a_tuned.toml: exists already; --out a_tuned.toml replaces it",
@@ -165,7 +165,10 @@ fn what_is_there_is_not_replaced_unasked() {
     ] {
         let output = run(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
-        assert!(text(&output.stderr).contains(told), "{told}: {output:?}");
+        assert!(
+            text(&output.stderr).contains(expected),
+            "{expected}: {output:?}"
+        );
     }
     assert_eq!(
         std::fs::read_to_string(path("corner.linkage")).expect("there"),
@@ -179,7 +182,7 @@ fn what_is_there_is_not_replaced_unasked() {
 
 /// Rounded hardpoints assemble at slightly different positions than the file states.
 #[test]
-fn hardpoints_that_are_rounded_are_written_as_they_assemble() {
+fn rounded_hardpoints_are_written_as_assembled() {
     let folder = folder();
     let file =
         "linkage = \"macpherson\"\nunit = \"mm\"\nangle = \"deg\"\ntime = { instants = [0.0] }
@@ -224,7 +227,7 @@ within = 0.02
 
 /// The top is 1 mm off the strut's line: the file states the points of the assembled strut, in addition to the moved one.
 #[test]
-fn points_of_a_listing_that_do_not_satisfy_it_are_written_as_they_assemble() {
+fn points_that_do_not_satisfy_their_listing_are_written_as_assembled() {
     let folder = folder();
     let file = "unit = \"m\"
 angle = \"deg\"
@@ -267,26 +270,26 @@ within = 1e-6
     );
 }
 
-/// A third of the way to the ball joint that it goes with: of a point that is moved by hand that is remarked.
+/// The point moves a third of the way to its ball joint: for a point moved by hand this gives a note.
 #[test]
-fn a_point_that_was_tuned_leaves_the_others_where_they_are_without_a_note() {
+fn a_tuned_point_gives_no_note_on_its_unmoved_neighbours() {
     let folder = folder();
     let moved = "[points]\ntie_ball = [0.12, 0.68, 0.25]\n";
     let by_hand = file("double_wishbone", DRIVES, moved);
     std::fs::write(folder.path().join("a_tuned.toml"), by_hand).expect("written");
     let note = "[points] does not state `lower_ball`";
     let check = || run(folder.path(), &["check", "a_tuned.toml"]);
-    let said = check();
-    assert!(text(&said.stdout).contains(note), "{said:?}");
+    let checked = check();
+    assert!(text(&checked.stdout).contains(note), "{checked:?}");
     let bump_steer = swept(folder.path())[24]["toe_deg_per_bump"];
     let tune = format!(
         "[tune.moves.tie]\npoints = [\"tie_ball\"]\nalong = \"z\"\nby = [-0.06, 0.06]\n\
          [tune.targets.bump_steer]\nof = \"toe\"\nper = \"bump\"\nvalue = {bump_steer:?}\nwithin = 1e-5\n"
     );
     met(folder.path(), &file("double_wishbone", DRIVES, &tune));
-    let said = check();
+    let checked = check();
     assert!(
-        text(&said.stdout).ends_with("notes         none\n"),
-        "{said:?}"
+        text(&checked.stdout).ends_with("notes         none\n"),
+        "{checked:?}"
     );
 }

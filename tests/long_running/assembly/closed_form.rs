@@ -43,7 +43,7 @@ fn at(height: f64) -> Inputs<Still, two_links::Drives<f64>> {
 /// Feet at (-3, 0, 0) and (3, 0, 0), links of length 5: at height z the point stands at
 /// (0, +-sqrt(16 - z^2), z), and nowhere above 4.
 #[test]
-fn two_links_meet_in_two_points_or_none() {
+fn two_links_at_a_height_have_two_assemblies_or_none() {
     let model = two_links::Model::new(&DESIGN).expect("a geometry");
     let near = model.unknowns(&DESIGN);
     let mut search = Assemblies::new(&model, &near, &at(0.0), &|_, _| true);
@@ -93,7 +93,7 @@ fn roots_beside_a_fold_are_not_counted_as_complex() {
 /// A drive that moves a foot: no equation is linear in it, and the trace test says that it does not
 /// apply.
 #[test]
-fn a_tripod_has_two_assemblies_wherever_its_foot_is() {
+fn a_tripod_has_two_assemblies_for_any_position_of_its_foot() {
     let design = tripod::Points {
         left: Vector3::new(-3.0, 0.0, 0.0),
         right: Vector3::new(3.0, 0.0, 0.0),

@@ -1,4 +1,4 @@
-//! The enumeration beside what is known by other means.
+//! The enumeration of assemblies against results of other methods.
 
 use nalgebra::{Const, DimMin, SVector};
 use suspension::assemblies::{Assemblies, Census, Enumerable};
@@ -62,7 +62,7 @@ fn search_at_random<L: Build<15, Scalar = f64> + Enumerable<15>>(
 /// 1993; Husty 1996). Nine distances: four times as many, one for each side on which points 9 and
 /// 10 can stand. At t = 1 s 24 real ones had been found before, 4 of them right-handed.
 #[test]
-fn both_closures_have_the_same_right_handed_assemblies() {
+fn both_closures_enumerate_the_same_right_handed_assemblies() {
     let body: five_link::Model<f64> = support::five_link_model();
     let links: attia2003::Model<f64> = support::attia_model();
     let of_body = enumerate(

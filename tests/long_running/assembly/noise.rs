@@ -163,7 +163,7 @@ fn rough_guesses_lead_to_the_nearest_assembly() {
 
 /// Where the mechanism has two assemblies that lie close together the result says so.
 #[test]
-fn a_close_neighbour_is_reported() {
+fn a_neighbouring_assembly_is_reported() {
     let model = support::five_link_model();
     let inputs = support::five_link_inputs(1.95);
     let motions = support::motions(

@@ -94,7 +94,7 @@ fn check_against_the_solver(baked: &Baked, exact: &dyn Exact) {
 }
 
 #[test]
-fn a_baked_wheel_is_as_close_to_the_solver_as_it_says() {
+fn a_baked_wheel_is_within_its_stated_errors() {
     for continuity in CONTINUITIES {
         for tolerance in [1e-4, 1e-6, 1e-8] {
             let wanted = wanted(tolerance, continuity);
@@ -119,7 +119,7 @@ fn a_baked_wheel_is_as_close_to_the_solver_as_it_says() {
 }
 
 #[test]
-fn baked_points_agree_with_the_reference() {
+fn baked_points_agree_with_the_40_digit_reference() {
     let reference = Reference::load();
     let check = |baked: &Baked, _: &dyn Exact| {
         let curve = curve_of::<f64, 18>(baked);
@@ -156,7 +156,7 @@ fn baked_points_agree_with_the_reference() {
 }
 
 #[test]
-fn segments_join_as_smoothly_as_asked() {
+fn segments_of_a_curve_join_with_the_requested_continuity() {
     for (continuous, continuity) in CONTINUITIES.into_iter().enumerate() {
         let check = |baked: &Baked, _: &dyn Exact| {
             let curve = curve_of::<f64, 6>(baked);
@@ -193,7 +193,7 @@ fn norm(numbers: &[f64; 6]) -> f64 {
 }
 
 #[test]
-fn outside_its_range_a_curve_says_so() {
+fn a_curve_refuses_a_drive_outside_its_range() {
     static LINE: Curve<'_, f32, 1, 2> = Curve {
         range: [-1.0, 3.0],
         segments_per_unit: 0.5,
@@ -231,7 +231,7 @@ fn outside_its_range_a_curve_says_so() {
 }
 
 #[test]
-fn names_of_points_are_those_of_the_listing() {
+fn baked_outputs_have_the_point_names_of_the_listing() {
     let check = |baked: &Baked, _: &dyn Exact| {
         let names = <five_link::Points<f64> as Named<Vector3<f64>>>::NAMES;
         let found = baked.outputs.iter().map(|output| output.name());
@@ -248,7 +248,7 @@ fn names_of_points_are_those_of_the_listing() {
 }
 
 #[test]
-fn in_f32_a_curve_loses_rounding_only() {
+fn a_curve_in_f32_loses_only_rounding() {
     let check = |baked: &Baked, exact: &dyn Exact| {
         let curve = curve_of::<f32, 6>(baked);
         for part in mixed(7).take(1000) {

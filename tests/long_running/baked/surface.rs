@@ -125,7 +125,7 @@ fn difference(found: &[f64; 6], exact: &Points<f64>) -> f64 {
 }
 
 #[test]
-fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
+fn a_surface_of_travel_and_steering_is_within_its_stated_errors() {
     for (tolerance, velocity_within) in [(1e-4, 1e-2), (1e-6, 3e-4), (1e-8, 1e-5)] {
         check_surface(tolerance, true, velocity_within);
         check_surface(tolerance, false, 3.0 * velocity_within);
@@ -133,7 +133,7 @@ fn a_surface_of_travel_and_steering_is_as_close_to_the_solver_as_it_says() {
 }
 
 #[test]
-fn a_surface_beyond_the_mechanism_is_refused() {
+fn a_surface_beyond_the_reach_of_the_mechanism_is_refused() {
     let design = design();
     let model = Model::new(&design).expect("a double wishbone");
     let at_rest = Motion::at_rest(model.unknowns(&design));

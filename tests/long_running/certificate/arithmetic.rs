@@ -107,14 +107,14 @@ fn check<T: Real>(all_sizes: std::ops::Range<f64>, seeds: std::ops::Range<u64>) 
 }
 
 #[test]
-fn results_lie_within() {
+fn enclosures_contain_the_exact_rational_results() {
     println!("seeds 0..40000, 0..20000");
     check::<f64>(-323.0..308.0, 0..40_000);
     check::<f32>(-45.0..38.0, 0..20_000);
 }
 
 #[test]
-fn what_is_no_number_has_no_finite_radius() {
+fn enclosures_of_non_finite_numbers_have_no_finite_radius() {
     let [one, zero] = [1.0, 0.0].map(Enclosed::exact);
     for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(Enclosed::exact) {
         for result in [
@@ -141,7 +141,7 @@ fn what_is_no_number_has_no_finite_radius() {
 }
 
 #[test]
-fn constants_are_known_to_all_digits() {
+fn enclosures_of_constants_have_the_radius_of_rounding() {
     for number in [0.1, 1.0 / 3.0, 0.5, 1e-40, 1e-50, -7.0] {
         let [exact, single] = [
             Enclosed::<f64>::constant(number).radius(),
@@ -158,7 +158,7 @@ fn constants_are_known_to_all_digits() {
 
 /// Within the enclosure of their operations and the stated error of the formula. Seed 1.
 #[test]
-fn sines_and_cosines_are_what_they_are_said_to_be() {
+fn enclosed_sines_and_cosines_are_within_the_stated_error() {
     let mut rng = Rng::with_seed(1);
     for case in 0..100_000 {
         let quarters = f64::from(rng.i32(-4000..=4000)) * std::f64::consts::FRAC_PI_4;

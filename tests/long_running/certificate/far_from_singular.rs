@@ -153,7 +153,7 @@ fn roots_of_random_geometries_are_proved() {
 
 /// A chassis that has moved and turned: the same linkage, with other numbers.
 #[test]
-fn a_moving_chassis_is_proved() {
+fn roots_on_a_moving_chassis_are_proved() {
     let model: five_link::Model<f64> = support::five_link_model();
     let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));
     let motions = support::motions(

@@ -45,7 +45,7 @@ fn is_not_finite(why: &Unproved<f64>) -> bool {
 }
 
 #[test]
-fn what_is_no_number_is_not_proved() {
+fn a_non_finite_position_or_drive_is_not_proved() {
     let (model, motion) = regular();
     let inputs = support::five_link_inputs(INSTANT);
     for odd in NO_NUMBERS {
@@ -89,7 +89,7 @@ fn what_is_no_number_is_not_proved() {
 }
 
 #[test]
-fn what_is_out_of_proportion_is_not_proved() {
+fn a_position_out_of_proportion_is_not_proved() {
     let (model, motion) = regular();
     let inputs = support::five_link_inputs(INSTANT);
     for size in [1e300, 1e160, 1e80, 1e20, 1e6, 1e2, 1e-2, 1e-20, 1e-310, 0.0] {
@@ -114,7 +114,7 @@ fn what_is_out_of_proportion_is_not_proved() {
 }
 
 #[test]
-fn each_reason_is_given() {
+fn each_reason_for_a_failed_proof_is_reported() {
     let (model, motion) = regular();
     let inputs = support::five_link_inputs(INSTANT);
     let off = motion.position.add_scalar(1e-2);
@@ -138,7 +138,7 @@ fn each_reason_is_given() {
 
 /// Rates do not enter, whatever they are.
 #[test]
-fn rates_do_not_matter() {
+fn a_proof_does_not_depend_on_rates() {
     let (model, motion) = regular();
     let mut inputs = support::five_link_inputs(INSTANT);
     let plain = Certifier::new(&model).certify(&inputs, &motion.position);

@@ -126,7 +126,7 @@ fn folds(model: &Model<f64>) -> [Fold; 2] {
 const PROVED_TO: f64 = 5e-13;
 
 #[test]
-fn proofs_reach_as_far_as_rounding_allows() {
+fn proofs_near_turning_points_reach_as_far_as_rounding_allows() {
     let model = support::five_link_model();
     let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));
     for fold in folds(&model) {
@@ -145,7 +145,7 @@ fn proofs_reach_as_far_as_rounding_allows() {
 
 /// A million with those of [`near_singular`](super::near_singular).
 #[test]
-fn no_proof_is_false() {
+fn no_proof_is_false_near_turning_points() {
     let model = support::five_link_model();
     let folds = folds(&model);
     let (certifier, refiner) = (Certifier::new(&model), Refiner::new(&model));

@@ -1,4 +1,4 @@
-//! The gain of each part of the recommended way, and a check that it holds wherever the axes have their origin.
+//! The gain of each part of the recommended method, and a check that it does not depend on the origin of the axes.
 
 use suspension_core::linkages::five_link;
 
@@ -19,7 +19,7 @@ const ANY: Errors = Errors {
 };
 
 #[test]
-fn in_vehicle_axes() {
+fn a_local_origin_reduces_f32_errors_in_vehicle_axes() {
     let [in_place, local, rounded] = [Built::InPlace, Built::FromLocalPoints, Built::Rounded]
         .map(|built| check::<five_link::Listing>(built, VEHICLE, &ANY));
     for better in [local, rounded] {
@@ -33,7 +33,7 @@ fn in_vehicle_axes() {
 /// Made local in `f64`, a mechanism is as exact wherever it was; rounded where it is, nothing is
 /// left of its tenths of a millimetre.
 #[test]
-fn a_kilometre_away() {
+fn a_local_origin_keeps_f32_errors_a_kilometre_away() {
     let bounds = Errors {
         position: 3e-7,
         centre: 2e-7,

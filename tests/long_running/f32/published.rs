@@ -64,7 +64,7 @@ pub(super) fn check<G: Tested>(built: Built, away: [f64; 3], bounds: &Errors) ->
 }
 
 #[test]
-fn a_body_about_a_local_origin() {
+fn f32_errors_of_five_link_are_within_their_bounds() {
     let bounds = Errors {
         position: 3e-7,
         centre: 2e-7,
@@ -81,7 +81,7 @@ fn a_body_about_a_local_origin() {
 /// Three distances to points that are nearly in their plane hold a point less firmly than a body
 /// does: rounding of lengths counts for more.
 #[test]
-fn nine_distances_about_a_local_origin() {
+fn f32_errors_of_attia2003_are_within_their_bounds() {
     let bounds = Errors {
         position: 2e-6,
         centre: 1.5e-6,
@@ -95,7 +95,7 @@ fn nine_distances_about_a_local_origin() {
 
 /// At the instants of Table 2, beside the 40-digit solution.
 #[test]
-fn beside_forty_digits() {
+fn f32_positions_agree_with_the_40_digit_solution() {
     let single = single::<five_link::Listing>(&five_link::Listing::design(), Built::Rounded);
     let single = single.expect("a linkage");
     let origin = SVector::<f64, 15>::from_fn(|row, _| single.origin[row % 3]);
@@ -119,7 +119,7 @@ fn beside_forty_digits() {
 
 /// Curves of the motion about a local origin, baked in `f64` to 1e-8 m and rounded.
 #[test]
-fn baked() {
+fn f32_errors_of_baked_curves_are_within_their_bounds() {
     let design = five_link::Listing::design();
     let local = LocalOrigin::among(design.values()).to_local(&design);
     let (model, truth) = truth::<five_link::Listing>(&local);

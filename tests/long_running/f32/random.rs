@@ -113,7 +113,7 @@ fn check<G: Tested>(rng: &mut fastrand::Rng) {
 }
 
 #[test]
-fn within_rounding_or_refused() {
+fn f32_steps_of_random_geometries_are_within_rounding_or_refused() {
     let mut rng = fastrand::Rng::with_seed(SEED);
     println!("seed {SEED}");
     check::<five_link::Listing>(&mut rng);

@@ -1,4 +1,4 @@
-//! Ways from one input to another.
+//! Paths of the drives from one input to another.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkages::double_wishbone::{Corner, Drives};
@@ -13,7 +13,7 @@ linkage! {
 
 /// However far apart two inputs, sub-steps lead from one to the other, at rest or not.
 #[test]
-fn inputs_far_apart_are_joined_in_sub_steps() {
+fn sub_steps_lead_between_distant_inputs() {
     let model: five_link::Model<f64> = support::five_link_model();
     let inputs = support::five_link_inputs::<f64>;
     let motions = support::motions(&model, &support::five_link_rough(), inputs);
@@ -65,7 +65,7 @@ fn in_travel(start: Drives<f64>, t: f64) -> Signal<Drives<f64>> {
 
 /// One tick whose rate is wrong is accepted, as its value is right; the cubic from there leads past a lock and back.
 #[test]
-fn a_rate_that_was_wrong_once_does_not_refuse_what_follows() {
+fn one_wrong_rate_does_not_make_later_steps_fail() {
     for (dt, rate) in [(1.0 / 60.0, 150.0), (1e-3, 2500.0), (1e-3, 1e6)] {
         let mut corner: Corner = Corner::design().expect("a design");
         let rest = Signal::still(corner.drives());
@@ -79,9 +79,9 @@ fn a_rate_that_was_wrong_once_does_not_refuse_what_follows() {
     }
 }
 
-/// However long a program stood still, its next tick leads to where the drives are.
+/// However long a program was stopped, its next step reaches the drives.
 #[test]
-fn a_tick_after_a_long_stall_is_followed() {
+fn a_step_after_a_long_stall_reaches_the_drives() {
     const TICK: f64 = 1.0 / 60.0;
     for stall in [0.1, 0.5, 1.0, 2.0, 5.0] {
         for trial in 0..40 {
@@ -97,8 +97,8 @@ fn a_tick_after_a_long_stall_is_followed() {
                 .step(after - before, in_travel(start, after))
                 .expect("a tick");
             let mut direct: Corner = Corner::design().expect("a design");
-            let there = in_travel(start, after);
-            direct.step(1.0, there).expect("a configuration");
+            let drives_after = in_travel(start, after);
+            direct.step(1.0, drives_after).expect("a configuration");
             let off = corner.motion().position - direct.motion().position;
             assert!(
                 off.amax() < 1e-12,
@@ -113,7 +113,7 @@ fn a_tick_after_a_long_stall_is_followed() {
 /// assembly. Found by a search over 100,000 random starts; the numbers are bits of the step's length, the sign of the
 /// determinant, the motion, and drives and chassis points at both ends with their rates.
 #[test]
-fn a_straight_way_from_rest_stays_in_the_assembly() {
+fn a_straight_path_from_rest_beside_a_lock_stays_in_the_assembly() {
     let bits = include_str!("../../data/beside_a_lock.txt").lines();
     let bits = bits.map(|line| u64::from_str_radix(line, 16).expect("hexadecimal digits"));
     let mut numbers = bits.map(f64::from_bits);

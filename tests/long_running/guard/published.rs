@@ -60,7 +60,7 @@ fn of_both<T: Real>(bound: f64) -> [[Ends; 3]; 2] {
 }
 
 #[test]
-fn jumps_of_the_published_motion() {
+fn jumps_of_the_published_motion_end_right_and_are_rarely_refused() {
     // At 1.95 s, near the turning point, an f32 knows the position to 1e-4 m.
     let cases = [of_both::<f64>(1e-12), of_both::<f32>(2e-4)];
     for ends in cases.into_iter().flatten() {

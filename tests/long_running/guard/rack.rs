@@ -78,7 +78,7 @@ where
 /// A link whose chassis end jumps to the link's other side leaves the free points where they are,
 /// though the mechanism may lock on the way.
 #[test]
-fn a_jump_of_a_rack_does_not_pass_a_lock() {
+fn no_jump_of_a_rack_passes_a_lock() {
     for (dt, designs, least) in [(1.0, 300, [2500, 1500]), (0.0, 60, [150, 600])] {
         let still = jumps(dt, designs, |_| Still);
         let moving = jumps(dt, designs, |model| Signal {

@@ -97,7 +97,7 @@ fn random_jumps<L: Build<15, Scalar = f64, Listing: Default>>(
 }
 
 #[test]
-fn jumps_of_random_suspensions() {
+fn jumps_of_random_suspensions_stay_in_the_assembly_or_are_refused() {
     let ends = [
         random_jumps::<attia2003::Model<f64>>(&support::attia_rough(), 2003),
         random_jumps::<five_link::Model<f64>>(&support::five_link_rough(), 17),

@@ -9,7 +9,7 @@ use super::Drive;
 /// A suspension with two turning points of the drive close together: a step across both ends with the
 /// same sign of the determinant, near enough to its prediction for every other test.
 #[test]
-fn an_even_number_of_singularities_is_seen() {
+fn a_step_across_two_turning_points_is_refused() {
     let points = [
         [
             -1.5108121929112002,

@@ -1,4 +1,4 @@
-//! A number that is none: the error names the point, the length, the equation or the unknown.
+//! NaN and infinity: the error names the point, the length, the equation or the unknown.
 
 use nalgebra::Vector3;
 use suspension_core::certificate::Certifier;
@@ -27,7 +27,7 @@ const LINKS: [(&str, usize); 5] = [
 ];
 
 #[test]
-fn a_point_that_is_none_is_named() {
+fn a_non_finite_point_is_named() {
     let rough = five_link_rough::<f64>();
     for index in 0..Points::<f64>::NAMES.len() {
         for (axis, bad) in (0..3).flat_map(|axis| NONE.map(|bad| (axis, bad))) {
@@ -41,7 +41,7 @@ fn a_point_that_is_none_is_named() {
 }
 
 #[test]
-fn a_length_that_is_none_is_named() {
+fn an_invalid_length_is_named() {
     fn check<T: Real>(bad: &[f64]) {
         let model = five_link_model::<T>();
         let lengths = model.lengths();
@@ -67,7 +67,7 @@ fn a_length_that_is_none_is_named() {
 }
 
 #[test]
-fn a_guess_that_is_none_is_named_by_its_equation() {
+fn a_non_finite_guess_is_named_by_its_equation() {
     let model = five_link_model::<f64>();
     let inputs = five_link_inputs(0.0);
     let start = model.unknowns(&five_link_rough());
@@ -121,7 +121,7 @@ fn refusals<C: ChassisMotion<<Model<f64> as Linkage<15>>::Fixed>>(
 }
 
 #[test]
-fn a_drive_or_a_time_step_that_is_none() {
+fn a_non_finite_drive_or_time_step_is_refused() {
     for bad in NONE {
         let mut inputs = five_link_inputs(1.001);
         inputs.drives.value.theta = bad;
@@ -146,7 +146,7 @@ fn a_drive_or_a_time_step_that_is_none() {
 }
 
 #[test]
-fn a_chassis_point_that_is_none_is_named_by_its_link() {
+fn a_non_finite_chassis_point_is_named_by_its_link() {
     let model = five_link_model::<f64>();
     let still = five_link_inputs(1.001);
     for ((link, equation), bad) in LINKS
@@ -182,7 +182,7 @@ fn a_chassis_point_that_is_none_is_named_by_its_link() {
 }
 
 #[test]
-fn a_position_that_is_none_has_neither_rates_nor_series() {
+fn a_non_finite_position_has_neither_rates_nor_series() {
     let model = five_link_model::<f64>();
     let inputs = five_link_inputs(0.0);
     let mut position = model.unknowns(&five_link_rough());
@@ -203,7 +203,7 @@ fn a_position_that_is_none_has_neither_rates_nor_series() {
 }
 
 #[test]
-fn nothing_is_proved_of_numbers_that_are_none() {
+fn non_finite_numbers_are_not_proved() {
     let model = five_link_model::<f64>();
     let certifier = Certifier::new(&model);
     let start = motions(&model, &five_link_rough(), five_link_inputs)[4];

@@ -1,4 +1,4 @@
-//! A mechanism a thousand kilometres from the origin moves as it does at home.
+//! A mechanism a thousand kilometres from the origin moves as it does beside the origin.
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::linkage::Values;
@@ -60,15 +60,15 @@ fn check<L: Build<N, Scalar = f64, Listing: Default>, const N: usize>(design: &L
 }
 
 #[test]
-fn moves_as_at_home() {
+fn a_mechanism_1000_km_away_has_the_same_motion() {
     check::<five_link::Model<f64>, 15>(&five_link_rough());
     check::<four_bar::Model<f64>, 6>(&four_bar_design());
     check::<rocker::Model<f64>, 6>(&rocker_design());
 }
 
-/// In `f32` the hardpoints themselves have no digit left there: they are made local before.
+/// In `f32` hardpoints at that distance have no significant digits, so that they are made local before.
 #[test]
-fn single_precision_takes_local_points() {
+fn local_points_give_f32_its_accuracy_far_from_the_origin() {
     let home = coarse(&rocker_design());
     let away = moved(&home);
     let local = LocalOrigin::among(away.values()).to_local(&away);
@@ -84,7 +84,7 @@ fn single_precision_takes_local_points() {
 }
 
 #[test]
-fn drives_and_measures_are_carried() {
+fn a_local_origin_shifts_drives_and_measures() {
     let away = moved(&coarse(&rocker_design()));
     let local = LocalOrigin::among(away.values());
     let model = rocker::Model::new(&local.to_local(&away)).expect("a linkage");
@@ -105,7 +105,7 @@ fn drives_and_measures_are_carried() {
 }
 
 #[test]
-fn the_origin_lies_among_the_points_and_is_a_number_of_few_digits() {
+fn a_local_origin_lies_among_the_points_and_has_few_digits() {
     let rough = five_link_rough::<f64>();
     let extent = |points: &five_link::Points<f64>| {
         let largest = points.values().map(|point| point.amax());
@@ -137,7 +137,7 @@ fn the_origin_lies_among_the_points_and_is_a_number_of_few_digits() {
 }
 
 #[test]
-fn points_without_a_middle_stay_where_they_are() {
+fn for_points_without_a_finite_middle_the_local_origin_is_zero() {
     let mut bad = five_link_rough::<f64>();
     let all_in_one = bad.map(|_| Vector3::repeat(3.0));
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -20,7 +20,7 @@ fn refused(change: fn(&mut Points<f64>)) -> GeometryError {
 const UPPER_REAR_OUTER: usize = 7;
 
 #[test]
-fn points_that_coincide() {
+fn coinciding_points_are_refused() {
     let error = refused(|points| points.track_rod_outer = points.track_rod_inner);
     assert_eq!(error, GeometryError::BadLength { length: 4 });
     let error = refused(|points| points.upper_front_outer = points.lower_front_outer);
@@ -29,7 +29,7 @@ fn points_that_coincide() {
 }
 
 #[test]
-fn points_in_line() {
+fn collinear_points_of_a_body_are_refused() {
     let point = UPPER_REAR_OUTER;
     for part in [-1e3, -0.5, 0.5, 2.0, 1e3] {
         let mut design = five_link_rough::<f64>();
@@ -42,7 +42,7 @@ fn points_in_line() {
 
 /// Two links that meet in one ball joint of the knuckle.
 #[test]
-fn a_ball_joint_that_two_links_share() {
+fn two_links_may_share_a_ball_joint() {
     drives::<f64>(|points| points.track_rod_outer = points.lower_front_outer);
 }
 
@@ -54,7 +54,7 @@ fn flattened<T: Real>(point: Vector3<T>, [a, b, c]: [Vector3<T>; 3]) -> Vector3<
 
 /// All points of the knuckle in the plane of the first three: nine distances are singular there.
 #[test]
-fn a_flat_knuckle_of_distances() {
+fn a_flat_knuckle_of_distances_is_refused() {
     let rough = attia_rough::<f64>();
     let plane = [rough.p6, rough.p7, rough.p8];
     for (name, index) in [("p9", 8), ("p10", 9)] {
@@ -73,7 +73,7 @@ fn a_flat_knuckle_of_distances() {
 
 /// The same as a body: nothing is special there.
 #[test]
-fn a_flat_knuckle() {
+fn a_flat_knuckle_stated_as_a_body_moves() {
     fn flatten<T: Real>(points: &mut Points<T>) {
         let plane = [
             points.lower_front_outer,

@@ -26,19 +26,19 @@ fn run_many<L>(cases: usize, seed: u8, run: fn(&mut Draw<'_>) -> Reached) {
 }
 
 #[test]
-fn half_a_million_in_double_precision() {
+fn half_a_million_random_f64_mechanisms_are_solved_or_refused() {
     run_many::<four_bar::Model<f64>>(300_000, 1, briefly::<f64, four_bar::Model<f64>, 6>);
     run_many::<rocker::Model<f64>>(200_000, 2, briefly::<f64, rocker::Model<f64>, 6>);
 }
 
 #[test]
-fn half_a_million_in_single_precision() {
+fn half_a_million_random_f32_mechanisms_are_solved_or_refused() {
     run_many::<four_bar::Model<f32>>(300_000, 3, briefly::<f32, four_bar::Model<f32>, 6>);
     run_many::<rocker::Model<f32>>(200_000, 4, briefly::<f32, rocker::Model<f32>, 6>);
 }
 
 #[test]
-fn suspensions() {
+fn random_suspensions_are_solved_or_refused() {
     run_many::<five_link::Model<f64>>(1_000, 5, everything::<f64, five_link::Model<f64>, 15>);
     run_many::<five_link::Model<f32>>(1_000, 6, everything::<f32, five_link::Model<f32>, 15>);
     run_many::<attia2003::Model<f64>>(1_000, 7, everything::<f64, attia2003::Model<f64>, 15>);
@@ -50,7 +50,7 @@ proptest! {
 
     /// Shrinks a case that fails to its fewest and smallest words.
     #[test]
-    fn of_words(words in prop::collection::vec(any::<u32>(), 0..200)) {
+    fn mechanisms_of_random_words_are_solved_or_refused(words in prop::collection::vec(any::<u32>(), 0..200)) {
         for run in [
             everything::<f64, four_bar::Model<f64>, 6>,
             everything::<f32, four_bar::Model<f32>, 6>,

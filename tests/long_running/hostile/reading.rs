@@ -1,4 +1,4 @@
-//! Wheel, body and baked curves of numbers that are none, huge or tiny.
+//! Wheel, body and baked curves of NaN, infinite, huge or tiny numbers.
 
 use nalgebra::{Isometry3, Vector3};
 use suspension_core::baked::Curve;
@@ -51,7 +51,7 @@ fn turns<T: Real>(size: f64, tolerance: f64) {
 }
 
 #[test]
-fn a_body_of_any_size_turns() {
+fn a_body_of_any_size_has_its_angular_velocity() {
     for size in [1e-60, 1e-12, 1e-3, 1.0, 1e6, 1e60] {
         turns::<f64>(size, 1e-11);
     }
@@ -61,7 +61,7 @@ fn a_body_of_any_size_turns() {
 }
 
 #[test]
-fn a_rate_that_is_none_turns_nothing() {
+fn a_non_finite_rate_gives_no_rotation() {
     let points = five_link_rough::<f64>();
     let body = [
         points.lower_front_outer,
@@ -87,7 +87,7 @@ fn a_rate_that_is_none_turns_nothing() {
 }
 
 #[test]
-fn a_wheel_that_is_none() {
+fn an_invalid_wheel_is_not_read() {
     let wheel = |centre: Vector3<f64>| {
         Wheel::of(
             Points {
@@ -108,7 +108,7 @@ fn a_wheel_that_is_none() {
 }
 
 #[test]
-fn a_baked_curve_at_no_place() {
+fn a_baked_curve_refuses_non_finite_and_outside_values() {
     let curve = Curve::<f64, 1, 2> {
         range: [0.0, 1.0],
         segments_per_unit: 2.0,

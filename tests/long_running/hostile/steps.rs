@@ -1,4 +1,4 @@
-//! Times that run backwards, stand still or are none, and drives at the ends of their range.
+//! Times that run backwards, stand still or are not finite, and drives at the ends of their range.
 
 use nalgebra::Vector3;
 use suspension_core::linkage::{Named, Values};
@@ -17,7 +17,7 @@ fn begun() -> (Model<f64>, Motion<f64, 15>) {
 }
 
 #[test]
-fn there_and_back() {
+fn a_motion_forth_and_back_returns_to_its_start() {
     let (model, start) = begun();
     let mut motion = start;
     for (from, to) in [(1.0, 1.9), (1.9, 0.0), (0.0, 1.0)] {
@@ -30,7 +30,7 @@ fn there_and_back() {
 }
 
 #[test]
-fn a_step_of_no_length_stays() {
+fn a_step_of_zero_length_keeps_the_motion() {
     let (model, start) = begun();
     let inputs = five_link_inputs(1.0);
     let close = |motion: &Motion<f64, 15>| {
@@ -53,9 +53,9 @@ fn a_step_of_no_length_stays() {
     }
 }
 
-/// However many steps are allowed, halving one that is none ends.
+/// Halving a step that is not finite ends for any number of allowed steps.
 #[test]
-fn times_that_are_none_end_at_once() {
+fn an_advance_between_non_finite_times_ends_at_once() {
     let (model, start) = begun();
     let tracker = Tracker {
         max_steps: usize::MAX,
@@ -82,7 +82,7 @@ fn times_that_are_none_end_at_once() {
 /// The lower leading link along the axis that its angle is measured from: the drive moves nothing
 /// there, and its rate is of no use.
 #[test]
-fn a_drive_at_the_end_of_its_range() {
+fn a_rate_at_the_end_of_a_driven_angle_is_refused_as_singular() {
     let rough = five_link_rough::<f64>();
     for (theta, up) in [(0.0, 0.4), (std::f64::consts::PI, -0.4)] {
         let by = rough.lower_front_inner + Vector3::new(0.0, 0.0, up) - rough.lower_front_outer;
@@ -123,7 +123,7 @@ fn a_drive_at_the_end_of_its_range() {
 }
 
 #[test]
-fn links_that_cannot_reach() {
+fn links_that_cannot_reach_are_refused() {
     let model = five_link_model::<f64>();
     let mut lengths = model.lengths();
     // Its ends are held within two metres of each other by the rest.

@@ -104,7 +104,7 @@ where
     demand_linkage(model.with_markers(design))
 }
 
-/// A linkage has lengths to compute with; what is none names a point or a length of the listing.
+/// A linkage has finite lengths; an error names a point or a length of the listing.
 fn demand_linkage<T, L, const N: usize>(model: Result<L, GeometryError>) -> Option<L>
 where
     T: Real,

@@ -13,7 +13,7 @@ pub(crate) fn rounding<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     Newton::<T>::near_by().tolerance.length(rounding)
 }
 
-/// The largest residual of a position, NaN where one is none.
+/// The largest residual of a position, NaN if one is NaN.
 pub(crate) fn residual<T, L, C, const N: usize>(
     model: &L,
     inputs: &Inputs<C, L::Drives>,

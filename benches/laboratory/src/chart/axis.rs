@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decades_around_values() {
+    fn log_axis_spans_the_decades_around_its_values() {
         let axis = Axis::around([3.0, 250.0].into_iter(), [0.0, 300.0]);
         let decades: Vec<_> = axis.decades().collect();
         assert_eq!(decades, [(0, 0.0), (1, 100.0), (2, 200.0), (3, 300.0)]);
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn labels() {
+    fn decades_are_labelled_with_units_or_powers_of_ten() {
         assert_eq!(nanoseconds(1), "10 ns");
         assert_eq!(nanoseconds(5), "100 µs");
         assert_eq!(nanoseconds(-1), "0.1 ns");

@@ -100,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn crowded_names_meet_neither_points_nor_each_other() {
+    fn crowded_labels_overlap_neither_points_nor_each_other() {
         let points: Vec<(f64, f64)> = (0..8)
             .map(|k| (200.0 + 3.0 * f64::from(k), 200.0 + 2.0 * f64::from(k)))
             .collect();

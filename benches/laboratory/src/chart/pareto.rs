@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neither_beaten_nor_equalled() {
+    fn the_pareto_front_has_each_undominated_method_once() {
         let points = [
             (5.0, 1.0),
             (1.0, 5.0),

@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn median_and_quartiles() {
+    fn timings_are_summarised_by_median_and_quartiles() {
         let measured = Measured::of(vec![5.0, 1.0, 4.0, 2.0, 3.0]);
         let expected = Measured {
             median: 3.0,

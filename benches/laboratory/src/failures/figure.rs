@@ -239,7 +239,7 @@ mod tests {
     use super::between;
 
     #[test]
-    fn bars_meet_half_way() {
+    fn bars_of_the_failure_map_meet_half_way_between_values() {
         let expected = [[-3.5, -2.5], [-2.5, -1.5], [-1.5, -0.5]];
         assert_eq!(between(&[-3.0, -2.0, -1.0]), expected);
         assert_eq!(between(&[-3.0]), [[-3.25, -2.75]]);

@@ -214,7 +214,7 @@ mod tests {
     use super::milestones;
 
     #[test]
-    fn rows_where_the_number_doubles_or_so() {
+    fn a_long_run_has_rows_at_1_2_5_times_powers_of_ten_steps() {
         let rows: Vec<u64> = milestones(12_000).collect();
         assert_eq!(rows, [1_000, 2_000, 5_000, 10_000, 12_000]);
         assert_eq!(milestones(0).count(), 0);

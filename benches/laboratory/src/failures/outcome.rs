@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mirror_image_is_told_from_another_place() {
+    fn a_mirror_image_is_distinguished_from_another_wrong_root() {
         let meant = SVector::<f64, 12>::from_row_slice(&[
             0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.2, 0.3, 0.4,
         ]);
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_result_that_is_not_a_number_is_not_right() {
+    fn a_nan_result_does_not_count_as_right() {
         let meant = SVector::<f64, 3>::zeros();
         let found = SVector::<f64, 3>::new(f64::NAN, 0.0, 0.0);
         assert_ne!(judged(&found, &meant, 1e-4), Outcome::Right);

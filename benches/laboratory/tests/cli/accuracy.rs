@@ -19,7 +19,7 @@ fn rows(five_link: &str, arguments: &[&str]) -> Vec<Row> {
 
 /// About an origin among the points, though the file has its own more than a metre away.
 #[test]
-fn single_precision_is_as_exact_as_the_guarantee_says() {
+fn f32_errors_are_within_the_guaranteed_bounds() {
     let rows = rows(&example("published_five_link.toml"), &["five_link.toml"]);
     for method in ["generated", "bounded_1", "bounded_2", "baked_1e-8"] {
         // In longer steps bounded steps have larger errors.
@@ -87,7 +87,7 @@ fn all_formulations_and_factorisations_find_the_same_motion() {
 }
 
 #[test]
-fn each_order_of_the_series_and_each_correction_gains_digits() {
+fn each_order_of_the_series_and_each_correction_reduces_errors() {
     let all = errors(&[]);
     let of = |wanted: &str| {
         let mut of_f64 = all.iter().filter(|(_, scalar, _)| scalar == "f64");

@@ -39,7 +39,7 @@ const METHODS: [&str; 18] = [
 ];
 
 #[test]
-fn every_method_has_all_its_rows_and_is_in_the_page() {
+fn the_chart_has_all_rows_of_every_method_in_table_and_page() {
     let folder = folder();
     let output = run(folder.path(), &["chart", "--quick", "--rounds", "2"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
@@ -105,7 +105,7 @@ A <rival>,1.2,-O3,newton,,775,3,,,,one iteration
 ";
 
 #[test]
-fn rivals_are_taken_in() {
+fn measurements_of_other_programs_are_added_to_the_page() {
     let folder = folder();
     std::fs::create_dir(folder.path().join("out")).expect("a folder");
     std::fs::write(folder.path().join("out/rivals.csv"), RIVALS).expect("written");
@@ -132,7 +132,7 @@ fn rivals_are_taken_in() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_keeps_what_is_measured() {
+fn an_interrupt_keeps_the_completed_measurements() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
 
@@ -166,7 +166,7 @@ fn an_interrupt_keeps_what_is_measured() {
 }
 
 #[test]
-fn a_motion_of_no_step_or_of_too_many_is_refused() {
+fn a_motion_without_steps_or_with_too_many_is_refused() {
     use super::program::edited;
 
     let folder = folder();

@@ -21,7 +21,7 @@ const BRIEF: &str = "instants = [1.2, 1.25]";
 const LITTLE: [&str; 4] = ["--starts", "6", "--long-run", "2500"];
 
 #[test]
-fn all_counts_are_in_the_table_and_the_page() {
+fn all_counts_of_the_failure_map_are_in_table_and_page() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), edited("instants", BRIEF)).expect("written");
     let arguments = [&["failures", "a.toml", "--seed", "3"], &LITTLE[..]].concat();
@@ -72,7 +72,7 @@ fn all_counts_are_in_the_table_and_the_page() {
 
 /// The counts of a mechanism do not depend on the unit of its file.
 #[test]
-fn lengths_in_millimetres() {
+fn failure_counts_do_not_depend_on_the_unit_of_length() {
     let folder = folder();
     let (whole, brief) = ("stop = 1.95\nstep = 0.05", "stop = 0.05\nstep = 0.05");
     let text = example("published_five_link.toml").replace(whole, brief);
@@ -103,7 +103,7 @@ fn a_motion_of_one_instant_is_refused() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_keeps_what_is_counted() {
+fn an_interrupt_keeps_the_completed_counts() {
     use std::process::{Command, Stdio};
     use std::time::Duration;
 

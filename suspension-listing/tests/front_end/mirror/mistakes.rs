@@ -1,4 +1,4 @@
-//! What is said of mistakes beside a mirror.
+//! Messages about mistakes in mirrored listings.
 
 use suspension_listing::include::NoIncludes;
 use suspension_listing::text::{self, Mistake};
@@ -20,7 +20,7 @@ pub(super) fn only_mistake(text: &str) -> Mistake {
 
 /// A mistake on one side is reported once, at its place.
 #[test]
-fn mistakes_are_told_of_what_is_mirrored() {
+fn a_mistake_on_one_side_is_reported_once_at_its_place() {
     let replaced = |from: &str, to: &str| HALF.replace(from, to);
     for (text, line, expected) in [
         (
@@ -60,7 +60,7 @@ fn mistakes_are_told_of_what_is_mirrored() {
 
 /// The message about a mistake of the image alone says which statement makes the image.
 #[test]
-fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
+fn a_mistake_of_an_image_names_the_mirrored_statement() {
     for (statement, expected) in [
         (
             "fixed: panhard_left at [0.0, 0.5, 0.4];\nlink panhard: panhard_left -> bar;",
@@ -75,17 +75,17 @@ fn a_mistake_of_an_image_alone_says_what_it_is_the_image_of() {
     ] {
         let text = format!("{HALF}\n{statement}");
         let mistakes = mistakes(&text);
-        let told: Vec<&str> = mistakes
+        let messages: Vec<&str> = mistakes
             .iter()
             .map(|mistake| mistake.message.as_str())
             .collect();
-        assert!(told.contains(&expected), "{told:#?}");
+        assert!(messages.contains(&expected), "{messages:#?}");
     }
 }
 
 /// The image of `y = z` is `-y = z`; the exchange of names would make `y = z` of it.
 #[test]
-fn sides_are_no_words_of_statements() {
+fn a_word_of_statements_is_refused_as_the_name_of_a_side() {
     for word in ["x", "z", "at", "length"] {
         let text = format!("mirror: left -> {word};\nfixed: left_a;\n");
         let message = text::parse(&text, "axle", &NoIncludes)
@@ -114,7 +114,7 @@ fn a_sum_of_y_with_other_coordinates_has_no_image() {
 
 /// Statements that name other images are not blamed for these being missing.
 #[test]
-fn an_image_that_is_stated_too_is_the_only_mistake() {
+fn a_statement_that_repeats_an_image_is_the_only_mistake() {
     let statements = [
         "free: right at [0.0, -0.7, 0.2];",
         "measure stance: length(left_hub -> right_hub);",
@@ -124,18 +124,18 @@ fn an_image_that_is_stated_too_is_the_only_mistake() {
     let mistakes = text::parse(&text, "axle", &NoIncludes)
         .expect_err("stated beside its image")
         .mistakes;
-    let told: Vec<&str> = mistakes
+    let messages: Vec<&str> = mistakes
         .iter()
         .map(|mistake| mistake.message.as_str())
         .collect();
     let expected =
         "`mirror` makes `right`, as the image of `left`; remove it here, or give it another name";
-    assert_eq!(told, [expected]);
+    assert_eq!(messages, [expected]);
 }
 
 /// Each statement that is an image's too gets one message, at its place, which says what makes the image.
 #[test]
-fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
+fn a_statement_that_repeats_an_image_names_the_original() {
     for (statement, image, original) in [
         (
             "drive right_bump: right along [0.0, -0.6, 0.8];",
@@ -181,7 +181,7 @@ fn a_statement_that_is_stated_beside_its_image_is_told_what_makes_it() {
 
 /// The message about a statement that does under another name what an image does stands at its own place.
 #[test]
-fn a_statement_that_does_what_an_image_does_is_told_to_go() {
+fn a_statement_equivalent_to_an_image_is_refused_with_its_removal() {
     for (statement, expected) in [
         (
             "drive other_bump: right.z;",
@@ -210,7 +210,7 @@ fn a_statement_that_does_what_an_image_does_is_told_to_go() {
 }
 
 #[test]
-fn a_point_with_the_name_of_an_image_is_told_what_makes_it() {
+fn a_point_with_the_name_of_an_image_names_the_original() {
     let text = format!("{HALF}\nfree: right_rod at [0.0, -0.5, 0.4];");
     let mistake = only_mistake(&text);
     assert_eq!(
@@ -222,7 +222,7 @@ fn a_point_with_the_name_of_an_image_is_told_what_makes_it() {
 
 /// A drive beside its image along the same direction is one mistake.
 #[test]
-fn a_second_drive_along_a_direction_gets_one_message() {
+fn a_drive_equal_to_an_image_gives_one_message() {
     let text = format!("{HALF}\ndrive other_bump: right along [0.0, -0.6, 0.8];");
     let mistake = only_mistake(&text);
     assert_eq!(
@@ -232,7 +232,7 @@ fn a_second_drive_along_a_direction_gets_one_message() {
 }
 
 #[test]
-fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
+fn for_a_surplus_equation_beside_a_mirror_the_naming_is_explained() {
     let text = HALF.replace("link stay: middle", "link left_stay: left_front");
     let mistake = only_mistake(&text);
     let expected = "1 too many: remove a link or a drive; `mirror` makes an image of every part with `left` in its name: write `left` in the \
@@ -243,7 +243,7 @@ fn an_equation_too_many_beside_a_mirror_tells_how_one_side_is_named() {
 
 /// A drag link's ball, named for neither side, holds both knuckles to each other.
 #[test]
-fn a_point_that_a_body_shares_with_its_image_is_named_where_there_is_an_equation_too_many() {
+fn for_a_surplus_equation_a_point_shared_with_the_image_is_named() {
     let text = "mirror: left -> right;
         fixed: left_low, left_high, pitman;
         free: left_end, left_tip, ball;
@@ -259,7 +259,7 @@ fn a_point_that_a_body_shares_with_its_image_is_named_where_there_is_an_equation
 
 /// A body in the middle lists the left wheel centre alone; the image of the marker is on it all the same.
 #[test]
-fn a_wheel_of_which_a_body_has_one_point_names_the_body() {
+fn an_image_wheel_without_a_carrier_names_the_body() {
     let text = "mirror: left -> right;
         fixed: left_hanger, front, frame;
         free: left_end, rear, side, left_centre;
@@ -273,6 +273,6 @@ fn a_wheel_of_which_a_body_has_one_point_names_the_body() {
     let mistakes = mistakes(text);
     let expected = "no body carries both `right_hub` and `right_centre`; `axle` has `right_hub`: list `right_centre` there too, or declare it \
                     as its marker: `point right_centre: axle;`";
-    let said = |mistake: &Mistake| mistake.message.starts_with(expected);
-    assert!(mistakes.iter().any(said), "{mistakes:?}");
+    let is_expected = |mistake: &Mistake| mistake.message.starts_with(expected);
+    assert!(mistakes.iter().any(is_expected), "{mistakes:?}");
 }

@@ -1,4 +1,4 @@
-//! Messages about what is named for neither side though it is of one.
+//! Messages about parts that belong to one side of the vehicle but are named for neither.
 
 use super::mistakes::{mistakes, only_mistake};
 
@@ -14,9 +14,9 @@ point left_axle: left_upright;
 drive left_bump: left_centre.z;
 wheel left: left_axle -> left_centre;";
 
-/// One message begins with what has no image, at its place.
+/// One message begins with the statement that has no image, at its place.
 #[test]
-fn a_statement_without_an_image_is_the_cause_of_what_its_image_lacks() {
+fn a_statement_without_an_image_is_named_as_the_cause() {
     for (name, kind, beside, line, symptom) in [
         (
             "left_upright",
@@ -70,9 +70,9 @@ fn a_statement_without_an_image_is_the_cause_of_what_its_image_lacks() {
     }
 }
 
-/// An image of the same points does the same again.
+/// An image of the same points repeats the statement.
 #[test]
-fn a_statement_that_is_its_own_image_is_told_which_points_are_of_neither_side() {
+fn a_statement_that_is_its_own_image_names_points_of_neither_side() {
     for (points, expected, line) in [
         (
             &["left_rack"][..],
@@ -103,17 +103,21 @@ fn a_statement_that_is_its_own_image_is_told_which_points_are_of_neither_side() 
             named.replace(&format!(" {point}.y"), &format!(" {neither}.y"))
         };
         let text = points.iter().fold(text, |text, point| words(&text, point));
-        let told = mistakes(&text);
-        let mistake = told.iter().find(|mistake| mistake.message == expected);
-        assert_eq!(mistake.map(|mistake| mistake.line), Some(line), "{told:#?}");
+        let reported = mistakes(&text);
+        let mistake = reported.iter().find(|mistake| mistake.message == expected);
+        assert_eq!(
+            mistake.map(|mistake| mistake.line),
+            Some(line),
+            "{reported:#?}"
+        );
     }
 }
 
-/// The ends of a link across the vehicle are of a side each.
+/// Each end of a link across the vehicle belongs to one side.
 #[test]
-fn a_link_from_side_to_side_is_not_said_to_be_of_neither() {
-    let told = mistakes(&format!("{CORNER}\nlink left_bar: left_tie -> right_tie;"));
-    let messages: Vec<&str> = told
+fn a_link_between_both_sides_is_not_reported_as_of_neither_side() {
+    let reported = mistakes(&format!("{CORNER}\nlink left_bar: left_tie -> right_tie;"));
+    let messages: Vec<&str> = reported
         .iter()
         .map(|mistake| mistake.message.as_str())
         .collect();

@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_point_beyond_the_middle_is_told_and_several_are_not() {
+    fn a_single_point_on_the_wrong_side_is_found_but_not_several() {
         for (others, expected) in [
             ([0.7, 0.6, 0.1], None),
             ([0.7, -0.6, 0.1], Some(1)),

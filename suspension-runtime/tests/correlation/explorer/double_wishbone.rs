@@ -51,13 +51,13 @@ fn compare(file: &str, angle: f64, by: fn(&Row) -> [f64; 2], numbers: usize) {
 }
 
 #[test]
-fn double_wishbone() {
+fn the_double_wishbone_agrees_with_suspexplorer() {
     let by = |row: &Row| [row["wheel_travel"], row["rack"]];
     compare("double_wishbone_suspexplorer_results.csv", ANGLE, by, 1938);
 }
 
 #[test]
-fn sweep() {
+fn the_sweep_of_41_steps_agrees_with_suspexplorer() {
     // Its drives are coordinates of the chassis.
     let by = |row: &Row| {
         [

@@ -29,7 +29,7 @@ fn damper(moving: &Moving<'_>, top: &Vector3<f64>) -> Number {
 }
 
 #[test]
-fn five_link() {
+fn the_five_link_agrees_with_suspexplorer() {
     let Some(folder) = folder("explorer::five_link") else {
         return;
     };

@@ -30,7 +30,7 @@ const TRACKROD: (&str, &str) = ("trackrod_outboard", "trackrod_outboard");
 const STRETCHED: f64 = 1.1e-5;
 
 #[test]
-fn macpherson() {
+fn the_macpherson_strut_agrees_with_suspexplorer() {
     let Some(folder) = folder("explorer::macpherson") else {
         return;
     };

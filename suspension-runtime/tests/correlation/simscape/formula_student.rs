@@ -25,8 +25,9 @@ fn in_travel(design: &Position<'_>) -> ([f64; 2], Vector3<f64>) {
 }
 
 #[test]
-fn formula_student_front() {
-    let Some(folder) = folder("simscape::formula_student_front") else {
+fn the_formula_student_front_axle_agrees_with_simscape() {
+    let Some(folder) = folder("simscape::the_formula_student_front_axle_agrees_with_simscape")
+    else {
         return;
     };
     let table = geometry(&folder.join("simscape_fs_pullrod_front.toml"));

@@ -67,25 +67,25 @@ fn compare(linkage: &str, statements: &str, body: [&str; 3], numbers: usize) {
 }
 
 #[test]
-fn sedan_five_link() {
+fn the_sedan_five_link_agrees_with_simscape() {
     let body = ["lower_front", "upper_front", "trackrod"];
     compare("sedan_five_link", FIVE_LINK, body, 4);
 }
 
 #[test]
-fn formula_student_five_link() {
+fn the_formula_student_five_link_agrees_with_simscape() {
     let body = ["lower_front", "upper_front", "trackrod"];
     compare("formula_student_five_link", FIVE_LINK, body, 3);
 }
 
 #[test]
-fn sedan_split_lower_arm() {
+fn the_sedan_split_lower_arm_agrees_with_simscape() {
     let body = ["lower_front", "upper_outboard", "trackrod_outboard"];
     compare("sedan_split_lower_arm", SPLIT_LOWER_ARM, body, 3);
 }
 
 #[test]
-fn sedan_double_wishbone() {
+fn the_sedan_double_wishbone_agrees_with_simscape() {
     let body = ["lower_outboard", "upper_outboard", "trackrod_outboard"];
     compare("sedan_double_wishbone", DOUBLE_WISHBONE, body, 4);
 }

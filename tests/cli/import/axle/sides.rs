@@ -5,36 +5,37 @@ use super::super::import;
 use super::{assert_near, side, swept, symmetric};
 
 #[test]
-fn sides_that_are_no_mirror_images_make_an_axle_unasked() {
+fn sides_that_are_not_mirror_images_are_imported_as_an_axle() {
     let folder = folder();
     let file = symmetric().replace("hpr_lca_outer, -4, 560", "hpr_lca_outer, -4, 557");
     let imported = import(folder.path(), "front.csv", &file, &[]);
     let points = imported.points();
     assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
     assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
-    let said = "left and right are not mirror images, for example at `hpr_lca_outer` (front.csv:18): the motion file is an axle of both corners; \
+    let expected = "left and right are not mirror images, for example at `hpr_lca_outer` (front.csv:18): the motion file is an axle of both corners; \
                 --side takes one of them";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
-    // A side that is asked for is a corner still.
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+    // A requested side is still imported as a corner.
     let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
     assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
     assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
 }
 
 #[test]
-fn of_mirror_images_the_left_one_is_taken_and_the_axle_offered() {
+fn of_mirrored_sides_the_left_corner_is_imported_and_axle_noted() {
     let folder = folder();
     let imported = import(folder.path(), "front.csv", &symmetric(), &[]);
     assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
-    let said = "the right corner is the mirror image of the left one; --axle makes an axle of both";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let expected =
+        "the right corner is the mirror image of the left one; --axle makes an axle of both";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
     let imported = import(folder.path(), "front.csv", &side("hpl_", 1.0), &[]);
     assert!(!imported.notes.contains("--axle"), "{}", imported.notes);
 }
 
-/// An axle is no left corner, whether the file has both sides or one.
+/// Notes on an axle do not mention a left corner, whether the file has both sides or one.
 #[test]
-fn of_an_axle_no_corner_is_named() {
+fn notes_on_an_imported_axle_do_not_mention_a_corner() {
     let folder = folder();
     let of_one = "the coordinates are those of the left corner; the right corner is its mirror image, as the options ask";
     for (file, is_one) in [
@@ -49,7 +50,7 @@ fn of_an_axle_no_corner_is_named() {
 }
 
 #[test]
-fn numbers_of_each_side_stay_with_it() {
+fn angles_and_radii_of_each_side_stay_with_that_side() {
     let folder = folder();
     let points = side("hpl_", 1.0) + &side("hpr_", -1.0);
     let file = points
@@ -73,11 +74,11 @@ fn numbers_of_each_side_stay_with_it() {
 }
 
 #[test]
-fn points_of_a_side_that_is_not_complete_are_not_dropped_without_a_word() {
+fn unused_points_of_an_incomplete_side_are_noted() {
     let folder = folder();
     let file = side("hpl_", 1.0) + "hpr_lca_outer, -4, 557, 128\n";
     let imported = import(folder.path(), "front.csv", &file, &[]);
     assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
-    let said = "the file has points of the other side too, but not all: they are not used";
-    assert!(imported.notes.contains(said), "{}", imported.notes);
+    let expected = "the file has points of the other side too, but not all: they are not used";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
 }

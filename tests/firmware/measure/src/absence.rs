@@ -85,7 +85,7 @@ mod tests {
     use super::{CORE, SOFT};
 
     #[test]
-    fn software_floating_point_is_known_by_its_names() {
+    fn software_floating_point_is_recognised_by_its_symbols() {
         for name in [
             "__aeabi_dadd",
             "__aeabi_drsub",
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_and_memory_are_not_floating_point() {
+    fn integer_and_memory_functions_are_not_taken_for_floating_point() {
         for name in [
             "__aeabi_uidivmod",
             "__aeabi_ldivmod",
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn panics_formatting_and_allocation_are_known_by_their_names() {
+    fn panics_formatting_and_allocation_are_recognised_by_symbols() {
         for name in [
             "core::panicking::panic_bounds_check",
             "core::option::unwrap_failed",

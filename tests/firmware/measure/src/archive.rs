@@ -164,7 +164,7 @@ mod tests {
     use super::unsigned_leb128;
 
     #[test]
-    fn numbers_of_seven_bits_a_byte() {
+    fn leb128_numbers_are_decoded() {
         assert_eq!(unsigned_leb128(&[8, 99]), 8);
         // DWARF 5, section 7.6.
         assert_eq!(unsigned_leb128(&[0xe5, 0x8e, 0x26]), 624_485);

@@ -155,12 +155,12 @@ mod tests {
     }
 
     #[test]
-    fn what_meets_its_budget_exactly_is_well() {
+    fn a_measurement_equal_to_its_budget_is_accepted() {
         assert_eq!(complaints_of(MEASURED, FIGURES), [""; 0]);
     }
 
     #[test]
-    fn each_budget_that_is_one_too_small_is_told_with_place_figure_and_budget() {
+    fn each_exceeded_budget_is_reported_with_place_and_figures() {
         let budgets = [
             Figures {
                 instructions: 1699,
@@ -175,10 +175,10 @@ mod tests {
                 ..FIGURES
             },
         ];
-        let told = budgets.map(|budget| complaints_of(MEASURED, budget));
+        let reported = budgets.map(|budget| complaints_of(MEASURED, budget));
         let at = "m4f/attia2003_f32_bounded_acceleration";
         assert_eq!(
-            told,
+            reported,
             [
                 [format!(
                     "{at} takes 1700 instructions, and its budget is 1699"
@@ -194,10 +194,10 @@ mod tests {
     }
 
     #[test]
-    fn a_mode_without_a_budget_and_a_budget_without_a_mode_are_told() {
-        let told = complaints(&table("new", MEASURED), &table("old", FIGURES), |_, _| true);
+    fn a_mode_without_budget_and_a_budget_without_mode_are_reported() {
+        let reported = complaints(&table("new", MEASURED), &table("old", FIGURES), |_, _| true);
         assert_eq!(
-            told,
+            reported,
             [
                 "m4f/new has no budget",
                 "m4f/old has a budget, but was not measured"
@@ -206,28 +206,28 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_asked_for_is_not_missed() {
-        let told = complaints(&Table::new(), &table("old", FIGURES), |_, mode| {
+    fn a_budget_of_an_unselected_mode_is_not_reported() {
+        let reported = complaints(&Table::new(), &table("old", FIGURES), |_, mode| {
             mode == "new"
         });
-        assert_eq!(told, [""; 0]);
+        assert_eq!(reported, [""; 0]);
     }
 
     #[test]
-    fn a_bounded_step_that_depends_on_the_data_is_told() {
-        let told = complaints_of(
+    fn a_bounded_step_whose_count_depends_on_the_data_is_reported() {
+        let reported = complaints_of(
             Measured {
                 least: 1699,
                 ..MEASURED
             },
             FIGURES,
         );
-        assert_eq!(told.len(), 1, "{told:?}");
-        assert!(told[0].contains("1699 to 1700"), "{told:?}");
+        assert_eq!(reported.len(), 1, "{reported:?}");
+        assert!(reported[0].contains("1699 to 1700"), "{reported:?}");
     }
 
     #[test]
-    fn an_iterated_step_may_depend_on_the_data() {
+    fn the_count_of_an_iterated_step_may_depend_on_the_data() {
         let (measured, mode) = (
             Measured {
                 least: 1,
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn stack_beyond_the_deepest_and_other_states_than_on_the_host_are_told() {
+    fn excess_stack_and_states_unlike_the_host_are_reported() {
         let measured = Measured {
             used_stack: 2056,
             is_hosts: false,

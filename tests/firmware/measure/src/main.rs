@@ -172,9 +172,9 @@ mod tests {
     use super::Options;
     use clap::Parser;
 
-    /// Or a misprint would measure nothing, and all would be well.
+    /// Otherwise a mistyped target would measure nothing and succeed.
     #[test]
-    fn a_target_that_there_is_not_is_told() {
+    fn an_unknown_target_of_only_is_refused() {
         let count = |only: &str| {
             let options = Options::parse_from(["measure", "--only", only]);
             options.targets().map(|targets| targets.len()).ok()

@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_are_as_wide_as_their_widest_cell() {
+    fn printed_columns_are_as_wide_as_their_widest_cell() {
         let text = plain(&table());
         let lengths: Vec<usize> = text.lines().map(str::len).collect();
         assert_eq!(lengths.len(), 2);
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn markdown_has_a_rule_under_its_head() {
+    fn the_markdown_table_has_a_rule_under_its_headings() {
         let text = markdown(&table());
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(

@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn the_deepest_of_several_ways_counts() {
+    fn the_stack_is_that_of_the_deepest_call_path() {
         let archive = archive([
             code("root", 8, &[1, 2], &[]),
             code("shallow", 16, &[3], &[]),
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_table_of_methods_refers_to_may_be_called_by_any() {
+    fn methods_of_a_referenced_vtable_count_as_called() {
         let archive = archive([
             code("root", 8, &[1], &[2]),
             code("caller of a method", 16, &[], &[]),
@@ -156,14 +156,14 @@ mod tests {
     }
 
     #[test]
-    fn recursion_and_an_unknown_frame_are_refused() {
+    fn recursion_and_frames_of_unknown_size_are_refused() {
         let mut recursive = archive([code("root", 8, &[1], &[]), code("again", 8, &[0], &[])]);
-        let told = |archive: &Archive| {
+        let message = |archive: &Archive| {
             let error = Reach::of(archive, &[0]).stack(0).expect_err("no bound");
             error.to_string()
         };
-        assert_eq!(told(&recursive), "[\"root\"] calls itself");
+        assert_eq!(message(&recursive), "[\"root\"] calls itself");
         recursive.sections[1].frame = None;
-        assert_eq!(told(&recursive), "the stack of [\"again\"] is not known");
+        assert_eq!(message(&recursive), "the stack of [\"again\"] is not known");
     }
 }

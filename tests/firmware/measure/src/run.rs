@@ -87,7 +87,7 @@ mod tests {
     use super::{Taken, on_host, parse};
 
     #[test]
-    fn both_lines_of_a_mode_make_one() {
+    fn both_output_lines_of_a_mode_are_joined() {
         let text = "instructions m 10 12 0f 1e-9\nstack m 100 104 0f 1e-9\n";
         let modes = parse(text).expect("lines as the firmware writes them");
         let taken = Taken {
@@ -100,14 +100,14 @@ mod tests {
     }
 
     #[test]
-    fn other_lines_are_refused() {
+    fn invalid_output_lines_are_refused() {
         for text in ["a step fails", "instructions m 10", "time m 1 2 0f 0e0"] {
             assert!(parse(text).is_err(), "{text}");
         }
     }
 
     #[test]
-    fn no_step_fails_on_the_host_and_no_two_modes_are_alike() {
+    fn all_modes_run_on_the_host_with_distinct_checksums() {
         let mut checksums: Vec<String> = on_host().into_values().collect();
         assert_eq!(checksums.len(), 24);
         checksums.sort_unstable();
