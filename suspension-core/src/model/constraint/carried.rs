@@ -96,7 +96,7 @@ impl<T: Scalar> Carried<T> {
         [by_origin, by_second, by_third]
     }
 
-    /// Adds a force at the carried point to the forces at the frame's three points, so that they do its work: a force is a gradient of work.
+    /// Adds a force at the carried point to the forces at the frame's three points, so that these do its work too.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn carry_force(&self, force: Vector3<T>, frame: &Frame<T>, at_frame: [&mut Vector3<T>; 3]) {
         for (at, part) in at_frame.into_iter().zip(self.by_frame(force, frame)) {
