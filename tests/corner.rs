@@ -2,6 +2,7 @@
 
 mod drives;
 mod no_length;
+mod stored;
 
 use nalgebra::Vector3;
 use suspension_core::linkage::Designed;

@@ -63,8 +63,26 @@ use clock::Clock;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// To store a state in a file, keep a [`Motion`], whose fields are public, with its drives, and step it with a
-/// [`Tracker`].
+/// A file stores the state as numbers: the [`motion`](Corner::motion), whose fields are public, the drives with their
+/// rates, and the time. [`Corner::resumed`] goes on from there:
+///
+/// ```
+/// use suspension_core::Signal;
+/// use suspension_core::linkages::double_wishbone::{Corner, Drives};
+///
+/// let mut corner: Corner = Corner::design()?;
+/// let start = corner.drives();
+/// let drives = |time| Signal::line(start, Drives { bump: 0.05, steer: 0.0 }, time);
+/// corner.advance(0.5, drives)?;
+/// let stored = (*corner.motion(), corner.drive_signal(), corner.time());
+///
+/// let (motion, signal, time) = stored; // read from the file
+/// let mut resumed: Corner = Corner::resumed(*corner.model(), motion, signal, time);
+/// resumed.advance(0.8, drives)?;
+/// corner.advance(0.8, drives)?;
+/// assert_eq!(resumed.motion(), corner.motion());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct Corner<L: Linkage<N>, const N: usize>
 where
@@ -158,6 +176,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// The values of the drives.
     pub fn drives(&self) -> L::Drives {
         self.drives.value
+    }
+
+    /// The drives with their rates.
+    pub fn drive_signal(&self) -> Signal<L::Drives> {
+        self.drives
     }
 
     /// The time, counted from zero when the corner was made.

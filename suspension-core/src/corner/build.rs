@@ -43,11 +43,21 @@ impl<T: Real, L: Build<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// A corner at rest at the given points, with a model that was built from them; for any other model see
     /// [`Corner::assembled`].
     pub fn of(model: L, points: &L::Points) -> Self {
+        let motion = Motion::at_rest(model.unknowns(points));
+        let drives = Signal::still(model.drives_at(points));
+        Self::resumed(model, motion, drives, T::zero())
+    }
+
+    /// A corner that goes on where another one was: from that corner's [`model`](Self::model) and its stored
+    /// [`motion`](Self::motion), [`drive_signal`](Self::drive_signal) and [`time`](Self::time), which are used as given.
+    /// The same steps then give the same motion, bit by bit. The time of an `f32` clock may differ in its last digit,
+    /// because the rounding error that the clock carries along is not stored.
+    pub fn resumed(model: L, motion: Motion<T, N>, drives: Signal<L::Drives>, time: T) -> Self {
         Self {
             tracker: Tracker::default(),
-            motion: Motion::at_rest(model.unknowns(points)),
-            drives: Signal::still(model.drives_at(points)),
-            clock: Clock::at(T::zero()),
+            motion,
+            drives,
+            clock: Clock::at(time),
             model,
         }
     }
