@@ -87,12 +87,6 @@ susp_status susp_corner_new(
         susp_corner **corner,
         susp_f64_failure *failure);
 
-/** Makes an independent copy of a suspension in its present state, for example to save the state before
- * a lock. */
-susp_status susp_corner_copy(
-        const susp_corner *corner,
-        susp_corner **copy);
-
 /** Frees a suspension; NULL has no effect. */
 susp_status susp_corner_destroy(
         susp_corner *corner);
@@ -224,6 +218,31 @@ susp_status susp_corner_read_kingpin_at(
         const susp_corner *corner,
         size_t index,
         susp_f64_kingpin *kingpin);
+
+/** Makes an independent copy of a suspension in its present state. */
+susp_status susp_corner_copy(
+        const susp_corner *corner,
+        susp_corner **copy);
+
+/** The count of numbers in a state, STATE. All suspensions of a listing have the same. */
+susp_status susp_corner_state_count(
+        const susp_corner *corner,
+        size_t *count);
+
+/** The state of a suspension, `state[STATE]`, to be kept in memory or in a file, for example before a
+ * lock: time, drives and unknowns with their rates. */
+susp_status susp_corner_read_state(
+        const susp_corner *corner,
+        double *state,
+        size_t count);
+
+/** Returns a suspension to a state of its own, or of another with the same listing and hardpoints. The
+ * same steps then give the same points, bit by bit. Nothing tests whether the state belongs to the
+ * listing and the hardpoints; SUSP_ERROR_ARGUMENT if a number is not finite. */
+susp_status susp_corner_set_state(
+        susp_corner *corner,
+        const double *state,
+        size_t count);
 
 #ifdef __cplusplus
 }

@@ -10,12 +10,13 @@ mod objects;
 mod parsed;
 mod placed;
 mod row;
+mod state;
 mod text;
 
 use crate::describe::{Interface, Shape, Structure};
 
 pub use corner::{
-    corner_add_masses, corner_advance, corner_copy, corner_destroy, corner_drives, corner_new,
+    corner_add_masses, corner_advance, corner_destroy, corner_drives, corner_new,
     corner_read_derivatives, corner_read_kingpin, corner_read_kingpin_at, corner_read_loads,
     corner_read_measures, corner_read_points, corner_read_rotation, corner_read_rotation_at,
     corner_read_wheel, corner_read_wheel_at, corner_step, corner_time,
@@ -23,6 +24,7 @@ pub use corner::{
 pub(crate) use kind::KINDS;
 pub use kind::Kind;
 pub use objects::{Corner, Listing};
+pub use state::{corner_copy, corner_read_state, corner_set_state, corner_state_count};
 pub use text::{
     listing_count, listing_design, listing_destroy, listing_find, listing_name, listing_parse,
 };
@@ -59,5 +61,5 @@ pub(crate) const INTERFACE: Interface = Interface {
         " Panics    are defects of the library. They end the program and never unwind into C.",
     ],
     structures: &[HANDLES],
-    functions: &[text::FUNCTIONS, corner::FUNCTIONS],
+    functions: &[text::FUNCTIONS, corner::FUNCTIONS, state::FUNCTIONS],
 };

@@ -179,13 +179,31 @@ fn a_copy_of_a_corner_moves_independently_of_the_original() {
             .step([bump, steer + 0.01], true)
             .expect("within reach");
     }
-    let points = |corner: &text::Moving| {
-        let mut points = [0.0; 9 * 20];
-        let status = listing::corner_read_points(corner.get(), to(&mut points), 9 * 20);
-        assert_eq!(status, Status::Ok);
-        points
+    assert_eq!(copy.points(), other.points());
+}
+
+#[test]
+fn a_corner_returned_to_a_state_repeats_its_steps() {
+    let listing = pushrod();
+    let mut corner = listing.place(&listing.design()).expect("a corner");
+    let mut later = corner.copied();
+    let [bump, steer] = corner.drives();
+    let to = |travel: f64| [bump + travel, steer + 0.3 * travel];
+    corner.step(to(0.02), true).expect("within reach");
+    let state = corner.state();
+    let steps = |corner: &mut text::Moving| {
+        [0.03, 0.035, 0.01].map(|travel| {
+            corner.step(to(travel), true).expect("within reach");
+            corner.points()
+        })
     };
-    assert_eq!(points(&copy), points(&other));
+    let first = steps(&mut corner);
+    for corner in [&mut corner, &mut later] {
+        assert_eq!(corner.set_state(&state), Status::Ok);
+        assert_eq!((corner.time(), corner.drives()), (0.5, to(0.02)));
+        assert_eq!(corner.state(), state);
+        assert_eq!(steps(corner), first);
+    }
 }
 
 #[test]

@@ -128,6 +128,10 @@ fn wrong_counts_and_numbers_are_refused_and_change_no_output() {
                 none,
             )
         });
+        get(&mut numbers, &|place| {
+            listing::corner_read_state(corner.get(), place, count)
+        });
+        assert_eq!(corner.set_state(&vec![0.3; count]), Status::Size);
         let drives = [0.3; 200];
         let status = listing::corner_step(
             corner.get_mut(),
@@ -142,6 +146,9 @@ fn wrong_counts_and_numbers_are_refused_and_change_no_output() {
     let before = corner.drives();
     assert!(corner.step([f64::NAN; 2], false).is_err());
     assert!(corner.step([f64::INFINITY; 2], true).is_err());
+    let mut state = corner.state();
+    state[7] = f64::NAN;
+    assert_eq!(corner.set_state(&state), Status::Argument);
     assert_eq!((corner.drives(), corner.time()), (before, 0.0));
     let (change, mut measures) = ([1.0, f64::NAN], [7.0; 6]);
     let place = to(&mut measures);

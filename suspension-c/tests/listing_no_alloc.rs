@@ -34,6 +34,7 @@ fn moving_and_reading_a_corner_does_not_allocate() {
     let parts = listing.count(PART);
     let (mut drives, mut forces) = ([0.0; 2], [1.0; 3 * 20]);
     let masses = Masses::new(BODY, [0.0, 0.0, -9.81]);
+    let mut state = corner.state();
     let (mut tensions, mut reactions) = (vec![0.0; parts], vec![0.0; 3 * 20 * parts]);
     let before = allocations();
     let [bump, steer] = corner.drives();
@@ -46,6 +47,10 @@ fn moving_and_reading_a_corner_does_not_allocate() {
         .step([bump + 9.0, steer], false)
         .expect_err("beyond reach");
     assert!(corner.time() > 1.0);
+    let count = state.len();
+    assert_eq!(corner.set_state(&state), Status::Ok);
+    let read = listing::corner_read_state(corner.get(), to(&mut state), count);
+    assert_eq!((read, corner.time()), (Status::Ok, 0.0));
     let (mut points, mut measures, change) = ([0.0; 9 * 20], [0.0; 6], [1.0, 0.0]);
     // SAFETY: the array has 60 numbers, the count that the call gets.
     let both = unsafe { InOut::from_raw(forces.as_mut_ptr()) };

@@ -81,16 +81,6 @@ crate::functions! { "susp":
         })
     }
 
-    /// Makes an independent copy of a suspension in its present state, for example to save the state before
-    /// a lock.
-    fn corner_copy(corner: In<Corner>, copy: Create<Corner>) -> Status {
-        answer(|| {
-            let (corner, copy) = (corner.object()?, copy.get()?);
-            copy.write(Object::on_heap(corner.copied()));
-            Ok(())
-        })
-    }
-
     /// Frees a suspension; NULL has no effect.
     fn corner_destroy(corner: Destroy<Corner>) -> Status {
         answer(|| corner.end())

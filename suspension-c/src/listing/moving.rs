@@ -4,9 +4,9 @@ use std::boxed::Box;
 
 use suspension_core::error::{Explain, Facts};
 use suspension_core::listing::Parts;
-use suspension_core::nalgebra::Vector3;
+use suspension_core::nalgebra::{SVector, Vector3};
 use suspension_core::solve::report::Report;
-use suspension_core::{Corner, Signal, Values};
+use suspension_core::{Corner, Motion, Signal, Values};
 use suspension_runtime::{Model, Room, Size};
 
 use super::loads::{self, Structure, Wanted};
@@ -22,6 +22,15 @@ pub(super) trait Moving: Send + Sync {
     fn copied<'a>(&self) -> Box<dyn Moving + 'a>
     where
         Self: 'a;
+
+    /// The count of numbers in a state.
+    fn state_count(&self) -> usize;
+
+    /// Reads the state: time, sign of the determinant or zero if it is unknown, drives, and unknowns.
+    fn read_state(&self, state: Row<'_>);
+
+    /// See [`Corner::resumed`].
+    fn set_state(&mut self, state: &[f64]);
 
     /// See [`Corner::step`].
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts>;
@@ -104,6 +113,44 @@ where
             corner: self.corner,
             counts: self.counts,
         })
+    }
+
+    fn state_count(&self) -> usize {
+        2 + 3 * (self.counts.drives + N)
+    }
+
+    fn read_state(&self, state: Row<'_>) {
+        let (motion, drives) = (self.corner.motion(), self.corner.drive_signal());
+        let sign = match motion.positive_determinant {
+            None => 0.0,
+            Some(true) => 1.0,
+            Some(false) => -1.0,
+        };
+        let drives = [&drives.value, &drives.rate, &drives.second_rate].into_iter();
+        let drives = drives.flat_map(|part| part.values().take(self.counts.drives));
+        let unknowns = [&motion.position, &motion.velocity, &motion.acceleration].into_iter();
+        let unknowns = unknowns.flat_map(|part| part.iter().copied());
+        write(
+            [self.corner.time(), sign]
+                .into_iter()
+                .chain(drives)
+                .chain(unknowns),
+            state,
+        );
+    }
+
+    fn set_state(&mut self, state: &[f64]) {
+        let number = |place: usize| state.get(place).copied().unwrap_or_default();
+        let drives = signal(state.get(2..).unwrap_or_default(), self.counts.drives);
+        let first = 2 + 3 * self.counts.drives;
+        let unknowns = |part| SVector::from_fn(|row, _| number(first + part * N + row));
+        let motion = Motion {
+            position: unknowns(0),
+            velocity: unknowns(1),
+            acceleration: unknowns(2),
+            positive_determinant: (number(1) != 0.0).then_some(number(1) > 0.0),
+        };
+        self.corner = Corner::resumed(*self.corner.model(), motion, drives, number(0));
     }
 
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {

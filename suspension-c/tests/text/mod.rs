@@ -127,6 +127,26 @@ impl Moving {
         Self(made(|copy| listing::corner_copy(self.get(), copy)).expect("a corner"))
     }
 
+    pub(crate) fn state(&self) -> Vec<f64> {
+        let count = made(|count| listing::corner_state_count(self.get(), count));
+        let count = count.expect("a corner");
+        let mut state = vec![0.0; count];
+        let status = listing::corner_read_state(self.get(), to(&mut state), count);
+        assert_eq!(status, Status::Ok);
+        state
+    }
+
+    pub(crate) fn set_state(&mut self, state: &[f64]) -> Status {
+        listing::corner_set_state(self.get_mut(), from(state), state.len())
+    }
+
+    pub(crate) fn points(&self) -> [f64; 9 * 20] {
+        let mut points = [0.0; 9 * 20];
+        let status = listing::corner_read_points(self.get(), to(&mut points), 9 * 20);
+        assert_eq!(status, Status::Ok);
+        points
+    }
+
     pub(crate) fn time(&self) -> f64 {
         made(|time| listing::corner_time(self.get(), time)).expect("a corner")
     }
