@@ -11,6 +11,9 @@ use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::{MOST_NAMES, Names, and_more, is_same};
 use super::stand_in::has_stand_in;
 
+/// The most names that a message gives for a missing point.
+const FEW_NAMES: usize = 4;
+
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
@@ -95,7 +98,12 @@ impl<'a> Candidate<'a> {
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
             match others.as_slice() {
                 [] => format!("`{name}`"),
-                others => format!("`{name}` (or {})", others.join(", ")),
+                others => {
+                    let (first, more) = others.split_at(others.len().min(FEW_NAMES));
+                    let mut first: Vec<String> = first.iter().map(ToString::to_string).collect();
+                    first.extend(and_more(more.len()));
+                    format!("`{name}` (or {})", first.join(", "))
+                }
             }
         });
         each.collect::<Vec<_>>().join("; ")
@@ -152,7 +160,10 @@ impl<'a> Candidate<'a> {
                 ),
             };
             let unknown = self.unknown(points, names, stated);
-            return Some(format!("{what} {}{unknown}", self.lacks(names)));
+            let lacks = self.lacks(names);
+            return Some(format!(
+                "{what} {lacks}{unknown}; suspension import --names lists all names"
+            ));
         }
         None
     }

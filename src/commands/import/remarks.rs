@@ -68,6 +68,7 @@ impl Imported<'_> {
             remarks.push(format!("the corner is the {side} one"));
         }
         remarks.extend(self.point_across());
+        remarks.extend(self.toe_link());
         remarks.extend(self.strut_from_ball_joint());
         let is_used = |point: &&&Hardpoint| {
             let mut found = choice.found.iter();
@@ -82,6 +83,17 @@ impl Imported<'_> {
             remarks.push(format!("not used: {}", told.join(", ")));
         }
         remarks
+    }
+
+    /// Says what holds the inner end of a toe link in a layout that has the end of a rack there.
+    fn toe_link(&self) -> Option<String> {
+        let inner = self.choice.point("rack")?;
+        inner.key.starts_with("toe").then(|| {
+            format!(
+                "`{}` is the end of a toe link, which does not steer: the drive `steer` holds it in place",
+                inner.name
+            )
+        })
     }
 
     /// Says how a strut whose line passes through the lower ball joint is stated.

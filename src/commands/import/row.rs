@@ -19,6 +19,8 @@ const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 pub(super) struct Row<'a> {
     fields: Vec<&'a str>,
     separator: char,
+    /// Whether a single number stands in parentheses, which may mean that it is negative.
+    pub(super) has_number_in_parentheses: bool,
     /// The place of the line in its file.
     pub(super) place: Range<usize>,
 }
@@ -43,9 +45,11 @@ impl<'a> Row<'a> {
         let present = SEPARATORS
             .into_iter()
             .filter(|c| *c == ' ' || line.contains(*c));
+        let has_number_in_parentheses = has_number_in_parentheses(line);
         let rows = present.map(|separator| Self {
-            fields: fields(line, separator),
+            fields: without_axes(fields(line, separator)),
             separator,
+            has_number_in_parentheses,
             place: place.clone(),
         });
         let mut rows: Vec<Self> = rows.collect();
@@ -183,6 +187,36 @@ pub(super) fn unit(word: &str) -> Option<Length> {
         "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
         "in" | "inch" | "inches" => Some(Length::Inch),
         _ => None,
+    }
+}
+
+/// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.
+fn has_number_in_parentheses(line: &str) -> bool {
+    let mut opened = line.match_indices('(');
+    opened.any(|(at, _)| {
+        let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
+        let inside = behind.split_once(')').map(|(inside, _)| inside.trim());
+        inside.is_some_and(|inside| inside.parse::<f64>().is_ok())
+            && !before.to_lowercase().ends_with("point")
+    })
+}
+
+/// Removes the names of the axes from `x = 1, y = 2, z = 3`.
+fn without_axes(fields: Vec<&str>) -> Vec<&str> {
+    let is_axes = |labels: &[&str]| {
+        let mut pairs = labels.iter().step_by(2).zip(["x", "y", "z"]);
+        pairs.all(|(label, axis)| label.eq_ignore_ascii_case(axis))
+    };
+    match fields.windows(6).position(is_axes) {
+        Some(x) => {
+            let labels = [x, x + 2, x + 4];
+            let others = fields.into_iter().enumerate();
+            others
+                .filter(|(place, _)| !labels.contains(place))
+                .map(|(_, field)| field)
+                .collect()
+        }
+        None => fields,
     }
 }
 

@@ -40,7 +40,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 /// # Errors
 ///
 /// [`Failure::Input`] at a known point without three numbers, at an angle or radius that cannot be read or has two values, and
-/// at a sign apart from its number.
+/// at a sign apart from its number or a number in parentheses.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -52,8 +52,13 @@ pub(super) fn add(
     if let Some(name) = before_number(&name, names).filter(|_| coordinates.is_none()) {
         return Err(misread(stated, name, row, names));
     }
-    if row.has_lone_sign() && (names.is_point(&key) || names.is_number(&key)) {
-        return Err(stated.source.refuse(&row.place, LONE_SIGN));
+    if names.is_point(&key) || names.is_number(&key) {
+        if row.has_lone_sign() {
+            return Err(stated.source.refuse(&row.place, LONE_SIGN));
+        }
+        if row.has_number_in_parentheses {
+            return Err(stated.source.refuse(&row.place, IN_PARENTHESES));
+        }
     }
     match (coordinates, row.numbers().as_slice()) {
         (Some(at), _) if !key.is_empty() => {
@@ -79,6 +84,8 @@ pub(super) fn add(
 }
 
 const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
+
+const IN_PARENTHESES: &str = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
 
 /// Returns the mistake of a row with a known name: what the row should have.
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {

@@ -75,8 +75,7 @@ fn a_mistyped_name_is_reported_with_line_and_suggestion() {
         message.starts_with("a.csv: double_wishbone lacks `upper_ball` (or uca_outer, "),
         "{message}"
     );
-    let unknown =
-        "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16)";
+    let unknown = "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16); suspension import --names lists all names";
     assert!(message.ends_with(unknown), "{message}");
 }
 

@@ -39,6 +39,44 @@ fn a_sign_that_stands_alone_is_refused() {
     }
 }
 
+/// Accountants write `(90)` for -90.
+#[test]
+fn a_number_in_parentheses_is_refused() {
+    let file = table(&CORNER) + "camber_angle, -1.5\n";
+    for [row, other] in [["-175", "(175)"], ["-1.5", "( 1.5 )"]] {
+        let said = refusal("a.csv", &file.replace(row, other), &[]);
+        let expected = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
+        assert!(said.ends_with(expected), "{other}: {said}");
+    }
+}
+
+#[test]
+fn coordinates_may_have_the_names_of_their_axes() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    for [row, other] in [
+        ["lca_rear, 150, -175, 120", "lca rear x=150 y=-175 z=120"],
+        [
+            "lca_rear, 150, -175, 120",
+            "lca_rear: (X: 150, Y: -175, Z: 120)",
+        ],
+        ["lca_rear, 150, -175, 120", "lca_rear (150, -175, 120)"],
+    ] {
+        let labelled = table(&CORNER).replace(row, other);
+        let imported = import(folder.path(), "a.csv", &labelled, &[]);
+        assert_eq!(imported.points(), plain.points(), "{other}");
+    }
+    let said = refusal(
+        "a.csv",
+        &table(&CORNER).replace("150, -175, 120", "y=-175 x=150 z=120"),
+        &[],
+    );
+    assert!(
+        said.contains("point `lca_rear` needs three numbers"),
+        "{said}"
+    );
+}
+
 /// Typeset tables have the character of a minus, or an en dash, instead of a hyphen.
 #[test]
 fn a_minus_of_a_typeset_table_is_one() {
