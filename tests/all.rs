@@ -6,6 +6,7 @@ mod absolute_coordinates;
 mod bounded;
 mod branch;
 mod chassis;
+mod controllers;
 mod corner;
 mod counting;
 mod derivatives;
