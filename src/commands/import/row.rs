@@ -108,7 +108,7 @@ impl<'a> Row<'a> {
     pub(super) fn begins_a_number(&self) -> bool {
         let mut fields = self.fields.iter();
         fields.any(|field| {
-            let unsigned = field.trim_start_matches(['+', '-', '.']);
+            let unsigned = field.trim_start_matches(|c| MINUS.contains(&c) || "+.".contains(c));
             unsigned.starts_with(|c: char| c.is_ascii_digit())
         })
     }
@@ -143,14 +143,15 @@ impl<'a> Row<'a> {
         said.unwrap_or(Sides::Unsaid)
     }
 
-    /// Returns the fields that are not numbers, sides, types or units.
+    /// Returns the fields that are not numbers, sides, types, units or mere signs.
     fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
         let is_word = |field: &&str| {
+            let is_sign = !field.contains(char::is_alphanumeric);
             let is_type = ["real", "deg", "rad"]
                 .iter()
                 .any(|name| field.eq_ignore_ascii_case(name));
             let is_type = is_type || unit(field).is_some();
-            self.number(field).is_none() && sides_of(field).is_none() && !is_type
+            self.number(field).is_none() && sides_of(field).is_none() && !is_type && !is_sign
         };
         fields.iter().copied().filter(is_word).collect()
     }

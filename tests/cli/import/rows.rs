@@ -13,6 +13,10 @@ fn a_point_row_without_three_numbers_is_refused() {
         ["-175", "-l75"],
         ["-175", "inf"],
         ["150, -175, 120", "150 mm, -175 mm, 120 mm"],
+        [
+            "150, -175, 120",
+            "\u{2212}150 mm, \u{2212}175 mm, \u{2212}120 mm",
+        ],
         ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
         ["150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""],
     ] {
@@ -30,6 +34,7 @@ fn a_sign_that_stands_alone_is_refused() {
     for [row, other] in [
         ["lca_rear, 150, -175, 120", "lca_rear - 150 -175 120"],
         ["lca_rear, 150, -175, 120", "lca_rear, - 150, -175, 120"],
+        ["lca_rear, 150, -175, 120", "lca_rear, -, 150, -175, 120"],
         ["lca_rear, 150, -175, 120", "lca_rear \u{2212} 150 -175 120"],
         ["camber_angle -1.5", "camber_angle - 1.5"],
     ] {
