@@ -80,7 +80,10 @@ impl<W: Write + Send> Table<W> {
     ///
     /// If the writer fails.
     pub fn finish(mut self) -> Result<W> {
-        self.write()?;
+        // Some readers refuse a group without rows.
+        if self.columns.iter().any(|column| !column.is_empty()) {
+            self.write()?;
+        }
         self.writer.into_inner()
     }
 

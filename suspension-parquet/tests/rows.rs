@@ -11,9 +11,10 @@ fn parquet_rows_of_several_groups_are_read_as_written() {
     let missing = |row: usize| row % 7 == 3;
     let value = |row: usize| {
         let root = (row as f64).sqrt();
-        [row as f64, if missing(row) { f64::NAN } else { root }]
+        let root = if missing(row) { f64::NAN } else { root };
+        [row as f64, root, f64::NAN]
     };
-    let columns = ["bump_m", "camber_rad"];
+    let columns = ["bump_m", "camber_rad", "caster_rad"];
     let mut table = Table::create(Vec::new(), columns, [("length", "m")]).expect("a table");
     for row in 0..ROWS {
         table.row(&value(row)).expect("a row");
@@ -33,13 +34,32 @@ fn parquet_rows_of_several_groups_are_read_as_written() {
     let mut count = 0;
     for (number, row) in rows.enumerate() {
         let row = row.expect("a row");
-        let [first, second] = value(number);
+        let [first, second, _] = value(number);
         assert_eq!(row.get_double(0).expect("a number"), first);
         match row.get_double(1) {
             Ok(found) => assert_eq!(found, second),
             Err(_) => assert!(missing(number), "row {number}"),
         }
+        assert!(row.get_double(2).is_err(), "row {number}");
         count += 1;
     }
     assert_eq!(count, ROWS);
+}
+
+#[test]
+fn parquet_has_no_group_without_rows() {
+    for count in [0, GROUP, 2 * GROUP] {
+        let mut table = Table::create(Vec::new(), ["bump_m"], []).expect("a table");
+        for row in 0..count {
+            table.row(&[row as f64]).expect("a row");
+        }
+        let bytes = table.finish().expect("the whole");
+        let reader = SerializedFileReader::new(bytes::Bytes::from(bytes)).expect("Parquet");
+        let metadata = reader.metadata();
+        assert_eq!(metadata.file_metadata().num_rows(), count as i64);
+        let groups = metadata.row_groups().iter();
+        let rows: Vec<i64> = groups.map(|group| group.num_rows()).collect();
+        assert_eq!(rows, vec![GROUP as i64; count / GROUP]);
+        assert_eq!(reader.get_row_iter(None).expect("rows").count(), count);
+    }
 }
