@@ -154,6 +154,11 @@ where
             &written.accelerations(&all, &velocities, &w, &second),
             &walked.accelerations(&other_all, &other_velocities, &w_walked, &other_second),
         );
+        let [_, forces, _] = points;
+        let (mut carried, mut other_carried) = (*forces, as_other(forces));
+        written.carry_forces(&q, &fixed, &mut carried);
+        walked.carry_forces(&q_walked, &other, &mut other_carried);
+        same_points("carry_forces", &carried, &other_carried);
     }
 
     /// Compares all quantities of the points.
