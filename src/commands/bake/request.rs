@@ -1,7 +1,9 @@
 //! What the command line asks for, carried out on a mechanism.
 
+mod along;
 mod curve;
 mod doubt;
+mod drive;
 mod measure;
 mod surface;
 
@@ -9,14 +11,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_core::SolveError;
 
-use crate::bake::source::{About, Ranged, Sheet, Table};
+use crate::bake::source::{About, Sheet, Table};
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Angle, Description, Drive, Unit, ends};
-use crate::number::{exact, number};
+use crate::mechanism::{Angle, Description, Drive, Unit};
+use crate::number::exact;
 
+use along::Along;
+
+pub use drive::Wished;
 pub use measure::WishedMeasure;
 
 /// Digits of a range that is proposed, rounded to lie within the possible one.
@@ -44,15 +49,6 @@ pub enum Variables {
     Measure(WishedMeasure),
 }
 
-/// A drive and its range.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Wished {
-    /// The drive's name; `None` where there is only one.
-    pub drive: Option<String>,
-    /// The drive's first and last value; the ends of the file's motion where not given.
-    pub range: [Option<f64>; 2],
-}
-
 /// An order with the mechanism and the name of its file.
 pub struct Baking<'a> {
     /// The file's name.
@@ -63,16 +59,6 @@ pub struct Baking<'a> {
     pub request: &'a Request,
     /// Set when the user interrupts the program.
     pub interrupted: &'a AtomicBool,
-}
-
-/// A drive, or a measure that leads in place of it, over its range.
-struct Along {
-    drive: usize,
-    measure: Option<usize>,
-    /// The range in the file's coordinates, angles in radians.
-    range: [f64; 2],
-    /// The range in local coordinates.
-    local: [f64; 2],
 }
 
 impl Baking<'_> {
@@ -148,20 +134,9 @@ impl Baking<'_> {
         held.collect::<Vec<_>>().join(", ")
     }
 
-    /// Describes a drive or a measure and its range; `unit` is that of the baked functions.
-    fn ranged(&self, along: &Along, unit: Unit) -> Ranged {
-        let drive = &self.mechanism.names.drives[along.drive];
-        Ranged {
-            name: self.name(along).to_owned(),
-            unit: self.dimension(along).symbol(unit),
-            range: along.range,
-            in_place_of: along.measure.map(|_| drive.name.clone()),
-        }
-    }
-
     /// Returns the ranges of the drives and the baked functions.
     fn by_drives(&self, drives: &[Wished]) -> Result<(Vec<Along>, Table), Failure> {
-        let drives = drives.iter().map(|wished| self.along(wished));
+        let drives = drives.iter().map(|wished| self.along_drive(wished));
         let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
         let baked = match drives.as_slice() {
             [along] => Table::Curve(self.curve(along)?),
@@ -171,56 +146,6 @@ impl Baking<'_> {
             _ => return Err(self.refuse("--drive names one drive, or two different ones")),
         };
         Ok((drives, baked))
-    }
-
-    fn along(&self, wished: &Wished) -> Result<Along, Failure> {
-        let drive = self.mechanism.names.chosen_drive(wished.drive.as_deref());
-        let drive = drive.map_err(|message| self.refuse(&message))?;
-        let range = self.range(drive, wished)?;
-        let offset = self.mechanism.drive_offsets[drive];
-        let along = Along {
-            drive,
-            measure: None,
-            range,
-            local: range.map(|end| end - offset),
-        };
-        if let [Some(from), Some(to)] = wished.range {
-            self.check_doubt(&along, [from, to])?;
-        }
-        let Description { names, unit, .. } = &**self.mechanism;
-        let kind = names.drives[drive].kind;
-        let mut ends = range.into_iter();
-        match ends.find_map(|end| unit.angle.bounds_exceeded(kind, end)) {
-            Some(bounds) => {
-                Err(self.refuse(&format!("{}: {bounds}", self.range_in_words(drive, range))))
-            }
-            None => Ok(along),
-        }
-    }
-
-    /// Returns a drive's range in the file's coordinates.
-    fn range(&self, drive: usize, wished: &Wished) -> Result<[f64; 2], Failure> {
-        let times = self.mechanism.instants.iter();
-        let through = times.map(|t| self.given(drive, self.value(drive, t)));
-        let [low, high] = ends(through).unwrap_or_default();
-        let Description { names, unit, .. } = &**self.mechanism;
-        let kind = names.drives[drive].kind;
-        let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);
-        let [from, to] = wished.range.map(|end| end.map(inside));
-        let range = [from.unwrap_or(low), to.unwrap_or(high)];
-        if low == high && wished.range == [None, None] {
-            let name = &names.drives[drive].name;
-            return Err(self.refuse(&format!(
-                "the file's motion holds {name}; say its range, as --drive {name}=FROM:TO"
-            )));
-        }
-        if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
-            let in_words = self.range_in_words(drive, range);
-            return Err(self.refuse(&format!(
-                "{in_words} is not a range; --from must be less than --to"
-            )));
-        }
-        Ok(range)
     }
 
     /// Converts a drive's local value to the file's coordinates.
@@ -235,44 +160,6 @@ impl Baking<'_> {
 
     fn value(&self, drive: usize, t: f64) -> f64 {
         self.mechanism.drives_at(t)[drive]
-    }
-
-    fn range_in_words(&self, drive: usize, range: [f64; 2]) -> String {
-        let Description { names, unit, .. } = &**self.mechanism;
-        let ends = range.map(|end| names.drive_in_words(drive, end, *unit));
-        ends.join(" to ")
-    }
-
-    fn name(&self, along: &Along) -> &str {
-        let names = &self.mechanism.names;
-        match along.measure {
-            Some(measure) => &names.measures[measure].name,
-            None => &names.drives[along.drive].name,
-        }
-    }
-
-    fn dimension(&self, along: &Along) -> Dimension {
-        let names = &self.mechanism.names;
-        match along.measure {
-            Some(measure) => names.measures[measure].kind.into(),
-            None => names.drives[along.drive].kind.into(),
-        }
-    }
-
-    /// Converts a local value to the file's coordinates and units.
-    fn in_file(&self, along: &Along, local: f64) -> f64 {
-        let offset = match along.measure {
-            Some(measure) => self.mechanism.measure_offsets[measure],
-            None => self.mechanism.drive_offsets[along.drive],
-        };
-        (local + offset) * self.dimension(along).file_factor(self.mechanism.unit)
-    }
-
-    /// Formats a local value with its unit.
-    fn in_words(&self, along: &Along, local: f64) -> String {
-        let (name, value) = (self.name(along), number(self.in_file(along, local)));
-        let symbol = self.dimension(along).symbol(self.mechanism.unit);
-        format!("{name} = {value} {symbol}")
     }
 
     /// Adds to a message why the solver gave up.

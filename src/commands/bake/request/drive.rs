@@ -1,0 +1,73 @@
+//! A drive and the range over which it is baked.
+
+use crate::commands::bake::request::{Along, Baking};
+use crate::failure::Failure;
+use crate::file::Dimension;
+use crate::mechanism::{Description, ends};
+
+/// A drive and its range.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wished {
+    /// The drive's name; `None` where there is only one.
+    pub drive: Option<String>,
+    /// The drive's first and last value; the ends of the file's motion where not given.
+    pub range: [Option<f64>; 2],
+}
+
+impl Baking<'_> {
+    pub(super) fn along_drive(&self, wished: &Wished) -> Result<Along, Failure> {
+        let drive = self.mechanism.names.chosen_drive(wished.drive.as_deref());
+        let drive = drive.map_err(|message| self.refuse(&message))?;
+        let range = self.range(drive, wished)?;
+        let offset = self.mechanism.drive_offsets[drive];
+        let along = Along {
+            drive,
+            measure: None,
+            range,
+            local: range.map(|end| end - offset),
+        };
+        if let [Some(from), Some(to)] = wished.range {
+            self.check_doubt(&along, [from, to])?;
+        }
+        let Description { names, unit, .. } = &**self.mechanism;
+        let kind = names.drives[drive].kind;
+        let mut ends = range.into_iter();
+        match ends.find_map(|end| unit.angle.bounds_exceeded(kind, end)) {
+            Some(bounds) => {
+                Err(self.refuse(&format!("{}: {bounds}", self.range_in_words(drive, range))))
+            }
+            None => Ok(along),
+        }
+    }
+
+    /// Returns a drive's range in the file's coordinates.
+    fn range(&self, drive: usize, wished: &Wished) -> Result<[f64; 2], Failure> {
+        let times = self.mechanism.instants.iter();
+        let through = times.map(|t| self.given(drive, self.value(drive, t)));
+        let [low, high] = ends(through).unwrap_or_default();
+        let Description { names, unit, .. } = &**self.mechanism;
+        let kind = names.drives[drive].kind;
+        let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);
+        let [from, to] = wished.range.map(|end| end.map(inside));
+        let range = [from.unwrap_or(low), to.unwrap_or(high)];
+        if low == high && wished.range == [None, None] {
+            let name = &names.drives[drive].name;
+            return Err(self.refuse(&format!(
+                "the file's motion holds {name}; say its range, as --drive {name}=FROM:TO"
+            )));
+        }
+        if !(range[0] < range[1] && range.iter().all(|end| end.is_finite())) {
+            let in_words = self.range_in_words(drive, range);
+            return Err(self.refuse(&format!(
+                "{in_words} is not a range; --from must be less than --to"
+            )));
+        }
+        Ok(range)
+    }
+
+    fn range_in_words(&self, drive: usize, range: [f64; 2]) -> String {
+        let Description { names, unit, .. } = &**self.mechanism;
+        let ends = range.map(|end| names.drive_in_words(drive, end, *unit));
+        ends.join(" to ")
+    }
+}
