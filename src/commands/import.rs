@@ -1,6 +1,7 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
 mod axle;
+mod candidate;
 mod choice;
 mod corner;
 mod draft;

@@ -1,0 +1,143 @@
+//! A layout that may be chosen for a file, and why its points do not suit the layout.
+
+use suspension_listing::did_you_mean::nearest;
+use suspension_listing::text;
+use suspension_runtime::{CatalogueAndFiles, Mistakes};
+
+use super::hardpoints::{Hardpoint, Hardpoints};
+use super::names::{MOST_NAMES, Names, and_more, is_same};
+use super::stand_in::has_stand_in;
+
+/// The most names that a message gives for a missing point.
+const FEW_NAMES: usize = 4;
+
+/// A listing that may be chosen, with the points that the file has for it.
+#[derive(Debug)]
+pub(super) struct Candidate<'a> {
+    pub(super) linkage: &'static str,
+    pub(super) text: &'static str,
+    /// The points that the file has, each with its name in the listing.
+    pub(super) found: Vec<(String, &'a Hardpoint)>,
+    /// Missing points that are computed from others.
+    pub(super) spare: Vec<String>,
+    /// The other missing points.
+    pub(super) missing: Vec<String>,
+}
+
+impl<'a> Candidate<'a> {
+    pub(super) fn new(
+        (linkage, text): (&'static str, &'static str),
+        points: &[&'a Hardpoint],
+        names: &Names,
+    ) -> Result<Self, Mistakes> {
+        let (mut found, mut missing) = (Vec::new(), Vec::new());
+        let named = |name: &str| {
+            let mut points = points.iter();
+            points.find(|point| is_same(&point.key, name)).copied()
+        };
+        for name in points_of(linkage, text)? {
+            let point = names.of_point(&name).find_map(named);
+            match point {
+                Some(point) => found.push((name, point)),
+                None => missing.push(name),
+            }
+        }
+        let has = |name: &str| found.iter().any(|(other, _)| other == name);
+        let (spare, missing) = missing
+            .into_iter()
+            .partition(|name| has_stand_in(name, has));
+        Ok(Self {
+            linkage,
+            text,
+            found,
+            spare,
+            missing,
+        })
+    }
+
+    /// Lists the missing points with the names that import knows for them, without those that can be placed from others.
+    fn lacks(&self, names: &Names) -> String {
+        let found = self.found.iter().map(|(name, _)| name);
+        let with_missing: Vec<&String> = found.chain(&self.missing).collect();
+        let has = |name: &str| with_missing.iter().any(|other| *other == name);
+        let needed = self.missing.iter().filter(|name| !has_stand_in(name, has));
+        let each = needed.map(|name| {
+            let others: Vec<&str> = names.of_point(name).skip(1).collect();
+            match others.as_slice() {
+                [] => format!("`{name}`"),
+                others => {
+                    let (first, more) = others.split_at(others.len().min(FEW_NAMES));
+                    let mut first: Vec<String> = first.iter().map(ToString::to_string).collect();
+                    first.extend(and_more(more.len()));
+                    format!("`{name}` (or {})", first.join(", "))
+                }
+            }
+        });
+        each.collect::<Vec<_>>().join("; ")
+    }
+
+    /// Lists the unknown names of the file, each with the missing point that may have been meant.
+    fn unknown(&self, points: &[&Hardpoint], names: &Names, stated: &Hardpoints<'_>) -> String {
+        let missing = self.missing.iter();
+        let wanted: Vec<&str> = missing.flat_map(|name| names.of_point(name)).collect();
+        let is_found = |key: &str| self.found.iter().any(|(_, found)| found.key == key);
+        let is_known = |key: &str| names.is_point(key) || is_found(key);
+        let unknown = points.iter().filter(|point| !is_known(&point.key));
+        let mut unknown = unknown.peekable();
+        let told = unknown.by_ref().take(MOST_NAMES).map(|point| {
+            let hint = nearest(&point.key, wanted.iter().copied());
+            let hint = hint.map(|name| format!(", did you mean {name}?"));
+            let line = stated.line(&point.place);
+            format!("`{}` ({line}){}", point.name, hint.unwrap_or_default())
+        });
+        let mut each: Vec<String> = told.collect();
+        each.extend(and_more(unknown.count()));
+        match each.join("; ") {
+            none if none.is_empty() => none,
+            each => format!("; not known: {each}"),
+        }
+    }
+
+    /// Says why the points do not suit the listing; `None` if they do.
+    pub(super) fn does_not_fit(
+        &self,
+        stated: &Hardpoints<'_>,
+        points: &[&Hardpoint],
+        names: &Names,
+        wanted: Option<&str>,
+    ) -> Option<String> {
+        let linkage = self.linkage;
+        if self.found.is_empty() {
+            let first = points.first().map_or("", |point| point.name.as_str());
+            let is_known = points.iter().any(|point| names.is_point(&point.key));
+            return Some(match is_known {
+                true => format!(
+                    "{linkage} has none of the file's points, `{first}` for one; without --linkage they choose the layout"
+                ),
+                false => format!(
+                    "no point has a known name, for example `{first}` has none; suspension import --names lists the known names"
+                ),
+            });
+        }
+        if self.missing.is_empty() {
+            return None;
+        }
+        let what = match wanted {
+            Some(_) => format!("{linkage} lacks"),
+            None => format!("no layout has all its points here; the nearest, {linkage}, lacks"),
+        };
+        let (lacks, unknown) = (self.lacks(names), self.unknown(points, names, stated));
+        Some(format!(
+            "{what} {lacks}{unknown}; suspension import --names lists all names"
+        ))
+    }
+}
+
+/// Returns the names of a listing's points without the search for an order of elimination.
+pub(super) fn points_of(linkage: &str, text: &str) -> Result<Vec<String>, Mistakes> {
+    let system = text::parse(text, linkage, &CatalogueAndFiles::beside(linkage))?;
+    let points = system.fixed.iter().chain(&system.free);
+    let points = points.map(|point| &point.named.name);
+    let markers = system.markers.iter().map(|marker| &marker.named.name);
+    Ok(points.chain(markers).map(ToString::to_string).collect())
+}
