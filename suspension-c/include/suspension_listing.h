@@ -170,7 +170,9 @@ susp_status susp_corner_add_masses(
  * chassis point on the drive that moves it. `drives[DRIVES]` receives the work of the forces per unit
  * of each drive, which is the load on its actuator: N for a length, N times the unit of the points for
  * an angle. `tensions[PARTS]` receives the force in each link, positive in tension, and 0 for other
- * parts. `reactions[PARTS][POINTS][3]` receives the forces that each part exerts on the points. The
+ * parts. `reactions[PARTS][POINTS][3]` receives the forces that each part exerts on the points. A
+ * force at a marker acts at three points of its body and is not in the reactions of the body there:
+ * the force in a joint of a loaded body is what the other parts exert on the point. The
  * moment that drives or holds an angle acts on the parts that carry the lines of the angle, so that an
  * angle between lines of parts exerts no force itself. Each of these three may be NULL.
  * SUSP_ERROR_SINGULAR where the drives lock. */

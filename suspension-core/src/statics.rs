@@ -170,7 +170,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     }
 
     /// The forces that some equations, for example those of one statement, exert on chassis points and free points;
-    /// zero at markers.
+    /// zero at markers. A force at a marker acts at three points of its body and is not in those of the body there: the
+    /// force in a joint of a loaded body is what the equations of the other parts exert on the point.
     pub fn by(&self, equations: Range<usize>) -> L::Points {
         let Configuration {
             linkage,
