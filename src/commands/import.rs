@@ -10,6 +10,7 @@ mod hardpoints;
 mod imported;
 mod names;
 mod orientation;
+mod rack;
 mod remarks;
 mod row;
 mod shark;

@@ -4,6 +4,7 @@ mod axle;
 mod formats;
 mod frames;
 mod noted;
+mod rear;
 mod refused;
 mod rows;
 mod struts;

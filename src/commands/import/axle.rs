@@ -8,6 +8,7 @@ use suspension_runtime::Listing;
 
 use super::choice::Choice;
 use super::imported::Imported;
+use super::rack;
 use crate::failure::Failure;
 use crate::output::beside::name_of;
 use crate::output::files::{refuse_input, write_file};
@@ -16,16 +17,13 @@ use crate::output::files::{refuse_input, write_file};
 pub(super) struct Axle {
     /// The statements of the motion file.
     pub(super) statements: String,
-    /// The listing that the motion file includes, with its path, if the catalogue's listing has a rack of its own.
+    /// The listing that the motion file includes, with its path, if it differs from the catalogue's.
     pub(super) corner: Option<(PathBuf, String)>,
+    /// Whether both corners are on one rack.
+    is_steered: bool,
 }
 
-/// How the catalogue's listings state a rack and its drive.
-const RACK: &str = "fixed: rack at";
-const STEER: &str = "/// Lateral position of the rack.\ndrive steer: rack.y;\n";
-
 /// The statements of a rack that both corners share: its ends move across the vehicle at a constant distance.
-const FREE_RACK: &str = "free:  rack at";
 const SHARED_RACK: &str = "\
 /// A point that the rack moves past.
 fixed: rack_housing;
@@ -38,7 +36,7 @@ drive steer: left_rack.y;
 
 /// The comment at the top of a corner's listing, which states no coordinates.
 const ABOVE_CORNER: &str = "\
-//! A corner of the axle: statements of the catalogue, without a rack of its own. The motion file that includes it states the
+//! A corner of the axle: statements of the catalogue, without the drive of its rack. The motion file that includes it states the
 //! hardpoints, under [points].
 ";
 
@@ -57,23 +55,31 @@ impl Axle {
         let twist = choice.listing.point(BAR).map_or("", |_| TWIST);
         let mirrored =
             |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n{twist}");
-        if choice.listing.drive("steer").is_none() {
+        let is_steered = choice.listing.drive("steer").is_some();
+        if !is_steered && choice.fixed.is_none() {
             return Self {
                 statements: mirrored(choice.linkage),
                 corner: None,
+                is_steered,
             };
         }
         let name = name_of(out);
         let name = format!("{name}_corner.linkage");
+        let (of_rack, corner) = if is_steered {
+            (SHARED_RACK, rack::shared(choice.text))
+        } else {
+            ("", rack::fixed(choice.text))
+        };
         Self {
-            statements: mirrored(&format!("{name:?}")) + SHARED_RACK,
-            corner: Some((out.with_file_name(name), corner_of(choice.text))),
+            statements: mirrored(&format!("{name:?}")) + of_rack,
+            corner: Some((out.with_file_name(name), corner_of(&corner))),
+            is_steered,
         }
     }
 
     /// Returns name, position and origin of the rack housing, which is in the middle of the vehicle.
     pub(super) fn housing(&self, left: &Imported<'_>) -> Option<[String; 3]> {
-        self.corner.as_ref()?;
+        self.is_steered.then_some(())?;
         let [x, _, z] = left.position("rack")?;
         Some([
             "rack_housing".to_owned(),
@@ -90,7 +96,10 @@ impl Axle {
         refuse_input(path, "--out")?;
         let is_as_written = fs::read_to_string(path).is_ok_and(|there| {
             let mut layouts = LISTINGS.iter();
-            layouts.any(|(_, text)| corner_of(text) == there)
+            layouts.any(|(_, text)| {
+                let corners = [rack::shared(text), rack::fixed(text)];
+                corners.iter().any(|corner| corner_of(corner) == there)
+            })
         });
         if is_as_written || !path.exists() {
             return Ok(());
@@ -140,22 +149,7 @@ impl Axle {
     }
 }
 
-/// Returns the listing of a corner of a layout, without its own rack.
+/// Returns the listing of a corner with the statements of a layout.
 fn corner_of(layout: &str) -> String {
-    let corner = layout.replace(RACK, FREE_RACK).replace(STEER, "");
-    format!("{ABOVE_CORNER}{}", without_places(&corner))
-}
-
-/// Returns the statements of a layout without their coordinates, which are in metres, and without the comment at their top.
-fn without_places(text: &str) -> String {
-    let statements = text.lines().skip_while(|line| line.starts_with("//!"));
-    let unplaced = statements.map(|line| {
-        let mut line = line.to_owned();
-        while let Some(at) = line.find(" at [") {
-            let end = line[at..].find(']').map_or(line.len(), |end| at + end + 1);
-            line.replace_range(line[..at].trim_end().len()..end, "");
-        }
-        line + "\n"
-    });
-    unplaced.collect()
+    format!("{ABOVE_CORNER}{}", rack::without_places(layout))
 }

@@ -8,6 +8,7 @@ use suspension_runtime::{Listing, Mistakes, catalogue};
 use super::candidate::{Candidate, points_of};
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
+use super::rack::{self, RACK};
 
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
@@ -20,14 +21,24 @@ pub(super) struct Choice<'a> {
     pub(super) found: Vec<(String, &'a Hardpoint)>,
     /// Missing points that are computed from others.
     pub(super) spare: Vec<String>,
+    /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `listing`.
+    pub(super) fixed: Option<String>,
 }
 
 impl<'a> Choice<'a> {
-    fn new(candidate: Candidate<'a>) -> Result<Self, Mistakes> {
+    fn new(candidate: Candidate<'a>, stated: &Hardpoints<'_>) -> Result<Self, Mistakes> {
+        let mut found = candidate.found.iter();
+        let inner = found.find_map(|(name, point)| (name == RACK).then_some(point));
+        let fixed = inner.and_then(|inner| rack::why_fixed(inner, stated));
+        let listing = match fixed {
+            Some(_) => Listing::parse_file(&rack::fixed(candidate.text), candidate.linkage)?,
+            None => Listing::parse_file(candidate.text, candidate.linkage)?,
+        };
         Ok(Self {
             linkage: candidate.linkage,
             text: candidate.text,
-            listing: Listing::parse_file(candidate.text, candidate.linkage)?,
+            listing,
+            fixed,
             found: candidate.found,
             spare: candidate.spare,
         })
@@ -85,7 +96,7 @@ pub(super) fn choose<'a>(
                 best.linkage, other.linkage
             ))
         }
-        _ => Choice::new(best).map_err(refuse),
+        _ => Choice::new(best, stated).map_err(refuse),
     }
 }
 

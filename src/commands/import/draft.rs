@@ -7,6 +7,7 @@ use suspension_runtime::Listing;
 
 use super::axle::Axle;
 use super::imported::Imported;
+use super::rack;
 use super::stand_in::number;
 use crate::mechanism::Length;
 use crate::number::rounded;
@@ -76,10 +77,17 @@ fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
 impl<'a> Draft<'a> {
     /// Drafts the motion file of one corner.
     pub(super) fn for_corner(imported: &'a Imported<'_>) -> Self {
-        let stated = format!("linkage = \"{}\"", imported.choice.linkage);
+        let choice = &imported.choice;
+        let stated = match choice.fixed {
+            Some(_) => {
+                let statements = rack::without_places(&rack::fixed(choice.text));
+                format!("statements = '''\n{}'''", statements.trim_start())
+            }
+            None => format!("linkage = \"{}\"", choice.linkage),
+        };
         let corner = corner(imported, "");
         let radius = wheel_radius(imported);
-        Self::new(imported, &imported.choice.listing, stated, corner, radius)
+        Self::new(imported, &choice.listing, stated, corner, radius)
     }
 
     /// Drafts the motion file of an axle, the left corner first.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::path::Path;
 
 use clap::ValueEnum;
 
@@ -47,6 +48,13 @@ pub(super) enum Sides {
     Mirrored,
 }
 
+/// An end of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    Front,
+    Rear,
+}
+
 /// A point of a file.
 #[derive(Clone, Debug)]
 pub(super) struct Hardpoint {
@@ -82,6 +90,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) unread: Vec<String>,
     /// The unit of lengths; `None` if the file does not state it.
     pub(super) unit: Option<Length>,
+    /// The ends of the vehicle that the file names, each with its place.
+    ends: Vec<(End, Range<usize>)>,
     /// Whether the file's angles are in radians.
     pub(super) radians: bool,
     /// The usual axes of such files.
@@ -97,9 +107,34 @@ impl<'a> Hardpoints<'a> {
             numbers: Vec::new(),
             unread: Vec::new(),
             unit: None,
+            ends: Vec::new(),
             radians: false,
             usual,
         }
+    }
+
+    /// Notes that a line names an end of the vehicle.
+    pub(super) fn add_end(&mut self, end: Option<End>, place: Range<usize>) {
+        self.ends.extend(end.map(|end| (end, place)));
+    }
+
+    /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or
+    /// names both. A name of the file counts only if its lines say nothing.
+    pub(super) fn end(&self) -> Option<(End, String)> {
+        let in_words = |end: End, at: &str| {
+            let end = match end {
+                End::Front => "front",
+                End::Rear => "rear",
+            };
+            format!("{at} says {end}")
+        };
+        let Some((end, place)) = self.ends.first() else {
+            let name = Path::new(self.source.name()).file_stem()?;
+            let end = end_of(&spelled(&name.to_string_lossy()))?;
+            return Some((end, in_words(end, "the name of the file")));
+        };
+        let is_same = self.ends.iter().all(|(other, _)| other == end);
+        is_same.then(|| (*end, in_words(*end, &self.line(place))))
     }
 
     /// Adds a point, on both sides if it is mirrored. Skips centres of mass.
@@ -205,6 +240,16 @@ impl<'a> Hardpoints<'a> {
         let place = self.source.place(place);
         let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
         line.unwrap_or(place)
+    }
+}
+
+/// Returns the end of the vehicle that spelled words name; `None` if they name none or both.
+pub(super) fn end_of(words: &str) -> Option<End> {
+    let [front, rear] = ["front", "rear"].map(|end| words.split('_').any(|word| word == end));
+    match (front, rear) {
+        (true, false) => Some(End::Front),
+        (false, true) => Some(End::Rear),
+        _ => None,
     }
 }
 

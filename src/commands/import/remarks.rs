@@ -8,6 +8,7 @@ use super::hardpoints::Hardpoint;
 use super::imported::Imported;
 use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
+use super::rack::RACK;
 use crate::layouts::first_sentence;
 use crate::load::only_on_wrong_side;
 use crate::mechanism::{Axes, Length};
@@ -37,7 +38,7 @@ impl Imported<'_> {
             format!(
                 "the layout is {}: {}",
                 choice.linkage,
-                remove_side(&first_sentence(choice.text))
+                self.layout_in_words()
             ),
             format!("the unit of lengths is {}, {why_unit}", unit.symbol()),
             format!(
@@ -69,6 +70,7 @@ impl Imported<'_> {
         }
         remarks.extend(self.point_across());
         remarks.extend(self.toe_link());
+        remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
         let is_used = |point: &&&Hardpoint| {
             let mut found = choice.found.iter();
@@ -85,13 +87,40 @@ impl Imported<'_> {
         remarks
     }
 
-    /// Says what holds the inner end of a toe link in a layout that has the end of a rack there.
+    /// Describes the layout as in the catalogue, without a side and, if it does not steer, without a rack.
+    fn layout_in_words(&self) -> String {
+        let sentence = remove_side(&first_sentence(self.choice.text));
+        match self.choice.fixed {
+            Some(_) => sentence.replace("a steering rack", "a toe link"),
+            None => sentence,
+        }
+    }
+
+    /// Says why the inner end of a toe link is fixed in a layout that has the end of a rack there, and how to make it steer.
     fn toe_link(&self) -> Option<String> {
-        let inner = self.choice.point("rack")?;
-        inner.key.starts_with("toe").then(|| {
+        let inner = &self.choice.point(RACK)?.name;
+        let why = self.choice.fixed.as_ref()?;
+        Some(format!(
+            "`{inner}` does not steer, it is fixed on the chassis: {why}. To make it steer, call it `rack` in the hardpoint file and \
+             import that again"
+        ))
+    }
+
+    /// Says that an arm whose axis is oblique is a semi-trailing arm, where the file lacks the points of that layout.
+    fn semi_trailing_arm(&self) -> Option<String> {
+        /// The angle in plan view at which an axis counts as oblique, degrees.
+        const OBLIQUE: f64 = 3.0;
+        let is_arm = self.choice.linkage == "trailing_arm";
+        let [inner, outer] = ["pivot_inner", "pivot_outer"].map(|name| self.choice.point(name));
+        let (inner, outer) = (inner?.at, outer?.at);
+        let angle = (outer[0] - inner[0])
+            .abs()
+            .atan2((outer[1] - inner[1]).abs());
+        let angle = angle.to_degrees();
+        (is_arm && angle > OBLIQUE).then(|| {
             format!(
-                "`{}` is the end of a toe link, which does not steer: the drive `steer` holds it in place",
-                inner.name
+                "the axis of the arm is turned by {angle:.0} degrees in plan view, so it is a semi-trailing arm, which moves as in this \
+                 layout. With the points shaft_inner and shaft_outer the layout is semi_trailing_arm, with the drive shaft"
             )
         })
     }

@@ -1,6 +1,6 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
-use super::hardpoints::Hardpoints;
+use super::hardpoints::{Hardpoints, end_of};
 use super::names::{Names, spelled};
 use super::row::{Row, lines, unit};
 use super::table::add;
@@ -34,6 +34,12 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         }
         match &*within {
             "HARDPOINT" | "PARAMETER" => add(&mut stated, &Row::parse(place, line), names)?,
+            "SUBSYSTEM_HEADER" => {
+                let words = spelled(line);
+                if let Some(role) = words.strip_prefix("minor_role_") {
+                    stated.add_end(end_of(role), place);
+                }
+            }
             "UNITS" => {
                 let words = spelled(line);
                 match words.split_once('_') {

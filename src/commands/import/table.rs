@@ -1,6 +1,6 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
-use super::hardpoints::{Hardpoints, key_of};
+use super::hardpoints::{End, Hardpoints, end_of, key_of};
 use super::names::{Names, spelled};
 use super::row::{Row, lines, unit};
 use crate::failure::Failure;
@@ -19,6 +19,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         add(&mut stated, &row, names)?;
         if row.numbers().is_empty() {
             let words = spelled(line);
+            stated.add_end(end_of_heading(&words), place.clone());
             let words: Vec<&str> = words.split('_').collect();
             check_columns(&words).map_err(|message| source.refuse(&place, message))?;
             let unit = unit_of_heading(&words).map_err(|message| source.refuse(&place, message))?;
@@ -105,6 +106,25 @@ fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
     number.trim().parse::<f64>().ok()?;
     let (key, _) = key_of(name);
     (names.is_number(&key) || names.is_point(&key)).then_some(name)
+}
+
+/// Words of a heading that names the end of the vehicle to which a suspension belongs.
+const OF_AXLE: [&str; 7] = [
+    "suspension",
+    "axle",
+    "corner",
+    "hardpoints",
+    "geometry",
+    "left",
+    "right",
+];
+
+/// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
+/// `Front lower wishbone` is of a part.
+fn end_of_heading(words: &str) -> Option<End> {
+    let end = end_of(words)?;
+    let is_of_axle = words.split('_').any(|word| OF_AXLE.contains(&word));
+    (is_of_axle || !words.contains('_')).then_some(end)
 }
 
 /// Units of length that motion files do not have.

@@ -62,18 +62,3 @@ fn a_note_calls_the_imported_motion_an_example() {
     let expected = "the motion is an example: for one second bump grows by 30 mm a second, other drives are held\n";
     assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
-
-/// A rear corner has a toe link where a front one has a tie rod to the rack.
-#[test]
-fn a_toe_link_takes_the_place_of_the_tie_rod_and_does_not_steer() {
-    let folder = folder();
-    let tie_rod = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    let with_toe_link = table(&CORNER)
-        .replace("tierod_inner", "Toe link inner")
-        .replace("tierod_outer", "Toe link outer");
-    let toe_link = import(folder.path(), "a.csv", &with_toe_link, &[]);
-    assert_eq!(toe_link.points(), tie_rod.points());
-    let remark = "`Toe link inner` is the end of a toe link, which does not steer: the drive `steer` holds it in place";
-    assert!(toe_link.notes.contains(remark), "{}", toe_link.notes);
-    assert!(!tie_rod.notes.contains("toe link"), "{}", tie_rod.notes);
-}

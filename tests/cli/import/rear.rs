@@ -1,0 +1,169 @@
+//! Rear corners, whose toe link is fixed on the chassis, and arms.
+
+use super::super::program::{folder, rows, run};
+use super::{CORNER, Imported, import, table};
+
+/// The table with other names for both ends of the tie rod.
+fn with_names(inner: &str, outer: &str) -> String {
+    let file = table(&CORNER).replace("tierod_inner", inner);
+    file.replace("tierod_outer", outer)
+}
+
+fn steers(imported: &Imported) -> bool {
+    let drives = imported.motion["drives"].as_table().expect("a table");
+    drives.contains_key("steer")
+}
+
+/// Rows above the table, the name of the file, the inner end of the tie rod, and whether it steers.
+const CASES: [(&str, &str, &str, bool); 14] = [
+    ("", "a.csv", "tierod_inner", true),
+    ("", "a.csv", "Toe link inner", false),
+    ("Rear suspension\n", "a.csv", "tierod_inner", false),
+    ("# REAR LEFT\n", "a.csv", "tierod_inner", false),
+    ("Rear;;;\n", "a.csv", "tierod_inner", false),
+    ("Rear suspension\n", "a.csv", "rack", true),
+    ("Front suspension\n", "a.csv", "Toe link inner", true),
+    ("", "rear.csv", "tierod_inner", false),
+    ("", "Hardpoints_Rear_2024.csv", "tierod_inner", false),
+    ("Front axle\n", "rear.csv", "Toe link inner", true),
+    ("Front and rear axle\n", "a.csv", "tierod_inner", true),
+    ("Rear lower wishbone\n", "a.csv", "tierod_inner", true),
+    (
+        "# front axle\n# rear axle\n",
+        "a.csv",
+        "Toe link inner",
+        false,
+    ),
+    ("", "front_and_rear.csv", "tierod_inner", true),
+];
+
+#[test]
+fn a_toe_link_is_fixed_where_the_table_is_of_a_rear_suspension() {
+    let folder = folder();
+    for (above, name, inner, expected) in CASES {
+        let file = format!("{above}{}", with_names(inner, "tierod_outer"));
+        let imported = import(folder.path(), name, &file, &[]);
+        assert_eq!(steers(&imported), expected, "{above}{name}: {inner}");
+        let said = format!("`{inner}` does not steer, it is fixed on the chassis: ");
+        assert_eq!(
+            imported.notes.contains(&said),
+            !expected,
+            "{}",
+            imported.notes
+        );
+        assert_eq!(
+            imported.points(),
+            import(folder.path(), "b.csv", &table(&CORNER), &[]).points()
+        );
+    }
+}
+
+#[test]
+fn a_note_says_why_a_toe_link_is_fixed_and_how_to_make_it_steer() {
+    let folder = folder();
+    for (above, name, inner, why) in [
+        ("Rear axle\n", "a.csv", "tierod_inner", "a.csv:1 says rear"),
+        (
+            "",
+            "rear.csv",
+            "tierod_inner",
+            "the name of the file says rear",
+        ),
+        (
+            "",
+            "a.csv",
+            "toe_link_inner",
+            "front axles have a tie rod instead",
+        ),
+    ] {
+        let file = format!("{above}{}", with_names(inner, "tierod_outer"));
+        let imported = import(folder.path(), name, &file, &[]);
+        let said = format!(
+            "`{inner}` does not steer, it is fixed on the chassis: {why}. To make it steer, call it `rack` in the hardpoint file and \
+             import that again"
+        );
+        assert!(imported.notes.contains(&said), "{}", imported.notes);
+        let written = std::fs::read_to_string(folder.path().join("motion.toml")).expect("written");
+        assert!(written.contains(&format!("# {said}")), "{written}");
+    }
+}
+
+/// The listing differs from the catalogue's only by the drive, so that every number is the same.
+#[test]
+fn a_fixed_toe_link_moves_as_with_the_rack_held() {
+    let folder = folder();
+    let swept = |file: &str, drives: &[&str]| {
+        import(folder.path(), "a.csv", file, &[]);
+        let options = drives.iter().flat_map(|drive| ["--drive", drive]);
+        let arguments = ["sweep", "motion.toml", "--csv", "-"]
+            .into_iter()
+            .chain(options);
+        rows(&run(folder.path(), &arguments.collect::<Vec<_>>()).stdout)
+    };
+    let held = swept(&table(&CORNER), &["bump=-30:30:7", "steer=0"]);
+    let fixed = swept(
+        &with_names("toe_link_inner", "toe_link_outer"),
+        &["bump=-30:30:7"],
+    );
+    assert_eq!(fixed.len(), 7);
+    for (held, fixed) in held.iter().zip(&fixed) {
+        for name in ["toe_deg", "camber_deg", "wheel_centre_x", "damper_mm"] {
+            assert!((held[name] - fixed[name]).abs() < 1e-10, "{name}");
+        }
+    }
+}
+
+#[test]
+fn an_axle_of_fixed_toe_links_has_no_rack() {
+    let folder = folder();
+    let file = with_names("toe_link_inner", "toe_link_outer");
+    let imported = import(folder.path(), "a.csv", &file, &["--axle"]);
+    assert!(!steers(&imported));
+    assert!(!imported.text("statements").contains("rack"));
+    let corner = std::fs::read_to_string(folder.path().join("motion_corner.linkage"));
+    assert!(!corner.expect("written").contains("steer"));
+    // Both files may be written again.
+    import(folder.path(), "a.csv", &file, &["--axle"]);
+    let output = run(
+        folder.path(),
+        &["sheet", "motion.toml", "--travel", "-20:20"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+}
+
+#[test]
+fn the_role_of_an_adams_subsystem_tells_front_from_rear() {
+    let folder = folder();
+    let points = CORNER.map(|(name, [x, y, z])| format!(" '{name}' 'left/right' {x} {y} {z}\n"));
+    for (role, expected) in [("rear", false), ("front", true)] {
+        let file = format!(
+            "[SUBSYSTEM_HEADER]\nMAJOR_ROLE = 'suspension'\nMINOR_ROLE = '{role}'\n[UNITS]\nLENGTH = 'mm'\n[HARDPOINT]\n{}",
+            points.concat()
+        );
+        let imported = import(folder.path(), "a.sub", &file, &[]);
+        assert_eq!(steers(&imported), expected, "{role}");
+    }
+}
+
+/// The layout of the semi-trailing arm needs the joints of its drive shaft.
+#[test]
+fn an_arm_with_an_oblique_axis_is_called_a_semi_trailing_arm() {
+    let folder = folder();
+    let points = |x: f64| {
+        table(&[
+            ("pivot_inner", [x, 160.0, 280.0]),
+            ("pivot_outer", [450.0, 580.0, 260.0]),
+            ("wheel_centre", [0.0, 720.0, 310.0]),
+            ("spring_upper", [160.0, 480.0, 500.0]),
+            ("spring_lower", [160.0, 480.0, 260.0]),
+            ("damper_upper", [-50.0, 540.0, 680.0]),
+            ("damper_lower", [-90.0, 570.0, 250.0]),
+        ])
+    };
+    let said = "the axis of the arm is turned by 22 degrees in plan view, so it is a semi-trailing arm, which moves as in this \
+                layout. With the points shaft_inner and shaft_outer the layout is semi_trailing_arm, with the drive shaft";
+    let oblique = import(folder.path(), "a.csv", &points(280.0), &[]);
+    assert!(oblique.notes.contains(said), "{}", oblique.notes);
+    let across = import(folder.path(), "a.csv", &points(450.0), &[]);
+    assert!(!across.notes.contains("semi"), "{}", across.notes);
+}
