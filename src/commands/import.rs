@@ -14,6 +14,7 @@ mod rack;
 mod remarks;
 mod row;
 mod shark;
+mod side;
 mod stand_in;
 mod subsystem;
 mod table;
@@ -33,10 +34,11 @@ use axle::Axle;
 use choice::choose;
 use corner::Corner;
 use draft::Draft;
-use hardpoints::{Hardpoints, Side};
+use hardpoints::Hardpoints;
 use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
+use side::Side;
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]

@@ -7,6 +7,7 @@ mod noted;
 mod rear;
 mod refused;
 mod rows;
+mod spreadsheets;
 mod struts;
 
 use std::collections::BTreeMap;

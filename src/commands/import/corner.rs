@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::choice::Choice;
-use super::hardpoints::Side;
+use super::side::Side;
 use crate::mechanism::{Axes, extent};
 
 /// The points of a corner, in ISO 8855.

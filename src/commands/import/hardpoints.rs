@@ -4,56 +4,11 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
-use clap::ValueEnum;
-
-use super::names::spelled;
+use super::names::{key_of, spelled};
+use super::side::{End, Side, Sides, end_of};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-
-/// A side of the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Side {
-    /// The left one.
-    Left,
-    /// The right one.
-    Right,
-}
-
-impl Side {
-    pub(super) fn other(self) -> Self {
-        match self {
-            Self::Left => Self::Right,
-            Self::Right => Self::Left,
-        }
-    }
-
-    /// Returns the side in words.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
-    }
-}
-
-/// The sides of the vehicle to which a row of a file belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sides {
-    /// The row does not say, or its point is in the middle of the vehicle.
-    Unsaid,
-    /// One side.
-    One(Side),
-    /// Both: the row states the left one, and the right one is its mirror image.
-    Mirrored,
-}
-
-/// An end of the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
-    Front,
-    Rear,
-}
 
 /// A point of a file.
 #[derive(Clone, Debug)]
@@ -225,7 +180,7 @@ impl<'a> Hardpoints<'a> {
         for point in &points {
             if let Some(first) = found.insert(&point.key, point) {
                 let message = format!(
-                    "point `{}` stands in {} already; leave one of them",
+                    "point `{}` stands in {} already; leave one of them, and give each axle of a vehicle a file of its own",
                     point.name,
                     self.line(&first.place)
                 );
@@ -241,32 +196,4 @@ impl<'a> Hardpoints<'a> {
         let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
         line.unwrap_or(place)
     }
-}
-
-/// Returns the end of the vehicle that spelled words name; `None` if they name none or both.
-pub(super) fn end_of(words: &str) -> Option<End> {
-    let [front, rear] = ["front", "rear"].map(|end| words.split('_').any(|word| word == end));
-    match (front, rear) {
-        (true, false) => Some(End::Front),
-        (false, true) => Some(End::Rear),
-        _ => None,
-    }
-}
-
-/// Returns a name as it is compared, and the side that it states. It omits the prefixes of Adams/Car: the model, and hpl_,
-/// hpr_ or hps_ for left, right and single.
-pub(super) fn key_of(name: &str) -> (String, Sides) {
-    let own = name.rsplit('.').next().unwrap_or(name);
-    let key = spelled(own);
-    let prefixes = [
-        ("hpl_", Sides::One(Side::Left)),
-        ("hpr_", Sides::One(Side::Right)),
-        ("pvl_", Sides::One(Side::Left)),
-        ("pvr_", Sides::One(Side::Right)),
-        ("hps_", Sides::Unsaid),
-        ("pvs_", Sides::Unsaid),
-    ];
-    let mut found = prefixes.into_iter();
-    let found = found.find_map(|(prefix, side)| Some((key.strip_prefix(prefix)?.to_owned(), side)));
-    found.unwrap_or((key, Sides::Unsaid))
 }

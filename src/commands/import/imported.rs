@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use super::choice::Choice;
 use super::corner::Corner;
-use super::hardpoints::{Hardpoint, Hardpoints, Number, Side};
+use super::hardpoints::{Hardpoint, Hardpoints, Number};
 use super::names::Names;
 use super::orientation::Orientation;
+use super::side::Side;
 use super::stand_in::{Spin, stand_in};
 use crate::load;
 use crate::mechanism::Length;

@@ -3,8 +3,9 @@
 use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
-use super::hardpoints::{Hardpoint, Side};
+use super::hardpoints::Hardpoint;
 use super::names::Arrangement;
+use super::side::Side;
 use crate::mechanism::Axes;
 use crate::number::number;
 

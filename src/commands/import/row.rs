@@ -2,14 +2,16 @@
 
 use std::ops::Range;
 
-use super::hardpoints::{Side, Sides};
+use super::names::spelled;
+use super::side::{End, Side, Sides, corner_of};
 use crate::mechanism::Length;
 
 /// The beginnings of a remark.
 const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
 
-/// The separators of fields; after a tab or `;` numbers may have a decimal comma.
-const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
+/// The separators of fields, among them those of tables in Markdown and LaTeX; numbers may have a decimal comma between all
+/// but commas and blanks.
+const SEPARATORS: [char; 6] = [';', '\t', '|', '&', ',', ' '];
 
 /// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
 const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
@@ -143,6 +145,28 @@ impl<'a> Row<'a> {
         said.unwrap_or(Sides::Unsaid)
     }
 
+    /// Returns the end of the vehicle that a code such as `RL` states, in a field of its own or at an end of the name.
+    pub(super) fn end(&self) -> Option<End> {
+        let words = self.fields.iter().flat_map(|field| {
+            let (first, last) = (
+                field.split([' ', '_']).next(),
+                field.rsplit([' ', '_']).next(),
+            );
+            [first, last].into_iter().flatten()
+        });
+        let mut found = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));
+        found.next().map(|(end, _)| end)
+    }
+
+    /// Returns the words of all fields, as names are compared, with 0 for each number that can be read.
+    pub(super) fn spelled(&self) -> String {
+        let words = self.fields.iter().map(|field| match self.number(field) {
+            Some(_) => "0",
+            None => field,
+        });
+        spelled(&words.collect::<Vec<_>>().join(" "))
+    }
+
     /// Returns the fields that are not numbers, sides, types, units or mere signs.
     fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
         let is_word = |field: &&str| {
@@ -157,7 +181,7 @@ impl<'a> Row<'a> {
     }
 
     fn number(&self, field: &str) -> Option<f64> {
-        let with_comma = matches!(self.separator, ';' | '\t');
+        let with_comma = !matches!(self.separator, ',' | ' ');
         let field = field.replacen(MINUS, "-", 1);
         let number: f64 = if with_comma {
             field.replace(',', ".").parse().ok()?
@@ -175,7 +199,7 @@ fn sides_of(field: &str) -> Option<Sides> {
         "right" | "r" => Some(Sides::One(Side::Right)),
         "left/right" => Some(Sides::Mirrored),
         "single" => Some(Sides::Unsaid),
-        _ => None,
+        code => corner_of(code).map(|(_, side)| Sides::One(side)),
     }
 }
 
@@ -235,7 +259,7 @@ fn fields(line: &str, separator: char) -> Vec<&str> {
     };
     let fields = line.split(apart);
     // Between blanks a comma may follow a number, as in `name 1, 2, 3`.
-    let around = if separator == ' ' { "'\"," } else { "'\"" };
+    let around = if separator == ' ' { "'\"\\," } else { "'\"\\" };
     let fields =
         fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || around.contains(c)));
     fields.filter(|field| !field.is_empty()).collect()

@@ -7,8 +7,9 @@
 
 use std::ops::Range;
 
-use super::hardpoints::{Hardpoints, Sides};
+use super::hardpoints::Hardpoints;
 use super::row::{Row, lines};
+use super::side::Sides;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};

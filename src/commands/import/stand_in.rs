@@ -1,7 +1,8 @@
 //! Points that listings need and hardpoint files seldom have, computed from other points.
 
-use super::hardpoints::{Hardpoints, Number, Side};
+use super::hardpoints::{Hardpoints, Number};
 use super::names::{Names, is_same};
+use super::side::Side;
 
 /// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;

@@ -1,8 +1,9 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
-use super::hardpoints::{End, Hardpoints, end_of, key_of};
-use super::names::{Names, spelled};
+use super::hardpoints::Hardpoints;
+use super::names::{Names, key_of, spelled};
 use super::row::{Row, lines, unit};
+use super::side::{End, end_of};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
@@ -17,6 +18,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     for (place, line) in lines(source.text()) {
         let row = Row::parse(place.clone(), line);
         add(&mut stated, &row, names)?;
+        stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
             let words = spelled(line);
             stated.add_end(end_of_heading(&words), place.clone());
@@ -50,7 +52,9 @@ pub(super) fn add(
     let name = row.name();
     let (key, _) = key_of(&name);
     let coordinates = row.coordinates();
-    if let Some(name) = before_number(&name, names).filter(|_| coordinates.is_none()) {
+    if coordinates.is_none()
+        && let Some(name) = before_numbers(&row.spelled(), names)
+    {
         return Err(misread(stated, name, row, names));
     }
     if names.is_point(&key) || names.is_number(&key) {
@@ -92,6 +96,10 @@ const IN_PARENTHESES: &str = "a number stands in parentheses: write it with a mi
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
     let message = if names.is_number(&key_of(name).0) {
         format!("`{name}` needs one number after it, with a decimal point and without a unit")
+    } else if row.numbers_behind_name().len() == 6 {
+        format!(
+            "point `{name}` has six numbers: give each side a row of its own, or keep the left one"
+        )
     } else {
         format!(
             "point `{name}` needs three numbers in a row: x, y, z, with decimal points and without units"
@@ -100,12 +108,23 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
     stated.source.refuse(&row.place, message)
 }
 
-/// Returns a known name that is separated by a blank from a number, so that the comma after it is a decimal comma.
-fn before_number<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
-    let (name, number) = words.split_once(' ')?;
-    number.trim().parse::<f64>().ok()?;
-    let (key, _) = key_of(name);
-    (names.is_number(&key) || names.is_point(&key)).then_some(name)
+/// Returns a known name at the start of a row's words if nothing but numbers, at least two, with axes and units follow it: a
+/// row that cannot be read, for example with decimal commas between blanks.
+fn before_numbers<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
+    let has_digit = |word: &&str| word.contains(|c: char| c.is_ascii_digit());
+    let is_said = |word: &str| ["x", "y", "z"].contains(&word) || unit(word).is_some();
+    let ends = words.match_indices('_').map(|(end, _)| end);
+    ends.filter_map(|end| {
+        let (name, behind) = (&words[..end], &words[end + 1..]);
+        let numbers = behind.split('_').filter(has_digit).count();
+        let is_numbers = behind
+            .split('_')
+            .all(|word| has_digit(&word) || is_said(word));
+        let (key, _) = key_of(name);
+        let is_known = names.is_number(&key) || names.is_point(&key);
+        (is_known && is_numbers && numbers > 1).then_some(name)
+    })
+    .last()
 }
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.

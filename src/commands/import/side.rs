@@ -1,0 +1,74 @@
+//! Sides and ends of the vehicle, and how files state them.
+
+use clap::ValueEnum;
+
+/// A side of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Side {
+    /// The left one.
+    Left,
+    /// The right one.
+    Right,
+}
+
+impl Side {
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
+    /// Returns the side in words.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// The sides of the vehicle to which a row of a file belongs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sides {
+    /// The row does not say, or its point is in the middle of the vehicle.
+    Unsaid,
+    /// One side.
+    One(Side),
+    /// Both: the row states the left one, and the right one is its mirror image.
+    Mirrored,
+}
+
+/// An end of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    Front,
+    Rear,
+}
+
+/// Returns the end of the vehicle that spelled words name; `None` if they name none or both.
+pub(super) fn end_of(words: &str) -> Option<End> {
+    let [front, rear] = ["front", "rear"].map(|end| words.split('_').any(|word| word == end));
+    match (front, rear) {
+        (true, false) => Some(End::Front),
+        (false, true) => Some(End::Rear),
+        _ => None,
+    }
+}
+
+/// The corners of a vehicle by their codes: front or rear, and left or right, in either order.
+const CORNERS: [(&str, End, Side); 7] = [
+    ("fl", End::Front, Side::Left),
+    ("lf", End::Front, Side::Left),
+    ("fr", End::Front, Side::Right),
+    ("rf", End::Front, Side::Right),
+    ("rl", End::Rear, Side::Left),
+    ("lr", End::Rear, Side::Left),
+    ("rr", End::Rear, Side::Right),
+];
+
+/// Returns the corner that a code in small letters states.
+pub(super) fn corner_of(code: &str) -> Option<(End, Side)> {
+    let mut corners = CORNERS.into_iter();
+    corners.find_map(|(known, end, side)| (known == code).then_some((end, side)))
+}

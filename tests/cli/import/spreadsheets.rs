@@ -1,0 +1,212 @@
+//! Tables as spreadsheets, typeset pages and other programs have them.
+
+use super::super::program::folder;
+use super::refused::refusal;
+use super::{CORNER, import, table};
+
+/// The double wishbone of the corner, without its pushrod, in the names of a thesis.
+const NAMES: [[&str; 4]; 9] = [
+    [
+        "lca_front",
+        "Lower control arm front",
+        "Querlenker unten vorn",
+        "front.lwb.front",
+    ],
+    [
+        "lca_rear",
+        "Lower control arm rear",
+        "Querlenker unten hinten",
+        "front.lwb.rear",
+    ],
+    [
+        "lca_outer",
+        "Lower control arm ball joint",
+        "Traggelenk unten",
+        "front.lwb.outer",
+    ],
+    [
+        "uca_front",
+        "Upper control arm front",
+        "Querlenker oben vorn",
+        "front.uwb.front",
+    ],
+    [
+        "uca_rear",
+        "Upper control arm rear",
+        "Querlenker oben hinten",
+        "front.uwb.rear",
+    ],
+    [
+        "uca_outer",
+        "Upper control arm ball joint",
+        "Traggelenk oben",
+        "front.uwb.outer",
+    ],
+    [
+        "tierod_inner",
+        "Inner tie rod",
+        "Spurstange innen",
+        "front.tr.inner",
+    ],
+    [
+        "tierod_outer",
+        "Outer tie rod",
+        "Spurstange aussen",
+        "front.tr.outer",
+    ],
+    [
+        "wheel_center",
+        "Wheel center",
+        "Radmitte",
+        "front.wheel.centre",
+    ],
+];
+
+/// A line for each of these points with the name in a column of `NAMES`.
+fn lines(column: usize, line: impl Fn(&str, [f64; 3]) -> String) -> String {
+    let points = NAMES.iter().zip(CORNER);
+    points
+        .map(|(names, (_, at))| line(names[column], at))
+        .collect()
+}
+
+fn comma(x: f64) -> String {
+    format!("{x:.1}").replace('.', ",")
+}
+
+#[test]
+fn tables_of_other_programs_give_the_same_points() {
+    let folder = folder();
+    let plain = lines(0, |name, [x, y, z]| format!("{name}, {x}, {y}, {z}\n"));
+    let plain = import(folder.path(), "a.csv", &plain, &[]);
+    let markdown = lines(1, |name, [x, y, z]| {
+        format!("| {name} | {x} | {y} | {z} |\n")
+    });
+    for file in [
+        format!("| Point | X (mm) | Y (mm) | Z (mm) |\n|---|---|---|---|\n{markdown}"),
+        lines(1, |name, [x, y, z]| {
+            format!("{name} & {x} & {y} & {z} \\\\\n")
+        }),
+        lines(2, |name, [x, y, z]| {
+            format!("{name}\t{}\t{}\t{}\n", comma(x), comma(y), comma(z))
+        }),
+        lines(3, |name, [x, y, z]| {
+            format!("{name} = [{x}, {y}, {z}]; % mm\n")
+        }),
+    ] {
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(imported.points(), plain.points(), "{file}");
+        assert!(!imported.notes.contains("not used"), "{}", imported.notes);
+    }
+}
+
+/// `FL`, `RR` and the like stand before the name, behind it, or in a column.
+#[test]
+fn codes_of_corners_state_the_side_and_the_axle() {
+    let folder = folder();
+    let of_right = |[x, y, z]: [f64; 3]| [x, 0.0 - y, z];
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
+    for (left, right, is_rear) in [("FL", "FR", false), ("RL", "RR", true), ("LR", "RR", true)] {
+        for place in ["before", "behind", "column"] {
+            let line = |code: &str, name: &str, [x, y, z]: [f64; 3]| match place {
+                "before" => format!("{code} {name}, {x}, {y}, {z}\n"),
+                "behind" => format!("{name}_{code}, {x}, {y}, {z}\n"),
+                _ => format!("{name}, {x}, {y}, {z}, {code}\n"),
+            };
+            // In axes of Adams the points of the left are those with negative y.
+            let rows =
+                CORNER.map(|(name, at)| line(left, name, at) + &line(right, name, of_right(at)));
+            let imported = import(folder.path(), "a.csv", &rows.concat(), &[]);
+            assert_eq!(imported.points(), plain.points(), "{left} {place}");
+            assert_eq!(
+                imported.notes.contains("does not steer"),
+                is_rear,
+                "{left} {place}"
+            );
+            assert!(
+                imported
+                    .notes
+                    .contains("the right corner is the mirror image")
+            );
+        }
+    }
+}
+
+#[test]
+fn both_sides_in_one_row_are_refused() {
+    let file = lines(0, |name, [x, y, z]| {
+        format!("{name}\t{x}\t{y}\t{z}\t{x}\t{}\t{z}\n", -y)
+    });
+    let said = refusal("a.csv", &format!("\tLeft\t\t\tRight\t\t\n{file}"), &[]);
+    let expected = "a.csv:2:1: point `lca_front` has six numbers: give each side a row of its own, or keep the left one";
+    assert_eq!(said.trim_end(), expected);
+}
+
+#[test]
+fn both_axles_in_one_table_are_refused() {
+    let axle = table(&CORNER);
+    let said = refusal(
+        "a.csv",
+        &format!("Front suspension\n{axle}Rear suspension\n{axle}"),
+        &[],
+    );
+    assert!(
+        said.contains("stands in a.csv:2 already; leave one of them"),
+        "{said}"
+    );
+    assert!(
+        said.ends_with("give each axle of a vehicle a file of its own"),
+        "{said}"
+    );
+}
+
+#[test]
+fn angles_and_radii_may_have_decimal_commas_between_semicolons() {
+    let folder = folder();
+    let points = lines(2, |name, [x, y, z]| {
+        format!("{name};{};{};{}\n", comma(x), comma(y), comma(z))
+    });
+    let imported = import(
+        folder.path(),
+        "a.csv",
+        &format!("{points}toe angle;0,15\ntyre radius;229,5\n"),
+        &[],
+    );
+    assert!(
+        imported.notes.contains("toe 0.15 deg"),
+        "{}",
+        imported.notes
+    );
+    assert_eq!(
+        imported.motion["vehicle"]["wheel_radius"].as_float(),
+        Some(229.5)
+    );
+}
+
+/// Such a row would leave a suspension without an optional point, without a word.
+#[test]
+fn a_row_of_a_known_name_that_cannot_be_read_is_refused() {
+    for row in [
+        "shock to chassis 4,0 20,0 530,0",
+        "shock to chassis x4 y-20 z530",
+        "shock to chassis X-4 mm Y-20 mm Z530 mm",
+        "toe angle 0,15",
+    ] {
+        let said = refusal("a.csv", &with_last_point(row), &[]);
+        assert!(said.starts_with("a.csv:15:1: "), "{row}: {said}");
+        assert!(said.contains("` needs "), "{row}: {said}");
+    }
+    // Remarks that begin with the name of a point are none.
+    for row in [
+        "Rack travel 60 mm",
+        "Top speed 100 km/h, 28 m/s",
+        "toe angle 0.15",
+    ] {
+        import(folder().path(), "a.csv", &with_last_point(row), &[]);
+    }
+}
+
+/// The table with another row in place of its last one, the chassis end of the damper.
+fn with_last_point(row: &str) -> String {
+    format!("{}{row}\n", table(&CORNER[..14]))
+}
