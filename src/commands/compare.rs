@@ -31,7 +31,8 @@ pub struct Arguments {
     /// Another motion file; numbers in another unit or other axes are converted to those of A.
     b: PathBuf,
     /// How far the drives that move the wheels up and down change from the design positions, in the unit of A. If the
-    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
+    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
+    /// where a mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
@@ -94,12 +95,7 @@ impl Arguments {
             written.push(path.clone());
         }
         announce(&written);
-        let Side { missing, .. } = a;
-        missing
-            .into_iter()
-            .chain(b.missing)
-            .next()
-            .map_or(Ok(()), Err)
+        a.failure.or(b.failure).map_or(Ok(()), Err)
     }
 }
 
@@ -138,8 +134,8 @@ or over roll by wheel travel, over steer; for a second wheel per travel 2. The c
 of the drive, or the wheel travel, where the curves differ most; it is empty where they differ by rounding alone, or by the
 same amount everywhere. The report has `everywhere` there. The values are then those nearest to the design position.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within the travel (the part before the
-lock is compared), 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within --travel or --steer (the part
+before the lock is compared), 130 interrupted.
 
 Example:
   suspension compare examples/double_wishbone_pushrod.toml examples/macpherson.toml --html out/compared.html";

@@ -11,7 +11,9 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 use suspension_runtime::Listing;
 
-use crate::characteristics::{Along, Curves, Rise, Span, curves, no_steering, parameters, ways};
+use crate::characteristics::{
+    Along, Curves, Rise, Span, curves, failure, no_steering, parameters, ways,
+};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
@@ -30,10 +32,12 @@ pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
     /// How far the drive that moves the wheel up and down changes from the design position, in the file's unit. If the
-    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
+    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
+    /// where the mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
-    /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
+    /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle; less where
+    /// the mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
     /// Write the page to PATH, or to standard output for `-`. Without it the page goes to out/NAME_sheet.html, where NAME
@@ -84,8 +88,7 @@ impl Arguments {
         }
         let spans = [self.travel, self.steer];
         let ways = ways(mechanism, name, spans, unit, interrupted)?;
-        let failures = ways.iter().filter_map(|along| along.visited.failure(name));
-        let failures: Vec<Failure> = failures.collect();
+        let missing = ways.iter().filter_map(|along| along.visited.failure(name));
         let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
         let page = Page {
@@ -97,12 +100,12 @@ impl Arguments {
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
             motion_ends,
-            missing: failures.iter().map(Failure::to_string).collect(),
+            missing: missing.map(|failure| failure.to_string()).collect(),
             curves: all_curves(mechanism, &ways, &rises),
             parameters,
             rises,
         };
-        Ok((page.html(), failures.into_iter().next()))
+        Ok((page.html(), failure(&ways, name)))
     }
 }
 
@@ -169,8 +172,8 @@ A browser turns the page into a PDF of a few A4 pages: chromium --headless --pri
 or into a picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html (twice as high
 for an axle).
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the page is
-written), 130 interrupted.
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within --travel or --steer (the
+page is written), 130 interrupted.
 
 Example:
   suspension sheet examples/double_wishbone_pushrod.toml --travel -0.08:0.08";

@@ -5,12 +5,13 @@ mod carsim;
 mod wheel;
 
 use std::path::PathBuf;
+use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::characteristics::{Does, Span, ways};
+use crate::characteristics::{Does, Span, failure, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -34,7 +35,8 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
     /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit.
-    /// If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle.
+    /// If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
+    /// where the mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_carsim.par or out/NAME_carmaker.txt,
@@ -119,7 +121,7 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => travel.visited.failure(file),
+            Program::Carsim => failure(slice::from_ref(&travel), file),
             Program::Carmaker => None,
         };
         Ok((text, missing))
@@ -174,7 +176,7 @@ Neither form has compliance: bushings and forces are outside the model. A rigid 
 neither form has: its tables are of heave, in which both wheel centres rise alike. If its drives are not heights, this holds
 exactly only at the design position.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within the travel (the part before
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 the mechanism locks within --travel (the part before
 the lock is written), 130 interrupted.
 
 Example:

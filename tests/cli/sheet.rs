@@ -135,6 +135,42 @@ fn a_sheet_over_a_lock_is_written_with_shortened_curves() {
     assert!(folder.path().join("a.html").exists());
 }
 
+/// A short steering arm locks within the usual 30 mm of the rack. Only a range that is asked for has to be reached.
+#[test]
+fn a_lock_within_the_usual_range_is_a_note() {
+    let folder = folder();
+    let file = CORNER.to_owned() + "[points]\ntie_ball = [-0.025, 0.72, 0.2]\n";
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let lock = "the drive `steer` locks at +0.005253 m from the design";
+    for (command, options, code, said) in [
+        (
+            "sheet",
+            &[][..],
+            0,
+            "note: the usual range of steer is longer than its reach",
+        ),
+        ("sheet", &["--steer", "-0.03:0.03"][..], 3, lock),
+        (
+            "compare",
+            &["a.toml"][..],
+            0,
+            "note: the usual range of steer is longer than its reach",
+        ),
+        ("compare", &["a.toml", "--steer", "-0.03:0.03"][..], 3, lock),
+    ] {
+        let output = run(folder.path(), &[&[command, "a.toml"], options].concat());
+        assert_eq!(output.status.code(), Some(code), "{command}: {output:?}");
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(said) && message.contains(lock),
+            "{message}"
+        );
+    }
+    run(folder.path(), &["sheet", "a.toml"]);
+    let page = std::fs::read_to_string(folder.path().join("out/a_sheet.html")).expect("a page");
+    assert!(page.contains("The curves are cut short: ") && page.contains(lock));
+}
+
 #[test]
 fn a_sheet_reports_missing_drives_and_wrong_options() {
     let folder = folder();

@@ -3,7 +3,9 @@
 use std::slice;
 use std::sync::atomic::AtomicBool;
 
-use crate::characteristics::{Curves, Does, Parameter, Rises, Span, Way, curves, parameters, ways};
+use crate::characteristics::{
+    Curves, Does, Parameter, Rises, Span, Way, curves, failure, parameters, ways,
+};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -31,8 +33,10 @@ pub(super) struct Side {
     pub(super) parameters: Vec<Parameter>,
     /// Curves over travel, and over steering if a drive steers.
     pub(super) curves: Vec<Curves>,
-    /// The failures of curves that could not be solved.
-    pub(super) missing: Vec<Failure>,
+    /// Sentences on curves that could not be solved.
+    pub(super) missing: Vec<String>,
+    /// The failure to report of them.
+    pub(super) failure: Option<Failure>,
 }
 
 impl Side {
@@ -47,6 +51,7 @@ impl Side {
         let file = source.name();
         let along = ways(mechanism, file, spans, unit, interrupted)?;
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
+        let missing = missing.map(|failure| failure.to_string());
         let curves = along.iter().map(|along| curves(mechanism, along, unit));
         let (does, drives): (Vec<Way>, Vec<usize>) =
             Way::of_drives(&mechanism.names).into_iter().unzip();
@@ -68,6 +73,7 @@ impl Side {
             converted,
             unit,
             missing: missing.collect(),
+            failure: failure(&along, file),
             rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),

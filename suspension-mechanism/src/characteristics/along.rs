@@ -29,6 +29,8 @@ pub struct Along {
     pub kind: DriveKind,
     /// The changes from the design position.
     pub changes: Vec<f64>,
+    /// Whether their range is the usual one, because the user states none.
+    is_usual: bool,
     /// Each state, and the state with derivatives with respect to each of the drives.
     pub visited: Visited<(State, Vec<Option<State>>)>,
 }
@@ -83,11 +85,32 @@ pub fn ways(
             mechanism,
             course,
             number,
-            (kind, span),
+            (kind, span, spans[option].is_none()),
             interrupted,
         ));
     }
     Ok(ways)
+}
+
+/// Returns the first failure to report if places are missing. A lock within a range that the user does not state is no failure:
+/// a note says that the curves end there.
+pub fn failure(ways: &[Along], file: &str) -> Option<Failure> {
+    ways.iter().find_map(|along| {
+        let failure = along.visited.failure(file)?;
+        let has_places = along.visited.places.iter().any(Option::is_some);
+        if !along.is_usual || !has_places || !matches!(failure, Failure::Solver(_)) {
+            return Some(failure);
+        }
+        let title = &along.title;
+        let option = match along.way.does {
+            Does::Steer => "--steer",
+            _ => "--travel",
+        };
+        tell(format_args!(
+            "note: the usual range of {title} is longer than its reach, where its curves end; {option} sets another range. {failure}"
+        ));
+        None
+    })
 }
 
 /// The remedy if no drive is known to move the wheel up and down.
@@ -134,7 +157,7 @@ fn compute_along(
     mechanism: &dyn Kinematics,
     course: Course,
     number: usize,
-    (kind, span): (DriveKind, [f64; 2]),
+    (kind, span, is_usual): (DriveKind, [f64; 2], bool),
     interrupted: &AtomicBool,
 ) -> Along {
     let Course {
@@ -162,6 +185,7 @@ fn compute_along(
         drives,
         kind,
         changes,
+        is_usual,
         visited,
     }
 }
