@@ -69,8 +69,9 @@ pub(super) fn orientation(
         .collect();
     match fit.as_slice() {
         [] => Err(format!(
-            "the axes are none of iso, adams, sae, as {why}; where two points have each other's names, exchange these, or say --axes, and --side for the \
-             corner that it is"
+            "the axes are none of iso, adams, sae, as {why}; for iso change the signs of {}, or exchange two points that have each \
+             other's names, or say --axes, and --side for the corner that it is",
+            turned(&clues)
         )),
         [axes] => Ok(Orientation {
             axes: *axes,
@@ -83,6 +84,17 @@ pub(super) fn orientation(
             doubts: Vec::new(),
         }),
     }
+}
+
+/// Names the columns whose axes point the other way than those of ISO 8855.
+fn turned(clues: &[Clue]) -> String {
+    let is_turned = |axis: usize| {
+        let mut clues = clues.iter();
+        clues.any(|clue| clue.axis == axis && clue.sign < 0.0)
+    };
+    let names = ["x", "y", "z"].into_iter().enumerate();
+    let names = names.filter_map(|(axis, name)| is_turned(axis).then_some(name));
+    names.collect::<Vec<_>>().join(" and ")
 }
 
 /// Checks that the columns are not exchanged: in every suspension the wheel centre is further from the middle of the vehicle

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::super::program::folder;
+use super::refused::refusal;
 use super::{CORNER, IN_OUR_AXES, Imported, import, listed, table};
 
 /// The corner with its coordinates multiplied, x, y, z, and a prefix before its names.
@@ -233,4 +234,24 @@ fn the_side_option_settles_a_conflict_of_names_and_axes() {
     assert!(imported.notes.contains(
         "the coordinates are those of the right corner; the left corner is its mirror image, as the options ask"
     ));
+}
+
+/// Tables with x rearward, y outboard on the left, and z up or down are of none of the three.
+#[test]
+fn other_axes_are_refused_with_the_columns_to_change() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    for (signs, columns) in [([1.0, -1.0, 1.0], "x"), ([1.0, -1.0, -1.0], "x and z")] {
+        let file = |signs: [f64; 3]| {
+            let points =
+                CORNER.map(|(name, at)| (name, [0, 1, 2].map(|axis| signs[axis] * at[axis])));
+            table(&points).replace("wheel_center", "hpl_wheel_center")
+        };
+        let said = refusal("a.csv", &file(signs), &[]);
+        let expected = format!("; for iso change the signs of {columns}, or exchange");
+        assert!(said.contains(&expected), "{said}");
+        let in_iso = [-1.0, -1.0, 1.0];
+        let imported = import(folder.path(), "a.csv", &file(in_iso), &[]);
+        assert_eq!(imported.points(), plain.points());
+    }
 }

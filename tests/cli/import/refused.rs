@@ -189,7 +189,7 @@ fn an_ambiguous_file_is_refused() {
                 .replace("lca_rear", "lca_front")
                 .replace("other", "lca_rear"),
             vec![],
-            "; where two points have each other's names, exchange these, or say --axes, and --side for the corner that it is",
+            "; for iso change the signs of y, or exchange two points that have each other's names, or say --axes, and --side for the corner that it is",
         ),
         (
             "a.shk",
