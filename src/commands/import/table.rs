@@ -124,7 +124,7 @@ fn before_numbers<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
         let is_known = names.is_number(&key) || names.is_point(&key);
         (is_known && is_numbers && numbers > 1).then_some(name)
     })
-    .last()
+    .next_back()
 }
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
