@@ -1,6 +1,7 @@
 //! `suspension import`: from hardpoint files to motion files.
 
 mod axle;
+mod designer;
 mod formats;
 mod frames;
 mod noted;
