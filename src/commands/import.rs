@@ -18,6 +18,7 @@ mod side;
 mod stand_in;
 mod subsystem;
 mod table;
+mod upper;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;

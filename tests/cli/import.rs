@@ -10,6 +10,7 @@ mod refused;
 mod rows;
 mod spreadsheets;
 mod struts;
+mod upper;
 
 use std::collections::BTreeMap;
 use std::path::Path;

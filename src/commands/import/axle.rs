@@ -9,6 +9,7 @@ use suspension_runtime::Listing;
 use super::choice::Choice;
 use super::imported::Imported;
 use super::rack;
+use super::upper::on_upper;
 use crate::failure::Failure;
 use crate::output::beside::name_of;
 use crate::output::files::{refuse_input, write_file};
@@ -56,7 +57,7 @@ impl Axle {
         let mirrored =
             |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n{twist}");
         let is_steered = choice.listing.drive("steer").is_some();
-        if !is_steered && choice.fixed.is_none() {
+        if !is_steered && !choice.is_changed {
             return Self {
                 statements: mirrored(choice.linkage),
                 corner: None,
@@ -66,9 +67,9 @@ impl Axle {
         let name = name_of(out);
         let name = format!("{name}_corner.linkage");
         let (of_rack, corner) = if is_steered {
-            (SHARED_RACK, rack::shared(choice.text))
+            (SHARED_RACK, rack::shared(&choice.text))
         } else {
-            ("", rack::fixed(choice.text))
+            ("", choice.text.clone())
         };
         Self {
             statements: mirrored(&format!("{name:?}")) + of_rack,
@@ -95,9 +96,10 @@ impl Axle {
         };
         refuse_input(path, "--out")?;
         let is_as_written = fs::read_to_string(path).is_ok_and(|there| {
-            let mut layouts = LISTINGS.iter();
-            layouts.any(|(_, text)| {
-                let corners = [rack::shared(text), rack::fixed(text)];
+            let layouts = LISTINGS.iter();
+            let mut layouts = layouts.flat_map(|(_, text)| [(*text).to_owned(), on_upper(text)]);
+            layouts.any(|text| {
+                let corners = [rack::shared(&text), rack::fixed(&text)];
                 corners.iter().any(|corner| corner_of(corner) == there)
             })
         });

@@ -9,13 +9,16 @@ use super::candidate::{Candidate, points_of};
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::rack::{self, RACK};
+use super::upper::{on_upper, point_on_upper};
 
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
     pub(super) linkage: &'static str,
-    /// The text of the listing.
-    pub(super) text: &'static str,
+    /// The text of the listing, with the changes that the file asks for.
+    pub(super) text: String,
+    /// Whether there are such changes.
+    pub(super) is_changed: bool,
     pub(super) listing: Listing,
     /// The points that the file has, in the order of the listing, each with its name in the listing.
     pub(super) found: Vec<(String, &'a Hardpoint)>,
@@ -23,22 +26,29 @@ pub(super) struct Choice<'a> {
     pub(super) spare: Vec<String>,
     /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `listing`.
     pub(super) fixed: Option<String>,
+    /// The point that is on the upper wishbone, where the catalogue's listing has it on the lower one.
+    pub(super) upper: Option<&'static str>,
 }
 
 impl<'a> Choice<'a> {
     fn new(candidate: Candidate<'a>, stated: &Hardpoints<'_>) -> Result<Self, Mistakes> {
-        let mut found = candidate.found.iter();
-        let inner = found.find_map(|(name, point)| (name == RACK).then_some(point));
-        let fixed = inner.and_then(|inner| rack::why_fixed(inner, stated));
-        let listing = match fixed {
-            Some(_) => Listing::parse_file(&rack::fixed(candidate.text), candidate.linkage)?,
-            None => Listing::parse_file(candidate.text, candidate.linkage)?,
-        };
+        let point = |name: &str| point_of(&candidate.found, name);
+        let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
+        let upper = point_on_upper(candidate.text, point);
+        let mut text = candidate.text.to_owned();
+        if fixed.is_some() {
+            text = rack::fixed(&text);
+        }
+        if upper.is_some() {
+            text = on_upper(&text);
+        }
         Ok(Self {
             linkage: candidate.linkage,
-            text: candidate.text,
-            listing,
+            listing: Listing::parse_file(&text, candidate.linkage)?,
+            text,
+            is_changed: fixed.is_some() || upper.is_some(),
             fixed,
+            upper,
             found: candidate.found,
             spare: candidate.spare,
         })
@@ -46,9 +56,13 @@ impl<'a> Choice<'a> {
 
     /// Returns the file's point for a point of the listing.
     pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
-        let mut found = self.found.iter();
-        found.find_map(|(other, point)| (other == name).then_some(*point))
+        point_of(&self.found, name)
     }
+}
+
+fn point_of<'a>(found: &[(String, &'a Hardpoint)], name: &str) -> Option<&'a Hardpoint> {
+    let mut found = found.iter();
+    found.find_map(|(other, point)| (other == name).then_some(*point))
 }
 
 /// Returns the listing that the user names, or else the one that uses most of the points.
@@ -137,7 +151,7 @@ mod tests {
         }
         let arrangement = &names.arrangement;
         let ordered = arrangement.ahead.iter().chain(&arrangement.above).flatten();
-        for point in ordered.chain(arrangement.near.iter().flatten()) {
+        for point in ordered {
             assert!(points.contains(point), "no listing has {point}");
         }
     }

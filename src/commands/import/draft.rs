@@ -78,12 +78,11 @@ impl<'a> Draft<'a> {
     /// Drafts the motion file of one corner.
     pub(super) fn for_corner(imported: &'a Imported<'_>) -> Self {
         let choice = &imported.choice;
-        let stated = match choice.fixed {
-            Some(_) => {
-                let statements = rack::without_places(&rack::fixed(choice.text));
-                format!("statements = '''\n{}'''", statements.trim_start())
-            }
-            None => format!("linkage = \"{}\"", choice.linkage),
+        let stated = if choice.is_changed {
+            let statements = rack::without_places(&choice.text);
+            format!("statements = '''\n{}'''", statements.trim_start())
+        } else {
+            format!("linkage = \"{}\"", choice.linkage)
         };
         let corner = corner(imported, "");
         let radius = wheel_radius(imported);

@@ -25,8 +25,6 @@ pub(super) struct Arrangement {
     pub(super) ahead: Vec<[String; 2]>,
     /// The first is above the second.
     pub(super) above: Vec<[String; 2]>,
-    /// The first is on the same part as the second, and so nearer to it than to the third.
-    pub(super) near: Vec<[String; 3]>,
     /// The layouts with another order of points.
     pub(super) otherwise: Vec<String>,
 }

@@ -58,7 +58,7 @@ impl Imported<'_> {
     /// Returns the assumptions about the corner and the conversions; for the corners of an axle without their sides.
     pub(super) fn corner_remarks(&self, is_of_axle: bool) -> Vec<String> {
         let Self { choice, corner, .. } = self;
-        let mut remarks: Vec<String> = self.far_points().collect();
+        let mut remarks = Vec::from_iter(self.on_upper_wishbone());
         let side = corner.side.name();
         if corner.mirrored {
             let was = corner.side.other().name();
@@ -89,7 +89,7 @@ impl Imported<'_> {
 
     /// Describes the layout as in the catalogue, without a side and, if it does not steer, without a rack.
     fn layout_in_words(&self) -> String {
-        let sentence = remove_side(&first_sentence(self.choice.text));
+        let sentence = remove_side(&first_sentence(&self.choice.text));
         match self.choice.fixed {
             Some(_) => sentence.replace("a steering rack", "a toe link"),
             None => sentence,
@@ -144,21 +144,18 @@ impl Imported<'_> {
         format!("{}{}", point.name, hint.unwrap_or_default())
     }
 
-    /// Notes points that seem to be on another part than in the layout.
-    fn far_points(&self) -> impl Iterator<Item = String> {
-        let near = self.names.arrangement.near.iter();
-        near.filter_map(|names| {
-            let [point, near, far] = names.each_ref().map(|name| self.choice.point(name));
-            let (point, near, far) = (point?, near?, far?);
-            let apart = |a: &Hardpoint, b: &Hardpoint| {
-                let squares = [0, 1, 2].map(|axis| (a.at[axis] - b.at[axis]).powi(2));
-                squares.iter().sum::<f64>()
-            };
-            (apart(point, far) < apart(point, near)).then(|| {
-                let [point, near, far] = [point, near, far].map(|point| &point.name);
-                format!("`{point}` is on the part of `{near}` in this layout, but nearer to `{far}`: is it another layout?")
-            })
-        })
+    /// Says why a point is on the upper wishbone, and how to put it on the lower one.
+    fn on_upper_wishbone(&self) -> Option<String> {
+        let moved = self.choice.upper?;
+        let points = [moved, "upper_ball", "lower_ball"].map(|name| self.choice.point(name));
+        let [Some(point), Some(upper), Some(lower)] = points else {
+            return None;
+        };
+        let [point, upper, lower] = [point, upper, lower].map(|point| &point.name);
+        Some(format!(
+            "`{point}` is nearer to `{upper}` than to `{lower}`, so it is on the upper wishbone. To put it on the lower one, move \
+             {moved} to lower_wishbone in the statements of the corner"
+        ))
     }
 
     /// Notes a free point of a corner that is on the other side of the vehicle than its wheel.

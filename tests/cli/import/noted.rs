@@ -4,21 +4,6 @@ use super::super::program::folder;
 use super::{CORNER, import, table};
 
 #[test]
-fn a_pushrod_near_the_upper_wishbone_is_noted() {
-    let folder = folder();
-    let pulled = table(&CORNER).replace(
-        "prod_outboard, 2, -520, 150",
-        "prod_outboard, 12, -500, 325",
-    );
-    let imported = import(folder.path(), "a.csv", &pulled, &[]);
-    let doubt =
-        "`prod_outboard` is on the part of `lca_outer` in this layout, but nearer to `uca_outer`";
-    assert!(imported.notes.contains(doubt), "{}", imported.notes);
-    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
-}
-
-#[test]
 fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
     let folder = folder();
     let doubt = "is on the other side of the vehicle than";

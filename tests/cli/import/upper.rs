@@ -1,0 +1,109 @@
+//! A pushrod or a damper on the upper wishbone.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::super::program::{folder, rows, run};
+use super::{CORNER, Imported, import, table};
+
+/// The table with a rod from the upper wishbone to the rocker.
+fn pulled() -> String {
+    let file = table(&CORNER);
+    let moved = file.replace(
+        "prod_outboard, 2, -520, 150",
+        "pullrod_outer, 12, -500, 325",
+    );
+    moved.replace("prod_inboard", "pullrod_inner")
+}
+
+/// A damper from the upper wishbone to the chassis, without pushrod and rocker.
+fn coilover() -> String {
+    table(&CORNER[..9]) + "shock_lower, 5, -470, 310\nshock_upper, 0, -400, 620\n"
+}
+
+fn swept(folder: &Path, drives: &[&str]) -> Vec<BTreeMap<String, f64>> {
+    let options = drives.iter().flat_map(|drive| ["--drive", drive]);
+    let arguments = ["sweep", "motion.toml", "--csv", "-"]
+        .into_iter()
+        .chain(options);
+    rows(&run(folder, &arguments.collect::<Vec<_>>()).stdout)
+        .into_iter()
+        .collect()
+}
+
+/// How far the distance between two points of a corner changes over travel.
+fn stretch(imported: &Imported, rows: &[BTreeMap<String, f64>], names: [&str; 2]) -> f64 {
+    let fixed = imported.points();
+    let at = |row: &BTreeMap<String, f64>, name: &str| {
+        let moves = |axis| row.get(&format!("{name}_{axis}")).copied();
+        [0, 1, 2].map(|i| moves(["x", "y", "z"][i]).unwrap_or_else(|| fixed[name][i]))
+    };
+    let apart = rows.iter().map(|row| {
+        let [a, b] = names.map(|name| at(row, name));
+        (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+    });
+    let (least, most) = apart.fold((f64::MAX, 0.0_f64), |(least, most), d| {
+        (least.min(d), most.max(d))
+    });
+    most - least
+}
+
+#[test]
+fn an_outer_end_near_the_upper_ball_joint_moves_with_the_upper_wishbone() {
+    let folder = folder();
+    for (file, point, outer, layout) in [
+        (
+            pulled(),
+            "pushrod_lower",
+            "pullrod_outer",
+            "a pushrod from the upper wishbone to a rocker",
+        ),
+        (
+            coilover(),
+            "damper_lower",
+            "shock_lower",
+            "a damper with its spring from the upper wishbone to the chassis",
+        ),
+    ] {
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        let said = format!(
+            "`{outer}` is nearer to `uca_outer` than to `lca_outer`, so it is on the upper wishbone. To put it on the lower one, \
+             move {point} to lower_wishbone in the statements of the corner"
+        );
+        assert!(imported.notes.contains(&said), "{}", imported.notes);
+        assert!(imported.notes.contains(layout), "{}", imported.notes);
+        let rows = swept(folder.path(), &["bump=-20:20:9", "steer=0"]);
+        assert_eq!(rows.len(), 9);
+        for other in ["upper_front", "upper_rear", "upper_ball"] {
+            let stretch = stretch(&imported, &rows, [point, other]);
+            assert!(stretch < 1e-10, "{point} to {other}: {stretch:e}");
+        }
+        assert!(stretch(&imported, &rows, [point, "lower_ball"]) > 0.1);
+    }
+}
+
+#[test]
+fn an_outer_end_near_the_lower_ball_joint_keeps_the_layout() {
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
+    assert!(!imported.notes.contains("nearer"), "{}", imported.notes);
+}
+
+#[test]
+fn both_corners_of_an_axle_have_it_on_the_upper_wishbone() {
+    let folder = folder();
+    import(folder.path(), "a.csv", &pulled(), &[]);
+    let alone = swept(folder.path(), &["bump=15", "steer=0"]);
+    // The listing of the corner may be written again, also for a rear axle.
+    for file in [pulled(), pulled(), format!("Rear suspension\n{}", pulled())] {
+        import(folder.path(), "a.csv", &file, &["--axle"]);
+        let axle = swept(folder.path(), &["left_bump=15", "right_bump=15"]);
+        for damper in ["left_damper_mm", "right_damper_mm"] {
+            assert!(
+                (axle[0][damper] - alone[0]["damper_mm"]).abs() < 1e-10,
+                "{damper}"
+            );
+        }
+    }
+}
