@@ -221,7 +221,7 @@ fn has_number_in_parentheses(line: &str) -> bool {
     opened.any(|(at, _)| {
         let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
         let inside = behind.split_once(')').map(|(inside, _)| inside.trim());
-        inside.is_some_and(|inside| inside.parse::<f64>().is_ok())
+        inside.is_some_and(|inside| inside.replace(',', ".").parse::<f64>().is_ok())
             && !before.to_lowercase().ends_with("point")
     })
 }

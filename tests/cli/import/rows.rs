@@ -48,7 +48,13 @@ fn a_sign_that_stands_alone_is_refused() {
 #[test]
 fn a_number_in_parentheses_is_refused() {
     let file = table(&CORNER) + "camber_angle, -1.5\n";
-    for [row, other] in [["-175", "(175)"], ["-1.5", "( 1.5 )"]] {
+    let german = file.replace(',', ";").replace('.', ",");
+    for (file, row, other) in [
+        (&file, "-175", "(175)"),
+        (&file, "-1.5", "( 1.5 )"),
+        (&german, "-175", "(175,5)"),
+        (&german, "-1,5", "(1,5)"),
+    ] {
         let said = refusal("a.csv", &file.replace(row, other), &[]);
         let expected = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
         assert!(said.ends_with(expected), "{other}: {said}");
