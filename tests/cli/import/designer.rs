@@ -102,6 +102,32 @@ fn agrees(folder: &Path, travel: f64, published: &Published) {
     }
 }
 
+/// The roles of points in the program, after the code of the corner.
+#[test]
+fn a_table_with_the_names_of_the_program_has_the_same_points() {
+    let folder = folder();
+    let named = [
+        ("UCA front", "FL_UCA_FWD_CHASSIS"),
+        ("UCA rear", "FL_UCA_AFT_CHASSIS"),
+        ("UBJ", "FL_UBJ"),
+        ("LCA front", "FL_LCA_FWD_CHASSIS"),
+        ("LCA rear", "FL_LCA_AFT_CHASSIS"),
+        ("LBJ", "FL_LBJ"),
+        ("Tie rod inboard", "FL_TIE_ROD_INBOARD"),
+        ("Tie rod outboard", "FL_TIE_ROD_OUTBOARD"),
+        ("Wheel center", "FL_WHEEL_CENTER"),
+    ];
+    let mut file = OBLIQUE.to_owned();
+    for (ours, theirs) in named {
+        file = file.replace(ours, theirs);
+    }
+    let expected = import(folder.path(), "a.csv", OBLIQUE, &[]).points();
+    assert_eq!(
+        import(folder.path(), "b.csv", &file, &[]).points(),
+        expected
+    );
+}
+
 #[test]
 fn double_wishbones_move_as_published_by_a_program_for_formula_student() {
     let folder = folder();
