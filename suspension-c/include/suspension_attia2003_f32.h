@@ -219,9 +219,10 @@ susp_status susp_attia2003_f32_step_between(
 
 /** `step_between` along the cubics only, which keeps its progress if it stops early, for example at
  * a lock: `inputs`, those of `motion`, become `to`. If the step stops early, `inputs` and `motion`
- * become those of the last good sub-step, `failure->reached` seconds after the start. From a lock
- * there may be no step forwards or backwards, because rates are unbounded there. `report` may be
- * NULL. */
+ * become those of the last good sub-step, `failure->reached` seconds after the start. The status is
+ * then the reason why the next sub-step was refused, however short: at a lock SUSP_ERROR_SINGULAR,
+ * SUSP_ERROR_DIVERGING or another, and shorter steps do not help. From a lock there may be no step
+ * forwards or backwards, because rates are unbounded there. `report` may be NULL. */
 susp_status susp_attia2003_f32_advance(
         const susp_attia2003_f32_model *model,
         susp_attia2003_f32_inputs *inputs,

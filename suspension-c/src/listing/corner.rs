@@ -120,8 +120,10 @@ crate::functions! { "susp":
     }
 
     /// `susp_corner_step` that keeps its progress if it stops early, for example at a lock: time, drives
-    /// and points become those of `failure->reached` seconds after its start. From a lock there may be no
-    /// step forwards or backwards, because rates are unbounded there.
+    /// and points become those of `failure->reached` seconds after its start. The status is then the reason
+    /// why the next sub-step was refused, however short: at a lock SUSP_ERROR_SINGULAR,
+    /// SUSP_ERROR_DIVERGING or another, and shorter steps do not help. From a lock there may be no step
+    /// forwards or backwards, because rates are unbounded there.
     fn corner_advance(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         moved(corner, failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
