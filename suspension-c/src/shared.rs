@@ -120,7 +120,7 @@ structures! {
         caster: T,
     }
 
-    /// A part with a mass. With points in m the mass is in kg.
+    /// A part with a mass. With points in m the mass is in kg, with points in mm in t: forces are then in N.
     Mass {
         /// The number of points that locate it: 1 for a mass at a point, 2 for a uniform rod between two
         /// points, 3 for a body with these three points, which are not in line.
@@ -134,7 +134,7 @@ structures! {
         centre: [T; 3],
         /// For a body, its inertia about that centre in the axes of `design`, entries xx, yy, zz, xy, yz
         /// and zx of the matrix, which are the products of inertia with a minus sign: with points in m, kg
-        /// m^2. Otherwise any finite numbers.
+        /// m^2, with points in mm, t mm^2. Otherwise any finite numbers.
         inertia: [T; 6],
     }
 

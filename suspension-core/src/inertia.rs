@@ -1,7 +1,7 @@
 //! Weight and inertia of moving parts, as forces at their points (d'Alembert). With these forces
 //! [`statics`](crate::statics) applies to a moving mechanism.
 //!
-//! Masses, lengths and times must be in consistent units: kg, m and s give N. Accelerations are relative to the
+//! Masses, lengths and times must be in consistent units: kg, m and s give N, and so do t, mm and s. Accelerations are relative to the
 //! chassis; subtract an acceleration of the chassis itself from `gravity`.
 
 use nalgebra::{Matrix3, Vector3};
