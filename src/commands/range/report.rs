@@ -9,8 +9,10 @@ use crate::mechanism::{Description, Unit, describe_change_from_design};
 use crate::number::{counted, rounded};
 use crate::reach::{CARRIED_ON, DriveRange, POOR, RangeEnd, holds, meeting, moves_alone};
 
-/// Digits of an end of a range: in radians all that are correct.
+/// Digits of an end of a range in radians and of the instant of a lock: all that are correct.
 const DIGITS: usize = 13;
+/// Digits of an end of a range in degrees or a unit of length; --csv has all.
+const FEWER: usize = 7;
 
 pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
     let mut out = format!(
@@ -59,10 +61,12 @@ fn value_in_words(kind: DriveKind, unit: Unit, value: f64, digits: usize) -> Str
     match kind {
         DriveKind::Angle | DriveKind::Turn => format!(
             "{} deg ({} rad)",
-            rounded(value.to_degrees(), digits.min(7)),
+            rounded(value.to_degrees(), digits.min(FEWER)),
             rounded(value, digits)
         ),
-        DriveKind::Coordinate => format!("{} {}", rounded(value, digits), unit.symbol()),
+        DriveKind::Coordinate => {
+            format!("{} {}", rounded(value, digits.min(FEWER)), unit.symbol())
+        }
     }
 }
 
