@@ -129,7 +129,9 @@ fn a_sheet_over_a_lock_is_written_with_shortened_curves() {
         "{message}"
     );
     assert!(
-        message.contains("`suspension range a.toml` shows what ends it"),
+        message.contains(
+            "`suspension range a.toml` shows how far each drive reaches and what limits it"
+        ),
         "{message}"
     );
     assert!(folder.path().join("a.html").exists());

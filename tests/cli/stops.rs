@@ -24,7 +24,7 @@ fn rows_up_to_a_lock_are_kept() {
         "t = 1.97837 s",
         "theta = 2.17843 rad",
         "the drive `theta` locks at",
-        "`suspension range two.toml` shows what ends it",
+        "`suspension range two.toml` shows how far each drive reaches and what limits it",
         "40 rows",
     ] {
         assert!(

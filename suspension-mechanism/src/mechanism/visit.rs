@@ -31,23 +31,30 @@ impl<R> Visited<R> {
                 "{source}: interrupted; {missing} of {all} places {are} missing, {written}"
             )));
         }
-        let why = self.out_of_reach(source)?;
-        Some(Failure::Solver(format!("{source}: {why}; {written}")))
+        let [missing, why] = self.missing_and_why(source)?;
+        Some(Failure::Solver(format!(
+            "{source}: {missing}; {written}:{why}"
+        )))
     }
 
-    /// The reason why places are missing if the mechanism locks.
+    /// The reason why places are missing if the mechanism locks, with a line for each lock and a line of advice.
     pub fn out_of_reach(&self, source: &str) -> Option<String> {
+        let [missing, why] = self.missing_and_why(source)?;
+        Some(format!("{missing}:{why}"))
+    }
+
+    /// How many places are missing, and the lines that say why and what to do.
+    fn missing_and_why(&self, source: &str) -> Option<[String; 2]> {
         if self.end.locks.is_empty() {
             return None;
         }
         let (all, missing) = self.counts();
         let are = if missing == 1 { "is" } else { "are" };
-        let locks = self.end.locks.iter().map(|end| end.in_words.as_str());
-        let locks = locks.collect::<Vec<_>>().join("; also, ");
-        Some(format!(
-            "{missing} of {all} places {are} out of reach from the design position: {locks}; {}",
-            advice(source)
-        ))
+        let missing =
+            format!("{missing} of {all} places {are} out of reach from the design position");
+        let locks = self.end.locks.iter().map(|end| end.in_words.clone());
+        let lines: Vec<_> = locks.chain([advice(source)]).collect();
+        Some([missing, format!("\n  {}", lines.join(";\n  "))])
     }
 
     /// The number of places, and the number of missing ones.

@@ -9,7 +9,7 @@ use suspension_motion_file::Unit;
 
 /// The remedy for a lock in the motion of a file.
 pub fn advice(file: &str) -> String {
-    format!("`suspension range {file}` shows what ends it")
+    format!("`suspension range {file}` shows how far each drive reaches and what limits it")
 }
 
 /// Words as `a, b and c`.
