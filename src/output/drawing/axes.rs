@@ -26,7 +26,7 @@ const TICKS: f64 = 70.0;
 pub(super) fn draw(area: &Area<'_>, view: &View, shown: (u32, u32), unit: &str) -> Drawn {
     let size = [f64::from(shown.0), f64::from(shown.1)];
     let title = pixels([10.0, 8.0]);
-    area.draw(&Text::new(view.seen.title(), title, font(FONT_SIZE)))?;
+    area.draw(&Text::new(view.title, title, font(FONT_SIZE)))?;
     if view.seen == Seen::Oblique {
         draw_triad(area, view, size)?;
         draw_scale(area, view, size, unit)

@@ -12,9 +12,9 @@ pub enum Seen {
     Oblique,
     /// From in front.
     Front,
-    /// From outboard.
+    /// From outboard; of an axle, from the left.
     Side,
-    /// From above, x pointing down the sheet: below the front view.
+    /// From above, x pointing down the sheet: below the front view, in its scale.
     Top,
 }
 
@@ -22,13 +22,23 @@ impl Seen {
     /// All directions.
     pub const ALL: [Self; 4] = [Self::Oblique, Self::Front, Self::Side, Self::Top];
 
-    /// Returns the title of the drawing; the oblique view has none.
-    pub(super) fn title(self) -> &'static str {
+    /// Returns the title of the drawing; the oblique view has none. Outboard is to the left (1) or to the right (-1).
+    fn title(self, outboard: f64) -> &'static str {
         match self {
             Self::Oblique => "",
             Self::Front => "from the front",
-            Self::Side => "from the side",
+            Self::Side if outboard < 0.0 => "from the right",
+            Self::Side => "from the left",
             Self::Top => "from above, forward down",
+        }
+    }
+
+    /// The view that stands above or below this one on a sheet and must have the same scale.
+    fn in_line(self) -> Self {
+        match self {
+            Self::Front => Self::Top,
+            Self::Top => Self::Front,
+            other => other,
         }
     }
 
@@ -53,6 +63,7 @@ impl Seen {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub(super) seen: Seen,
+    pub(super) title: &'static str,
     pub(super) across: Vector3<f64>,
     pub(super) up: Vector3<f64>,
     /// Drawing units per unit of length.
@@ -75,24 +86,27 @@ impl View {
         (width, height): (u32, u32),
         margin: f64,
     ) -> Option<Self> {
-        let [_, to_the_left, _] = axes.signs();
-        let left = to_the_left * points.iter().map(|at| at.y).sum::<f64>();
-        let directions = seen.directions(if left < 0.0 { -1.0 } else { 1.0 });
-        let [across, up] = directions.map(|way| axes.turned(way));
-        let view = Self {
-            seen,
-            across,
-            up,
-            scale: 1.0,
-            origin: [0.0; 2],
+        let outboard = outboard(points, axes);
+        let projected = |seen: Seen| {
+            let [across, up] = seen.directions(outboard).map(|way| axes.turned(way));
+            let view = Self {
+                seen,
+                title: seen.title(outboard),
+                across,
+                up,
+                scale: 1.0,
+                origin: [0.0; 2],
+            };
+            let along = |axis: usize| ends(points.iter().map(|at| view.project(at)[axis]));
+            Some((view, [along(0)?, along(1)?]))
         };
-        let flat: Vec<[f64; 2]> = points.iter().map(|at| view.project(at)).collect();
-        let along = |axis: usize| ends(flat.iter().map(|at| at[axis]));
-        let (x, y) = (along(0)?, along(1)?);
         let sheet = [f64::from(width), f64::from(height)];
         let span = |[low, high]: [f64; 2]| (high - low).max(f64::MIN_POSITIVE);
         let fit = |ends, size| (size - 2.0 * margin) / span(ends);
-        let scale = fit(x, sheet[0]).min(fit(y, sheet[1]));
+        let fitting = |[x, y]: [[f64; 2]; 2]| fit(x, sheet[0]).min(fit(y, sheet[1]));
+        let (view, [x, y]) = projected(seen)?;
+        let (_, in_line) = projected(seen.in_line())?;
+        let scale = fitting([x, y]).min(fitting(in_line));
         let centred = |[low, high]: [f64; 2], size: f64| size / 2.0 - scale * (low + high) / 2.0;
         scale.is_finite().then_some(Self {
             scale,
@@ -114,9 +128,50 @@ impl View {
     }
 }
 
+/// Whether points in these axes are on the left (1) or the right (-1) of the vehicle. Points of both sides, as of an axle,
+/// count as on the left.
+fn outboard(points: &[Vector3<f64>], axes: Axes) -> f64 {
+    let [_, to_the_left, _] = axes.signs();
+    let (sum, sum_of_sizes) = points.iter().fold((0.0, 0.0), |(sum, sizes), at| {
+        (sum + to_the_left * at.y, sizes + at.y.abs())
+    });
+    if sum < -0.5 * sum_of_sizes { -1.0 } else { 1.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The points of both sides cancel out but for rounding, which must not choose the side of the view.
+    #[test]
+    fn an_axle_is_seen_from_the_left_and_a_corner_from_its_side() {
+        let side = |y: [f64; 3]| {
+            let points = y.map(|y| Vector3::new(0.1, y, y));
+            let view = View::fit(&points, Axes::Iso, Seen::Side, (100, 100), 10.0);
+            view.expect("points").title
+        };
+        for rounding in [-1e-12, 0.0, 1e-12] {
+            assert_eq!(side([0.7, -0.7, rounding]), "from the left");
+        }
+        assert_eq!(side([0.7, 0.3, -0.1]), "from the left");
+        assert_eq!(side([-0.7, -0.3, 0.1]), "from the right");
+    }
+
+    /// A point is below itself: in the views from the front and from above it is as far to the right.
+    #[test]
+    fn views_from_above_and_from_the_front_are_in_line() {
+        for height in [0.1, 3.0] {
+            let points = [[0.0, 0.3, 0.0], [1.0, 0.7, height]].map(Vector3::from);
+            let across = [Seen::Front, Seen::Top].map(|seen| {
+                let view = View::fit(&points, Axes::Iso, seen, (100, 100), 10.0);
+                let view = view.expect("points");
+                points.map(|at| view.project(&at)[0])
+            });
+            for (one, other) in across[0].iter().zip(across[1]) {
+                assert!((one - other).abs() < 1e-9, "{across:?}");
+            }
+        }
+    }
 
     #[test]
     fn views_project_z_upwards_and_outboard_to_the_right() {
