@@ -197,6 +197,29 @@ fn import_finds_every_layout_by_its_own_point_names() {
     }
 }
 
+/// A spreadsheet calls the end of a link by the link: `Lower front link inner`.
+#[test]
+fn ends_of_links_are_found_by_the_names_of_the_links() {
+    let folder = folder();
+    let listed = listed("multi_link");
+    let named = listed.iter().map(|(name, at)| {
+        let name = name.replace("track_rod", "toe");
+        (
+            name.replace("_inner", " link inner")
+                .replace("_outer", " link outer"),
+            *at,
+        )
+    });
+    let named: Vec<_> = named.collect();
+    let points: Vec<_> = named
+        .iter()
+        .map(|(name, at)| (name.as_str(), *at))
+        .collect();
+    let imported = import(folder.path(), "rear.csv", &table(&points), &[]);
+    assert_eq!(imported.text("linkage"), "multi_link");
+    assert_eq!(imported.points(), listed.iter().cloned().collect());
+}
+
 #[test]
 fn imported_drive_angles_are_in_degrees_and_start_at_the_design() {
     let folder = folder();
