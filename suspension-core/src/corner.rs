@@ -63,6 +63,28 @@ use clock::Clock;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// The right corner of an axle has the mirrored hardpoints; angles of its wheel have the same signs. A drive along y has the
+/// opposite value there, but a rack moves both of its ends by the same amount:
+///
+/// ```
+/// use suspension_core::linkage::Designed;
+/// use suspension_core::linkages::double_wishbone::{Corner, Drives, Model};
+/// use suspension_core::nalgebra::Vector3;
+/// use suspension_core::{Signal, Values};
+///
+/// let left = Model::<f64>::design();
+/// let right = left.map(|at| Vector3::new(at.x, -at.y, at.z));
+/// let mut axle: [Corner; 2] = [Corner::new(&left)?, Corner::new(&right)?];
+/// let rack = 0.010; // to the left
+/// for corner in &mut axle {
+///     let design = corner.drives(); // steer: 0.34 and -0.34
+///     corner.step(1.0, Signal::still(Drives { steer: design.steer + rack, ..design }))?;
+/// }
+/// let toe = axle.map(|corner| corner.wheel().map_or(0.0, |wheel| wheel.toe.to_degrees()));
+/// assert_eq!(format!("{:.2}, {:.2} deg", toe[0], toe[1]), "-4.80, 4.85 deg"); // both turn left
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// A file stores the state as numbers: the [`motion`](Corner::motion), whose fields are public, the drives with their
 /// rates, and the time. [`Corner::resumed`] goes on from there:
 ///
