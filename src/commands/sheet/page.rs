@@ -47,7 +47,7 @@ impl Page<'_> {
             @if names.wheels.iter().any(|wheel| wheel.radius.is_none()) {
                 p {
                     "The motion file states no " code { "wheel_radius" } ": contact point, scrub radius, mechanical trail and \
-                     roll centre are left out, and the wheel is drawn with 0.3 m."
+                     roll centre are left out, and the wheel is drawn with a radius of 0.3 m. State it under [vehicle]."
                 }
             }
             div.drawings {
