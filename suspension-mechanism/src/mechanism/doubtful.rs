@@ -29,8 +29,8 @@ const AT_DESIGN: f64 = 0.01;
 /// The fraction of the size, or of the value at the design position, below which something is small.
 const SMALL: f64 = 0.1;
 
-/// A motion smaller than this, as a fraction of the size, moves nothing measurable.
-const NO_MOTION: f64 = 2e-4;
+/// A motion smaller than this, as a fraction of the size, is 0.3 mm of a car: nobody moves a drive by so little.
+const NO_MOTION: f64 = 4e-4;
 
 /// The number of digits of a value in messages.
 const DIGITS: usize = 4;
@@ -199,6 +199,7 @@ mod tests {
             ),
             (millimetres, [300.0, 300.05], Zero, "is `bump` in m?"),
             (millimetres, [-0.05, 0.05], Start, "is `bump` in m?"),
+            (millimetres, [-0.08, 0.08], Start, "is `bump` in m?"),
             (
                 arm,
                 [0.006, 0.006],
