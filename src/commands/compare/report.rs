@@ -71,6 +71,7 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let notes = unlike.chain(lacks).chain(across);
     let notes = notes.chain(unlike_steering(sides));
     let notes = notes.chain(opposite_steering(sides));
+    let notes = notes.chain(no_radius(sides));
     let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
     notes.collect()
 }
@@ -101,6 +102,17 @@ fn alone(own: &Side, other: &Side, called: &str) -> Option<String> {
         }
     }
     (!names.is_empty()).then(|| format!("only {called} has: {}", names.join(", ")))
+}
+
+/// Notes that only one of the suspensions has a wheel radius.
+fn no_radius([a, b]: [&Side; 2]) -> Option<String> {
+    let called = if a.lacks_radius { "A" } else { "B" };
+    (a.lacks_radius != b.lacks_radius).then(|| {
+        format!(
+            "{called} states no wheel_radius: write it under [vehicle], so that contact point, scrub radius, mechanical trail and \
+             roll centre are compared"
+        )
+    })
 }
 
 /// Notes that steering holds the wheels at their height in only one of the suspensions.

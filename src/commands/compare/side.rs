@@ -24,6 +24,8 @@ pub(super) struct Side {
     pub(super) ways: Vec<Way>,
     /// The names of these drives.
     drives: Vec<String>,
+    /// Whether a wheel has no radius, so that quantities at the ground are missing.
+    pub(super) lacks_radius: bool,
     /// How far the wheels rise per unit of the drives of travel.
     pub(super) rises: Option<Rises>,
     /// The name of each wheel with the index of its drive of travel in `ways`.
@@ -72,6 +74,7 @@ impl Side {
             linkage: mechanism.linkage.clone(),
             converted,
             unit,
+            lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
             missing: missing.collect(),
             failure: failure(&along, file),
             rises: Rises::compute(mechanism, &parameters),

@@ -28,6 +28,26 @@ fn quantities_of_only_one_file_are_named_once() {
     assert!(!of_axle.contains("camber angle"), "{of_axle}");
 }
 
+#[test]
+fn a_missing_wheel_radius_is_named_as_the_reason() {
+    let without = CORNER.replace("vehicle = { wheel_radius = 0.3 }\n", "");
+    assert_ne!(without, CORNER);
+    let notes = |a: &str, b: &str| {
+        let (_folder, output) = compare(a, b, &[]);
+        let report = text(&output.stdout).lines();
+        let notes = report.filter(|line| line.contains("wheel_radius"));
+        notes.map(str::to_owned).collect::<Vec<_>>()
+    };
+    for (a, b, named) in [(without.as_str(), CORNER, "A"), (CORNER, &without, "B")] {
+        let expected = format!(
+            "{named} states no wheel_radius: write it under [vehicle], so that contact point, scrub radius, mechanical trail and roll centre are compared"
+        );
+        assert_eq!(notes(a, b), [expected]);
+    }
+    assert_eq!(notes(&without, &without), [""; 0]);
+    assert_eq!(notes(CORNER, CORNER), [""; 0]);
+}
+
 /// For four wheels against two, a line that names each quantity would be longer than the comparison.
 #[test]
 fn wheels_of_only_one_file_are_named_as_a_whole() {
