@@ -205,6 +205,10 @@ fn a_travel_range_in_another_unit_is_noted() {
     for (travel, expected) in [
         ("-0.03:0.03", None),
         (
+            "-0.00008:0.00008",
+            Some("note: a.toml: bump is from -8e-5 m to 8e-5 m: is it in another unit?"),
+        ),
+        (
             "-30:30",
             Some("note: a.toml: bump is from -30 m to 30 m: is it in another unit?"),
         ),

@@ -42,7 +42,8 @@ const PLACES: usize = 61;
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
-/// The longest span of a wheel's drive from end to end, in metres.
+/// The shortest and the longest span of a wheel's drive from end to end that anyone asks for, in metres.
+const SHORTEST: f64 = 3e-4;
 const LONGEST: f64 = 1.0;
 
 /// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
@@ -144,7 +145,7 @@ pub fn no_steering(file: &str) -> Failure {
 
 /// Prints a note if a span seems to be in another unit.
 fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
-    if to - from > LONGEST * unit.metre() {
+    if !(SHORTEST..=LONGEST).contains(&((to - from) / unit.metre())) {
         let symbol = unit.symbol();
         let [from, to] = [from, to].map(number);
         tell(format_args!(
