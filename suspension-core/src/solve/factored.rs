@@ -104,7 +104,8 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    // The pivots are tested with the rest, where the unknown that moves farthest is known.
+    // Pivots that are zero to rounding are refused here, by their column; small ones are tested with the rest, where the
+    // unknown that moves farthest is known.
     let lu = with_pivoting(linkage, q, fixed, T::zero())?;
     check_rates(linkage, &lu)?;
     Ok(work(&lu))
