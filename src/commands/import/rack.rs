@@ -51,3 +51,23 @@ pub(super) fn without_places(text: &str) -> String {
     });
     unplaced.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use suspension_core::linkages::LISTINGS;
+
+    use super::*;
+
+    /// A layout in other words would keep its drive.
+    #[test]
+    fn every_layout_with_a_rack_has_the_statements_that_are_replaced() {
+        let with_rack = LISTINGS.iter().filter(|(_, text)| text.contains("rack at"));
+        let mut count = 0;
+        for (linkage, text) in with_rack {
+            assert_ne!(fixed(text), *text, "{linkage}");
+            assert_ne!(shared(text), fixed(text), "{linkage}");
+            count += 1;
+        }
+        assert!(count > 5, "{count}");
+    }
+}
