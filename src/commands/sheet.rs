@@ -12,7 +12,7 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Curves, Rise, Span, curves, failure, no_steering, parameters, ways,
+    Along, Curves, Rise, Span, curves, no_steering, parameters, unmet_range, ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
@@ -105,7 +105,7 @@ impl Arguments {
             parameters,
             rises,
         };
-        Ok((page.html(), failure(&ways, name)))
+        Ok((page.html(), unmet_range(&ways, name)))
     }
 }
 

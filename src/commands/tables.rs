@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::characteristics::{Does, Span, failure, ways};
+use crate::characteristics::{Does, Span, unmet_range, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -121,7 +121,7 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => failure(slice::from_ref(&travel), file),
+            Program::Carsim => unmet_range(slice::from_ref(&travel), file),
             Program::Carmaker => None,
         };
         Ok((text, missing))

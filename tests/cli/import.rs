@@ -19,7 +19,7 @@ use suspension_core::linkages::LISTINGS;
 use suspension_core::listing::{Part, Parts};
 use suspension_runtime::Listing;
 
-use super::program::{folder, rows, run, text};
+use super::program::{Rows, folder, rows, run, text};
 
 /// An example file with the points below, toe, camber and radius.
 const EXAMPLE: &str = include_str!("../../examples/hardpoints.csv");
@@ -61,6 +61,18 @@ const IN_OUR_AXES: [(&str, [f64; 3]); 15] = [
     ("damper_outer", [-6.0, 210.0, 515.0]),
     ("damper_inner", [-4.0, 20.0, 530.0]),
 ];
+
+/// The places of a sweep along drives.
+fn swept(folder: &Path, file: &str, drives: &[&str]) -> Rows {
+    let drives = drives.iter().flat_map(|drive| ["--drive", drive]);
+    let arguments: Vec<&str> = ["sweep", file, "--csv", "-"]
+        .into_iter()
+        .chain(drives)
+        .collect();
+    let output = run(folder, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
 
 /// The messages and the file of an import.
 struct Imported {

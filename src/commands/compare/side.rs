@@ -4,7 +4,7 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
-    Curves, Does, Parameter, Rises, Span, Way, curves, failure, parameters, ways,
+    Curves, Does, Parameter, Rises, Span, Way, curves, parameters, unmet_range, ways,
 };
 use crate::failure::Failure;
 use crate::file::Source;
@@ -76,7 +76,7 @@ impl Side {
             unit,
             lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
             missing: missing.collect(),
-            failure: failure(&along, file),
+            failure: unmet_range(&along, file),
             rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),

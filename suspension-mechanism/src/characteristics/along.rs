@@ -93,9 +93,9 @@ pub fn ways(
     Ok(ways)
 }
 
-/// Returns the first failure to report if places are missing. A lock within a range that the user does not state is no failure:
-/// a note says that the curves end there.
-pub fn failure(ways: &[Along], file: &str) -> Option<Failure> {
+/// Returns the first failure if places of a range are missing. A lock within a range that the user does not state is no failure:
+/// a note on standard error says that the curves end there.
+pub fn unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
     ways.iter().find_map(|along| {
         let failure = along.visited.failure(file)?;
         let has_places = along.visited.places.iter().any(Option::is_some);

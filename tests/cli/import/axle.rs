@@ -2,14 +2,12 @@
 
 mod sides;
 
-use std::path::Path;
-
 use suspension_core::linkages::LISTINGS;
 use suspension_core::listing::{Part, Parts};
 use suspension_runtime::Listing;
 
-use super::super::program::{Rows, folder, rows, run, text};
-use super::{CORNER, import, table};
+use super::super::program::{folder, run, text};
+use super::{CORNER, import, swept, table};
 
 /// The corner under the names of a side of Adams/Car; y as on the left, multiplied.
 fn side(prefix: &str, y: f64) -> String {
@@ -23,17 +21,6 @@ const ANGLES: &str = "toe_angle, 0.3\ncamber_angle, -1.2\ntire_radius, 229\n";
 /// Both sides, in a mirror.
 fn symmetric() -> String {
     side("hpl_", 1.0) + &side("hpr_", -1.0) + ANGLES
-}
-
-fn swept(folder: &Path, file: &str, drives: &[&str]) -> Rows {
-    let drives = drives.iter().flat_map(|drive| ["--drive", drive]);
-    let arguments: Vec<&str> = ["sweep", file, "--csv", "-"]
-        .into_iter()
-        .chain(drives)
-        .collect();
-    let output = run(folder, &arguments);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
 }
 
 fn assert_near(found: f64, expected: f64, what: &str) {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::super::program::{folder, rows, run};
-use super::import;
+use super::super::program::folder;
+use super::{import, swept};
 
 /// A corner whose wishbones turn about lines along x; front left, x rearward, y right, z up.
 const PLANE: &str = "units; m\nUCA front; -0.1; -0.4; 0.35\nUCA rear; 0.1; -0.4; 0.35\nUBJ; 0; -0.6; 0.4166666666666667\n\
@@ -72,18 +72,11 @@ const OBLIQUE_BUMP: Published = [
 /// Compares both wheels of an axle, of which the program has the right one as the mirror image of the left one.
 fn agrees(folder: &Path, travel: f64, published: &Published) {
     let drives = ["left", "right"].map(|side| format!("{side}_bump={travel}"));
-    let [left, right] = &drives;
-    let arguments = [
-        "sweep",
+    let row = &swept(
+        folder,
         "motion.toml",
-        "--csv",
-        "-",
-        "--drive",
-        left,
-        "--drive",
-        right,
-    ];
-    let row = &rows(&run(folder, &arguments).stdout)[0];
+        &drives.each_ref().map(String::as_str),
+    )[0];
     for (side, outboard) in [("left", -1.0), ("right", 1.0)] {
         let points = ["upper_ball", "lower_ball", "tie_ball", "wheel_centre"];
         for (point, at) in points.iter().zip(published.chunks(3)) {

@@ -1,7 +1,7 @@
 //! Rear corners, whose toe link is fixed on the chassis, and arms.
 
-use super::super::program::{folder, rows, run};
-use super::{CORNER, Imported, import, table};
+use super::super::program::{folder, run};
+use super::{CORNER, Imported, import, swept, table};
 
 /// The table with other names for both ends of the tie rod.
 fn with_names(inner: &str, outer: &str) -> String {
@@ -94,11 +94,7 @@ fn a_fixed_toe_link_moves_as_with_the_rack_held() {
     let folder = folder();
     let swept = |file: &str, drives: &[&str]| {
         import(folder.path(), "a.csv", file, &[]);
-        let options = drives.iter().flat_map(|drive| ["--drive", drive]);
-        let arguments = ["sweep", "motion.toml", "--csv", "-"]
-            .into_iter()
-            .chain(options);
-        rows(&run(folder.path(), &arguments.collect::<Vec<_>>()).stdout)
+        swept(folder.path(), "motion.toml", drives)
     };
     let held = swept(&table(&CORNER), &["bump=-30:30:7", "steer=0"]);
     let fixed = swept(

@@ -1,7 +1,7 @@
 //! MacPherson struts whose line passes through the lower ball joint.
 
-use super::super::program::{folder, rows, run};
-use super::import;
+use super::super::program::folder;
+use super::{import, swept};
 
 /// The front strut of a Porsche 718 in Assetto Corsa (ks_porsche_718_boxster_s), 0.7575 m outboard and 0.335 m above the
 /// ground.
@@ -51,18 +51,8 @@ fn a_strut_that_ends_in_the_ball_joint_moves_as_published() {
     let quarter = 0.601_782_621_301 / 4.0;
     for [travel, rack, x, camber, toe, strut] in PUBLISHED {
         let drives = [("bump", travel), ("steer", rack)].map(|(name, by)| format!("{name}={by}"));
-        let [bump, steer] = &drives;
-        let arguments = [
-            "sweep",
-            "motion.toml",
-            "--csv",
-            "-",
-            "--drive",
-            bump,
-            "--drive",
-            steer,
-        ];
-        let row = &rows(&run(folder.path(), &arguments).stdout)[0];
+        let stated = drives.each_ref().map(String::as_str);
+        let row = &swept(folder.path(), "motion.toml", &stated)[0];
         for (name, published, gate) in [
             ("wheel_centre_x", x, 1e-11),
             ("camber_to_ground_deg", camber, 2e-10),

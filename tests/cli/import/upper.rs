@@ -1,10 +1,9 @@
 //! A pushrod or a damper on the upper wishbone.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
-use super::super::program::{folder, rows, run};
-use super::{CORNER, Imported, import, table};
+use super::super::program::folder;
+use super::{CORNER, Imported, import, swept, table};
 
 /// The table with a rod from the upper wishbone to the rocker.
 fn pulled() -> String {
@@ -19,16 +18,6 @@ fn pulled() -> String {
 /// A damper from the upper wishbone to the chassis, without pushrod and rocker.
 fn coilover() -> String {
     table(&CORNER[..9]) + "shock_lower, 5, -470, 310\nshock_upper, 0, -400, 620\n"
-}
-
-fn swept(folder: &Path, drives: &[&str]) -> Vec<BTreeMap<String, f64>> {
-    let options = drives.iter().flat_map(|drive| ["--drive", drive]);
-    let arguments = ["sweep", "motion.toml", "--csv", "-"]
-        .into_iter()
-        .chain(options);
-    rows(&run(folder, &arguments.collect::<Vec<_>>()).stdout)
-        .into_iter()
-        .collect()
 }
 
 /// How far the distance between two points of a corner changes over travel.
@@ -72,7 +61,7 @@ fn an_outer_end_near_the_upper_ball_joint_moves_with_the_upper_wishbone() {
         );
         assert!(imported.notes.contains(&said), "{}", imported.notes);
         assert!(imported.notes.contains(layout), "{}", imported.notes);
-        let rows = swept(folder.path(), &["bump=-20:20:9", "steer=0"]);
+        let rows = swept(folder.path(), "motion.toml", &["bump=-20:20:9", "steer=0"]);
         assert_eq!(rows.len(), 9);
         for other in ["upper_front", "upper_rear", "upper_ball"] {
             let stretch = stretch(&imported, &rows, [point, other]);
@@ -94,11 +83,15 @@ fn an_outer_end_near_the_lower_ball_joint_keeps_the_layout() {
 fn both_corners_of_an_axle_have_it_on_the_upper_wishbone() {
     let folder = folder();
     import(folder.path(), "a.csv", &pulled(), &[]);
-    let alone = swept(folder.path(), &["bump=15", "steer=0"]);
+    let alone = swept(folder.path(), "motion.toml", &["bump=15", "steer=0"]);
     // The listing of the corner may be written again, also for a rear axle.
     for file in [pulled(), pulled(), format!("Rear suspension\n{}", pulled())] {
         import(folder.path(), "a.csv", &file, &["--axle"]);
-        let axle = swept(folder.path(), &["left_bump=15", "right_bump=15"]);
+        let axle = swept(
+            folder.path(),
+            "motion.toml",
+            &["left_bump=15", "right_bump=15"],
+        );
         for damper in ["left_damper_mm", "right_damper_mm"] {
             assert!(
                 (axle[0][damper] - alone[0]["damper_mm"]).abs() < 1e-10,
