@@ -7,6 +7,7 @@ mod corner;
 mod draft;
 mod format;
 mod hardpoints;
+mod heading;
 mod imported;
 mod names;
 mod orientation;
@@ -39,7 +40,7 @@ use hardpoints::Hardpoints;
 use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
-use side::Side;
+use side::{End, Side};
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]
@@ -67,14 +68,19 @@ pub struct Arguments {
     /// the other.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
+    /// The axle to import, if the file has both. Headings such as `Rear suspension`, or codes such as RL, say which points are
+    /// of which axle; others are of both.
+    #[arg(long)]
+    end: Option<End>,
     /// Write the motion file to PATH, replacing a file of that name. For an axle, NAME_corner.linkage goes beside it; a
-    /// different file of that name is never replaced. Without it the motion file is FILE with the ending .toml, which must not exist yet.
+    /// different file of that name is never replaced. Without it the motion file is FILE with the ending .toml, or with _front.toml or _rear.toml for --end; it must not exist
+    /// yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
 
 fn unit(word: &str) -> Result<Length, String> {
-    row::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
+    heading::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
 }
 
 fn axes() -> impl TypedValueParser<Value = Axes> {
@@ -98,13 +104,24 @@ impl Arguments {
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
         let source = with_line_ends(Source::read(file)?);
-        let stated = format::read(&source, &names)?;
+        let stated = format::read(&source, &names)?.of_end(self.end)?;
         let out = self.out.clone();
-        let out = out.unwrap_or_else(|| file.with_extension("toml"));
+        let out = out.unwrap_or_else(|| self.usual_place(file));
         self.check_place(&out)?;
         let written = self.import(&stated, &out, &names)?;
         announce(&written);
         Ok(())
+    }
+
+    /// Returns where the motion file goes if `--out` does not say: beside the file.
+    fn usual_place(&self, file: &Path) -> PathBuf {
+        let stem = file.file_stem().unwrap_or_default().to_os_string();
+        let mut name = stem;
+        if let Some(end) = self.end {
+            name.push(format!("_{}", end.name()));
+        }
+        name.push(".toml");
+        file.with_file_name(name)
     }
 
     /// Refuses to overwrite the file that is read, and any other file unless `--out` names it.

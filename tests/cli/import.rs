@@ -2,6 +2,7 @@
 
 mod axle;
 mod designer;
+mod ends;
 mod formats;
 mod frames;
 mod noted;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::names::{key_of, spelled};
-use super::side::{End, Side, Sides, end_of};
+use super::side::{End, Section, Side, Sides, end_of};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
@@ -18,6 +18,7 @@ pub(super) struct Hardpoint {
     /// The name in the spelling in which names are compared.
     pub(super) key: String,
     pub(super) side: Option<Side>,
+    pub(super) end: Option<End>,
     /// Coordinates in the file's axes.
     pub(super) at: [f64; 3],
     pub(super) place: Range<usize>,
@@ -26,14 +27,30 @@ pub(super) struct Hardpoint {
 /// A number of a file that is not a coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct Number {
+    /// As the file writes it.
+    name: String,
     pub(super) key: String,
     pub(super) side: Option<Side>,
+    pub(super) end: Option<End>,
     pub(super) value: f64,
     pub(super) place: Range<usize>,
 }
 
 /// The end of Lotus' names for centres of mass.
 const CENTRE_OF_MASS: &str = "c_of_g";
+
+/// Returns what to do about two rows of one name, which belong to these ends of the vehicle.
+fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
+    match (first, second) {
+        (Some(first), Some(second)) if first != second => {
+            "to import one axle of the two, say --end front or --end rear"
+        }
+        _ => {
+            "leave one of them; if they are of two axles, write headings such as `Front suspension` and `Rear suspension` above \
+             the points and say --end front or --end rear"
+        }
+    }
+}
 
 /// The contents of a file.
 #[derive(Debug)]
@@ -47,6 +64,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) unit: Option<Length>,
     /// The ends of the vehicle that the file names, each with its place.
     ends: Vec<(End, Range<usize>)>,
+    /// The corners of the rows that are read next; a row may say more about itself.
+    pub(super) section: Section,
     /// Whether the file's angles are in radians.
     pub(super) radians: bool,
     /// The usual axes of such files.
@@ -63,6 +82,7 @@ impl<'a> Hardpoints<'a> {
             unread: Vec::new(),
             unit: None,
             ends: Vec::new(),
+            section: Section::default(),
             radians: false,
             usual,
         }
@@ -76,13 +96,7 @@ impl<'a> Hardpoints<'a> {
     /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or
     /// names both. A name of the file counts only if its lines say nothing.
     pub(super) fn end(&self) -> Option<(End, String)> {
-        let in_words = |end: End, at: &str| {
-            let end = match end {
-                End::Front => "front",
-                End::Rear => "rear",
-            };
-            format!("{at} says {end}")
-        };
+        let in_words = |end: End, at: &str| format!("{at} says {}", end.name());
         let Some((end, place)) = self.ends.first() else {
             let name = Path::new(self.source.name()).file_stem()?;
             let end = end_of(&spelled(&name.to_string_lossy()))?;
@@ -109,57 +123,81 @@ impl<'a> Hardpoints<'a> {
             (Sides::Unsaid, Sides::Mirrored) => {
                 vec![(Some(Side::Left), at), (Some(Side::Right), [x, 0.0 - y, z])]
             }
-            (Sides::One(side), _) | (_, Sides::One(side)) => vec![(Some(side), at)],
-            _ => vec![(None, at)],
+            _ => vec![(self.side_of_row(prefixed, sides), at)],
         };
+        let end = self.section.end;
         let name: String = name.chars().filter(|c| !c.is_control()).collect();
         self.points
             .extend(each.into_iter().map(|(side, at)| Hardpoint {
                 name: name.clone(),
                 key: key.clone(),
                 side,
+                end,
                 at,
                 place: place.clone(),
             }));
     }
 
     /// Adds a number.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Input`] if the file has another number of that name on the same side.
-    pub(super) fn add_number(
-        &mut self,
-        name: &str,
-        sides: Sides,
-        value: f64,
-        place: Range<usize>,
-    ) -> Result<(), Failure> {
+    pub(super) fn add_number(&mut self, name: &str, sides: Sides, value: f64, place: Range<usize>) {
         let (key, prefixed) = key_of(name);
-        let side = match (prefixed, sides) {
-            (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
-            _ => None,
-        };
-        let same = |other: &&Number| other.key == key && other.side == side;
-        if let Some(first) = self
-            .numbers
-            .iter()
-            .find(same)
-            .filter(|first| first.value != value)
-        {
-            let message = format!(
-                "`{name}` stands in {} already, as {}; leave one of them",
-                self.line(&first.place),
-                first.value
-            );
-            return Err(self.source.refuse(&place, message));
-        }
         self.numbers.push(Number {
+            name: name.to_owned(),
             key,
-            side,
+            side: self.side_of_row(prefixed, sides),
+            end: self.section.end,
             value,
             place,
         });
+    }
+
+    /// Returns the side of a row: of its name, or else of its fields, or else of the heading above it.
+    fn side_of_row(&self, prefixed: Sides, sides: Sides) -> Option<Side> {
+        match (prefixed, sides) {
+            (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
+            _ => self.section.side,
+        }
+    }
+
+    /// Returns the contents without the points and numbers of the other end of the vehicle, if `wanted` names an end.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] if the file does not say which points are of that end, or states two values of a number.
+    pub(super) fn of_end(mut self, wanted: Option<End>) -> Result<Self, Failure> {
+        if let Some(wanted) = wanted {
+            if !self.points.iter().any(|point| point.end == Some(wanted)) {
+                let end = wanted.name();
+                let message = format!(
+                    "no line says which points are of the {end} axle: write a heading such as `{end} suspension` above them"
+                );
+                return Err(self.source.refuse(&(0..0), message));
+            }
+            let is_wanted = |end: Option<End>| end.is_none_or(|end| end == wanted);
+            self.points.retain(|point| is_wanted(point.end));
+            self.numbers.retain(|number| is_wanted(number.end));
+            self.ends.retain(|(end, _)| *end == wanted);
+        }
+        self.check_numbers()?;
+        Ok(self)
+    }
+
+    /// Refuses two values of one number on the same side.
+    fn check_numbers(&self) -> Result<(), Failure> {
+        for (place, number) in self.numbers.iter().enumerate() {
+            let mut before = self.numbers[..place].iter();
+            let first = before.find(|other| other.key == number.key && other.side == number.side);
+            if let Some(first) = first.filter(|first| first.value != number.value) {
+                let message = format!(
+                    "`{}` stands in {} already, as {}; {}",
+                    number.name,
+                    self.line(&first.place),
+                    first.value,
+                    remedy(first.end, number.end)
+                );
+                return Err(self.source.refuse(&number.place, message));
+            }
+        }
         Ok(())
     }
 
@@ -180,9 +218,10 @@ impl<'a> Hardpoints<'a> {
         for point in &points {
             if let Some(first) = found.insert(&point.key, point) {
                 let message = format!(
-                    "point `{}` stands in {} already; leave one of them, and give each axle of a vehicle a file of its own",
+                    "point `{}` stands in {} already; {}",
                     point.name,
-                    self.line(&first.place)
+                    self.line(&first.place),
+                    remedy(first.end, point.end)
                 );
                 return Err(self.source.refuse(&point.place, message));
             }

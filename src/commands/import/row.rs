@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use super::heading::{end_of_heading, unit};
 use super::names::spelled;
 use super::side::{End, Side, Sides, corner_of};
-use crate::mechanism::Length;
 
 /// The beginnings of a remark.
 const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
@@ -145,7 +145,8 @@ impl<'a> Row<'a> {
         said.unwrap_or(Sides::Unsaid)
     }
 
-    /// Returns the end of the vehicle that a code such as `RL` states, in a field of its own or at an end of the name.
+    /// Returns the end of the vehicle that the row states: by a code such as `RL`, in a field of its own or at an end of the
+    /// name, or by a field such as `Rear` beside the name.
     pub(super) fn end(&self) -> Option<End> {
         let words = self.fields.iter().flat_map(|field| {
             let (first, last) = (
@@ -154,8 +155,16 @@ impl<'a> Row<'a> {
             );
             [first, last].into_iter().flatten()
         });
-        let mut found = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));
-        found.next().map(|(end, _)| end)
+        let mut codes = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));
+        let by_code = codes.next().map(|(end, _)| end);
+        by_code.or_else(|| self.end_beside_name())
+    }
+
+    fn end_beside_name(&self) -> Option<End> {
+        let (first, _) = self.found().filter(|_| self.separator != ' ')?;
+        let name = self.name();
+        let mut others = self.fields[..first].iter().filter(|field| **field != name);
+        others.find_map(|field| end_of_heading(&spelled(field)))
     }
 
     /// Returns the words of all fields, as names are compared, with 0 for each number that can be read.
@@ -200,18 +209,6 @@ fn sides_of(field: &str) -> Option<Sides> {
         "left/right" => Some(Sides::Mirrored),
         "single" => Some(Sides::Unsaid),
         code => corner_of(code).map(|(_, side)| Sides::One(side)),
-    }
-}
-
-/// Returns the unit that a word names.
-pub(super) fn unit(word: &str) -> Option<Length> {
-    match word {
-        "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
-            Some(Length::Millimetre)
-        }
-        "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
-        "in" | "inch" | "inches" => Some(Length::Inch),
-        _ => None,
     }
 }
 

@@ -40,10 +40,42 @@ pub(super) enum Sides {
 }
 
 /// An end of the vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum End {
+    /// The front axle.
     Front,
+    /// The rear axle.
     Rear,
+}
+
+impl End {
+    /// Returns the end in words.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Front => "front",
+            Self::Rear => "rear",
+        }
+    }
+}
+
+/// The corners to which the rows below a heading belong, as far as the heading says.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Section {
+    pub(super) end: Option<End>,
+    pub(super) side: Option<Side>,
+}
+
+impl Section {
+    /// Returns the section below another heading, which names an end, a side, both or neither.
+    pub(super) fn below(self, end: Option<End>, side: Option<Side>) -> Self {
+        match (end, side) {
+            (None, None) => self,
+            _ => Self {
+                end: end.or(self.end),
+                side,
+            },
+        }
+    }
 }
 
 /// Returns the end of the vehicle that spelled words name; `None` if they name none or both.

@@ -1,8 +1,9 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
 use super::hardpoints::Hardpoints;
+use super::heading::unit;
 use super::names::{Names, spelled};
-use super::row::{Row, lines, unit};
+use super::row::{Row, lines};
 use super::side::end_of;
 use super::table::add;
 use crate::failure::Failure;

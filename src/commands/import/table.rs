@@ -1,12 +1,13 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
 use super::hardpoints::Hardpoints;
+use super::heading::{check_columns, end_of_heading, side_of_heading, unit, unit_of_heading};
 use super::names::{Names, key_of, spelled};
-use super::row::{Row, lines, unit};
-use super::side::{End, end_of};
+use super::row::{Row, lines};
+use super::side::Section;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::mechanism::{Axes, Length};
+use crate::mechanism::Axes;
 
 /// Reads a table.
 ///
@@ -15,14 +16,21 @@ use crate::mechanism::{Axes, Length};
 /// [`Failure::Input`] at a known point without three numbers, and at columns in another order.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Iso);
+    let mut section = Section::default();
     for (place, line) in lines(source.text()) {
         let row = Row::parse(place.clone(), line);
+        stated.section = Section {
+            end: row.end().or(section.end),
+            ..section
+        };
         add(&mut stated, &row, names)?;
         stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
             let words = spelled(line);
-            stated.add_end(end_of_heading(&words), place.clone());
+            let end = end_of_heading(&words);
+            stated.add_end(end, place.clone());
             let words: Vec<&str> = words.split('_').collect();
+            section = section.below(end.or(row.end()), side_of_heading(&words));
             check_columns(&words).map_err(|message| source.refuse(&place, message))?;
             let unit = unit_of_heading(&words).map_err(|message| source.refuse(&place, message))?;
             stated.unit = stated.unit.or(unit);
@@ -42,8 +50,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point without three numbers, at an angle or radius that cannot be read or has two values, and
-/// at a sign apart from its number or a number in parentheses.
+/// [`Failure::Input`] at a known point without three numbers, at an angle or radius that cannot be read, and at a sign apart
+/// from its number or a number in parentheses.
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
@@ -70,7 +78,7 @@ pub(super) fn add(
             stated.add_point(&name, row.sides(), at, row.place.clone());
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
-            [value] => stated.add_number(&name, row.sides(), value, row.place.clone())?,
+            [value] => stated.add_number(&name, row.sides(), value, row.place.clone()),
             _ => return Err(misread(stated, &name, row, names)),
         },
         _ if names.is_point(&key) && row.begins_a_number() => {
@@ -125,78 +133,4 @@ fn before_numbers<'a>(words: &'a str, names: &Names) -> Option<&'a str> {
         (is_known && is_numbers && numbers > 1).then_some(name)
     })
     .next_back()
-}
-
-/// Words of a heading that names the end of the vehicle to which a suspension belongs.
-const OF_AXLE: [&str; 7] = [
-    "suspension",
-    "axle",
-    "corner",
-    "hardpoints",
-    "geometry",
-    "left",
-    "right",
-];
-
-/// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
-/// `Front lower wishbone` is of a part.
-fn end_of_heading(words: &str) -> Option<End> {
-    let end = end_of(words)?;
-    let is_of_axle = words.split('_').any(|word| OF_AXLE.contains(&word));
-    (is_of_axle || !words.contains('_')).then_some(end)
-}
-
-/// Units of length that motion files do not have.
-const OTHER_UNITS: [&str; 10] = [
-    "cm",
-    "centimeter",
-    "centimetre",
-    "centimeters",
-    "centimetres",
-    "dm",
-    "km",
-    "ft",
-    "foot",
-    "feet",
-];
-
-/// Checks that the columns are x, y, z in this order.
-fn check_columns(words: &[&str]) -> Result<(), String> {
-    let columns = words.iter().filter(|word| ["x", "y", "z"].contains(word));
-    let columns: Vec<&str> = columns.copied().collect();
-    let is_heading = ["x", "y", "z"].iter().all(|axis| columns.contains(axis));
-    if is_heading && columns[..3] != ["x", "y", "z"] {
-        let found = columns.join(", ");
-        return Err(format!(
-            "the columns are {found}; put them in the order x, y, z"
-        ));
-    }
-    Ok(())
-}
-
-/// Returns the unit in the headings of columns, in a line of units, or in a remark on units.
-///
-/// # Errors
-///
-/// A sentence, if motion files do not have the unit.
-fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
-    let said = |word: &str| words.contains(&word);
-    let of_columns = said("x") && said("y") && said("z");
-    let other = words.iter().find(|word| OTHER_UNITS.contains(word));
-    let of_units = words
-        .iter()
-        .all(|word| unit(word).is_some() || other == Some(word));
-    let remarked = ["unit", "units", "length", "lengths", "dimensions"]
-        .iter()
-        .any(|word| said(word));
-    if let Some(other) = other.filter(|_| of_columns || of_units || remarked) {
-        return Err(format!(
-            "lengths are in {other}; convert them to mm, m or in, and say so here"
-        ));
-    }
-    let mut found = words.iter().filter_map(|word| unit(word));
-    // `in` may be a word instead of the inch: `x, y, z in mm`.
-    let other = found.clone().find(|unit| *unit != Length::Inch);
-    let found = other.or_else(|| found.next());
-    Ok(found.filter(|_| of_columns || of_units || remarked))
 }

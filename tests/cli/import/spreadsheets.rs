@@ -143,24 +143,6 @@ fn both_sides_in_one_row_are_refused() {
 }
 
 #[test]
-fn both_axles_in_one_table_are_refused() {
-    let axle = table(&CORNER);
-    let said = refusal(
-        "a.csv",
-        &format!("Front suspension\n{axle}Rear suspension\n{axle}"),
-        &[],
-    );
-    assert!(
-        said.contains("stands in a.csv:2 already; leave one of them"),
-        "{said}"
-    );
-    assert!(
-        said.ends_with("give each axle of a vehicle a file of its own"),
-        "{said}"
-    );
-}
-
-#[test]
 fn angles_and_radii_may_have_decimal_commas_between_semicolons() {
     let folder = folder();
     let points = lines(2, |name, [x, y, z]| {

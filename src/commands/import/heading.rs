@@ -1,0 +1,110 @@
+//! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
+
+use super::side::{End, Side, corner_of, end_of};
+use crate::mechanism::Length;
+
+/// Words of a heading that names the end of the vehicle to which a suspension belongs.
+const OF_AXLE: [&str; 7] = [
+    "suspension",
+    "axle",
+    "corner",
+    "hardpoints",
+    "geometry",
+    "left",
+    "right",
+];
+
+/// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
+/// `Front lower wishbone` is of a part.
+pub(super) fn end_of_heading(words: &str) -> Option<End> {
+    let end = end_of(words)?;
+    let is_of_axle = words.split('_').any(|word| OF_AXLE.contains(&word));
+    (is_of_axle || !words.contains('_')).then_some(end)
+}
+
+/// Returns the side of the vehicle in a heading that has no words but those of axles and sides, such as `FRONT LEFT` or `RL
+/// corner`.
+pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
+    let is_of_corner = |word: &&str| {
+        let is_other = ["side", "wheel"].contains(word) || unit(word).is_some();
+        OF_AXLE.contains(word) || end_of(word).is_some() || corner_of(word).is_some() || is_other
+    };
+    if !words.iter().all(is_of_corner) {
+        return None;
+    }
+    match ["left", "right"].map(|side| words.contains(&side)) {
+        [true, false] => Some(Side::Left),
+        [false, true] => Some(Side::Right),
+        _ => words
+            .iter()
+            .find_map(|word| corner_of(word))
+            .map(|(_, side)| side),
+    }
+}
+
+/// Units of length that motion files do not have.
+const OTHER_UNITS: [&str; 10] = [
+    "cm",
+    "centimeter",
+    "centimetre",
+    "centimeters",
+    "centimetres",
+    "dm",
+    "km",
+    "ft",
+    "foot",
+    "feet",
+];
+
+/// Checks that the columns are x, y, z in this order.
+pub(super) fn check_columns(words: &[&str]) -> Result<(), String> {
+    let columns = words.iter().filter(|word| ["x", "y", "z"].contains(word));
+    let columns: Vec<&str> = columns.copied().collect();
+    let is_heading = ["x", "y", "z"].iter().all(|axis| columns.contains(axis));
+    if is_heading && columns[..3] != ["x", "y", "z"] {
+        let found = columns.join(", ");
+        return Err(format!(
+            "the columns are {found}; put them in the order x, y, z"
+        ));
+    }
+    Ok(())
+}
+
+/// Returns the unit in the headings of columns, in a line of units, or in a remark on units.
+///
+/// # Errors
+///
+/// A sentence, if motion files do not have the unit.
+pub(super) fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
+    let said = |word: &str| words.contains(&word);
+    let of_columns = said("x") && said("y") && said("z");
+    let other = words.iter().find(|word| OTHER_UNITS.contains(word));
+    let of_units = words
+        .iter()
+        .all(|word| unit(word).is_some() || other == Some(word));
+    let remarked = ["unit", "units", "length", "lengths", "dimensions"]
+        .iter()
+        .any(|word| said(word));
+    if let Some(other) = other.filter(|_| of_columns || of_units || remarked) {
+        return Err(format!(
+            "lengths are in {other}; convert them to mm, m or in, and say so here"
+        ));
+    }
+    let mut found = words.iter().filter_map(|word| unit(word));
+    // `in` may be a word instead of the inch: `x, y, z in mm`.
+    let other = found.clone().find(|unit| *unit != Length::Inch);
+    let found = other.or_else(|| found.next());
+    Ok(found.filter(|_| of_columns || of_units || remarked))
+}
+
+/// Returns the unit that a word names.
+pub(super) fn unit(word: &str) -> Option<Length> {
+    match word {
+        "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
+            Some(Length::Millimetre)
+        }
+        "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
+        "in" | "inch" | "inches" => Some(Length::Inch),
+        _ => None,
+    }
+}

@@ -1,0 +1,144 @@
+//! Tables with both axles of a vehicle, of which `--end` takes one, and headings that name a side.
+
+use super::super::program::{folder, run, text};
+use super::refused::refusal;
+use super::{CORNER, import, table};
+
+/// The points of the rear corner: those of the front one, each moved.
+fn rear() -> Vec<(&'static str, [f64; 3])> {
+    let points = CORNER.into_iter();
+    let moved = points.map(|(name, [x, y, z])| (name, [x + 1600.0, y - 20.0, z + 10.0]));
+    moved.collect()
+}
+
+fn mirrored(points: &[(&'static str, [f64; 3])]) -> Vec<(&'static str, [f64; 3])> {
+    let points = points.iter();
+    points
+        .map(|(name, [x, y, z])| (*name, [*x, -y, *z]))
+        .collect()
+}
+
+/// The lines of a table with something before each.
+fn each_with(before: &str, points: &[(&str, [f64; 3])]) -> String {
+    let table = table(points);
+    let lines = table.lines();
+    lines.map(|line| format!("{before}{line}\n")).collect()
+}
+
+/// Tables of both axles.
+fn cars() -> [String; 5] {
+    let (front, rear) = (CORNER.as_slice(), rear());
+    let front_right = mirrored(front);
+    let rear_right = mirrored(&rear);
+    [
+        format!(
+            "Front suspension\n{}Rear suspension\n{}",
+            table(front),
+            table(&rear)
+        ),
+        format!("x, y, z\n# FRONT\n{}# REAR\n{}", table(front), table(&rear)),
+        each_with("Front, ", front) + &each_with("Rear, ", &rear),
+        each_with("FL ", front)
+            + &each_with("FR ", &front_right)
+            + &each_with("RL ", &rear)
+            + &each_with("RR ", &rear_right),
+        format!(
+            "FRONT LEFT\n{}FRONT RIGHT\n{}REAR LEFT (mm)\n{}REAR RIGHT\n{}",
+            table(front),
+            table(&front_right),
+            table(&rear),
+            table(&rear_right)
+        ),
+    ]
+}
+
+#[test]
+fn one_axle_of_a_table_is_that_axle_in_a_table_of_its_own() {
+    let folder = folder();
+    for car in cars() {
+        for (end, alone) in [("front", CORNER.to_vec()), ("rear", rear())] {
+            let imported = import(folder.path(), "car.csv", &car, &["--end", end]);
+            let alone = format!("{end} suspension\n{}", table(&alone));
+            let alone = import(folder.path(), "alone.csv", &alone, &[]);
+            assert_eq!(imported.points(), alone.points(), "{end} of {car}");
+            let drives = [&imported, &alone].map(|each| each.motion["drives"].clone());
+            assert_eq!(drives[0], drives[1], "{end} of {car}");
+        }
+    }
+}
+
+#[test]
+fn a_table_of_both_axles_is_refused_without_an_end() {
+    for car in cars() {
+        let said = refusal("car.csv", &car, &[]);
+        let expected = "already; to import one axle of the two, say --end front or --end rear";
+        assert!(said.trim_end().ends_with(expected), "{said}");
+    }
+    let twice = table(&CORNER) + &table(&rear());
+    let said = refusal("car.csv", &twice, &[]);
+    let expected = "point `lca_front` stands in car.csv:1 already; leave one of them; if they are of two axles, write headings \
+                    such as `Front suspension` and `Rear suspension` above the points and say --end front or --end rear";
+    assert!(said.trim_end().ends_with(expected), "{said}");
+}
+
+#[test]
+fn an_end_that_the_table_does_not_name_is_refused() {
+    let front = format!("Front suspension\n{}", table(&CORNER));
+    for file in [front, table(&CORNER)] {
+        let said = refusal("car.csv", &file, &["--end", "rear"]);
+        let expected = "car.csv:1:1: no line says which points are of the rear axle: write a heading such as `rear suspension` \
+                        above them";
+        assert_eq!(said.trim_end(), expected);
+    }
+}
+
+#[test]
+fn radii_and_points_without_an_end_belong_to_both_axles() {
+    let folder = folder();
+    let (centre, others) = (CORNER[8], [&CORNER[..8], &CORNER[9..]].concat());
+    let car = format!(
+        "{}Front suspension\n{}tire_radius, 229\nRear suspension\n{}tire_radius, 260\n",
+        table(&[centre]),
+        table(&others),
+        table(&others)
+    );
+    for (end, radius) in [("front", 229.0), ("rear", 260.0)] {
+        let imported = import(folder.path(), "car.csv", &car, &["--end", end]);
+        assert_eq!(imported.points()["wheel_centre"], [0.0, 610.0, 229.0]);
+        let found = imported.motion["vehicle"]["wheel_radius"].as_float();
+        assert_eq!(found, Some(radius), "{end}");
+    }
+}
+
+#[test]
+fn each_axle_has_a_motion_file_of_its_own_name() {
+    let folder = folder();
+    let [car, ..] = cars();
+    std::fs::write(folder.path().join("car.csv"), car).expect("written");
+    for (end, file) in [("front", "car_front.toml"), ("rear", "car_rear.toml")] {
+        let output = run(folder.path(), &["import", "car.csv", "--end", end]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let said = text(&output.stderr);
+        assert!(said.ends_with(&format!("wrote {file}\n")), "{said}");
+    }
+}
+
+#[test]
+fn headings_name_the_sides_of_unlike_corners() {
+    let folder = folder();
+    let left = CORNER.as_slice();
+    let right = mirrored(&rear());
+    let file = format!("Left side\n{}Right side\n{}", table(left), table(&right));
+    let axle = import(folder.path(), "axle.csv", &file, &[]);
+    for (side, points) in [("left", left), ("right", &right)] {
+        let alone = format!("{side}\n{}", table(points));
+        let alone = import(folder.path(), "alone.csv", &alone, &[]).points();
+        for (name, at) in alone {
+            assert_eq!(
+                axle.points()[&format!("{side}_{name}")],
+                at,
+                "{side} {name}"
+            );
+        }
+    }
+}
