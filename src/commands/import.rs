@@ -9,6 +9,8 @@ mod format;
 mod hardpoints;
 mod heading;
 mod imported;
+mod known;
+mod listed;
 mod names;
 mod orientation;
 mod rack;
@@ -20,6 +22,7 @@ mod stand_in;
 mod subsystem;
 mod table;
 mod upper;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -100,7 +103,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let names = Names::read()?;
         let Some(file) = self.file.as_ref().filter(|_| !self.names) else {
-            let known = choice::known_names(&names);
+            let known = known::known_names(&names);
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
         let source = with_line_ends(Source::read(file)?);

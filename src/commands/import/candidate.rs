@@ -1,11 +1,12 @@
 //! A layout that may be chosen for a file, and why its points do not suit the layout.
 
-use suspension_listing::did_you_mean::nearest;
-use suspension_listing::text;
-use suspension_runtime::{CatalogueAndFiles, Mistakes};
+use std::collections::BTreeMap;
+
+use suspension_runtime::Mistakes;
 
 use super::hardpoints::{Hardpoint, Hardpoints};
-use super::names::{MOST_NAMES, Names, and_more, is_same};
+use super::listed::points_of;
+use super::names::{MOST_NAMES, Names, and_more};
 use super::stand_in::has_stand_in;
 
 /// The most names that a message gives for a missing point.
@@ -31,12 +32,14 @@ impl<'a> Candidate<'a> {
         names: &Names,
     ) -> Result<Self, Mistakes> {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        let named = |name: &str| {
-            let mut points = points.iter();
-            points.find(|point| is_same(&point.key, name)).copied()
-        };
+        // Of points of one name the first is taken.
+        let by_name = points.iter().rev();
+        let by_name: BTreeMap<String, &Hardpoint> = by_name
+            .map(|point| (names.normal(&point.key), *point))
+            .collect();
+        let named = |name: &str| by_name.get(&names.normal(name));
         for name in points_of(linkage, text)? {
-            let point = names.of_point(&name).find_map(named);
+            let point = names.of_point(&name).find_map(named).copied();
             match point {
                 Some(point) => found.push((name, point)),
                 None => missing.push(name),
@@ -85,7 +88,7 @@ impl<'a> Candidate<'a> {
         let unknown = points.iter().filter(|point| !is_known(&point.key));
         let mut unknown = unknown.peekable();
         let told = unknown.by_ref().take(MOST_NAMES).map(|point| {
-            let hint = nearest(&point.key, wanted.iter().copied());
+            let hint = names.meant(&point.key, wanted.clone());
             let hint = hint.map(|name| format!(", did you mean {name}?"));
             let line = stated.line(&point.place);
             format!("`{}` ({line}){}", point.name, hint.unwrap_or_default())
@@ -131,13 +134,4 @@ impl<'a> Candidate<'a> {
             "{what} {lacks}{unknown}; suspension import --names lists all names"
         ))
     }
-}
-
-/// Returns the names of a listing's points without the search for an order of elimination.
-pub(super) fn points_of(linkage: &str, text: &str) -> Result<Vec<String>, Mistakes> {
-    let system = text::parse(text, linkage, &CatalogueAndFiles::beside(linkage))?;
-    let points = system.fixed.iter().chain(&system.free);
-    let points = points.map(|point| &point.named.name);
-    let markers = system.markers.iter().map(|marker| &marker.named.name);
-    Ok(points.chain(markers).map(ToString::to_string).collect())
 }

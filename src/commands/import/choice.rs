@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use suspension_core::linkages::LISTINGS;
 use suspension_runtime::{Listing, Mistakes, catalogue};
 
-use super::candidate::{Candidate, points_of};
+use super::candidate::Candidate;
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::rack::{self, RACK};
@@ -111,48 +111,5 @@ pub(super) fn choose<'a>(
             ))
         }
         _ => Choice::new(best, stated).map_err(refuse),
-    }
-}
-
-/// Lists the names that import knows for the points of each layout, one line per point.
-///
-/// # Errors
-///
-/// The mistakes of a listing.
-pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
-    let mut text = String::new();
-    for (linkage, listing) in LISTINGS {
-        text += &format!("{linkage}\n");
-        for point in points_of(linkage, listing)? {
-            let others: Vec<&str> = names.of_point(&point).skip(1).collect();
-            let line = format!("  {point:18}{}", others.join(", "));
-            text += &format!("{}\n", line.trim_end());
-        }
-    }
-    Ok(text)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::names::spelled;
-    use super::*;
-
-    #[test]
-    fn every_row_of_names_toml_has_a_catalogue_point_in_normal_spelling() {
-        let names = Names::read().expect("a table");
-        let listings = LISTINGS.iter();
-        let points = listings.flat_map(|(linkage, text)| points_of(linkage, text).unwrap());
-        let points: Vec<String> = points.collect();
-        for (point, others) in &names.points {
-            assert!(points.contains(point), "no listing has {point}");
-            for name in others {
-                assert_eq!(*name, spelled(name));
-            }
-        }
-        let arrangement = &names.arrangement;
-        let ordered = arrangement.ahead.iter().chain(&arrangement.above).flatten();
-        for point in ordered {
-            assert!(points.contains(point), "no listing has {point}");
-        }
     }
 }

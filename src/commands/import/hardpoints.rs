@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
-use super::names::{key_of, spelled};
+use super::names::{Names, key_of, spelled};
 use super::side::{End, Section, Side, Sides, end_of};
 use crate::failure::Failure;
 use crate::file::Source;
@@ -157,6 +157,26 @@ impl<'a> Hardpoints<'a> {
             (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
             _ => self.section.side,
         }
+    }
+
+    /// Takes the first word of a name, as in `Rear lower wishbone front`, as the end of the vehicle where the name is only
+    /// known without it.
+    pub(super) fn split_ends_off(&mut self, names: &Names) {
+        let mut ends = Vec::new();
+        for point in self
+            .points
+            .iter_mut()
+            .filter(|point| !names.is_point(&point.key))
+        {
+            let split = point.key.split_once('_');
+            let split = split.and_then(|(first, own)| Some((end_of(first)?, own.to_owned())));
+            if let Some((end, own)) = split.filter(|(_, own)| names.is_point(own)) {
+                ends.push((end, point.place.clone()));
+                point.end = Some(end);
+                point.key = own;
+            }
+        }
+        self.ends.extend(ends);
     }
 
     /// Returns the contents without the points and numbers of the other end of the vehicle, if `wanted` names an end.

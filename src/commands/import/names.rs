@@ -1,20 +1,25 @@
 //! The names that hardpoint files use for points and numbers: `names.toml`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
+use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
 
+use super::listed::points_of;
 use super::side::{Side, Sides, corner_of};
+use super::words::Words;
 use crate::failure::Failure;
 
 /// The contents of `names.toml`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Names {
-    pub(super) points: BTreeMap<String, Vec<String>>,
+struct Table {
+    words: BTreeMap<String, Vec<String>>,
+    unsaid: Vec<String>,
+    points: BTreeMap<String, Vec<String>>,
     numbers: BTreeMap<String, Vec<String>>,
-    pub(super) arrangement: Arrangement,
+    arrangement: Arrangement,
 }
 
 /// The usual order of points along the axes.
@@ -29,15 +34,54 @@ pub(super) struct Arrangement {
     pub(super) otherwise: Vec<String>,
 }
 
+/// The known names of points and numbers.
+#[derive(Debug)]
+pub(super) struct Names {
+    /// The other names of each point of the catalogue.
+    pub(super) points: BTreeMap<String, Vec<String>>,
+    /// The other names of each number.
+    pub(super) numbers: BTreeMap<String, Vec<String>>,
+    /// The words that mean the same, by their meaning.
+    pub(super) synonyms: BTreeMap<String, Vec<String>>,
+    /// The words without a meaning.
+    pub(super) unsaid: Vec<String>,
+    pub(super) arrangement: Arrangement,
+    words: Words,
+    /// The names of all points, and of all numbers, in their normal forms.
+    known_points: BTreeSet<String>,
+    known_numbers: BTreeSet<String>,
+}
+
 impl Names {
     /// Reads the table.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the table is damaged.
+    /// [`Failure::Input`] if the table or a listing of the catalogue is damaged.
     pub(super) fn read() -> Result<Self, Failure> {
-        let names = toml::from_str(include_str!("names.toml"));
-        names.map_err(|error| Failure::Input(format!("names.toml: {}", error.message())))
+        let table = toml::from_str(include_str!("names.toml"));
+        let mut table: Table =
+            table.map_err(|error| Failure::Input(format!("names.toml: {}", error.message())))?;
+        for (linkage, text) in LISTINGS {
+            let points = points_of(linkage, text);
+            let points = points.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
+            for point in points {
+                table.points.entry(point).or_default();
+            }
+        }
+        let names = all(&table.points).chain(all(&table.numbers));
+        let words = Words::new(names, &table.words, &table.unsaid);
+        let known = |rows| all(rows).map(|name| words.normal(name)).collect();
+        Ok(Self {
+            known_points: known(&table.points),
+            known_numbers: known(&table.numbers),
+            points: table.points,
+            numbers: table.numbers,
+            synonyms: table.words,
+            unsaid: table.unsaid,
+            arrangement: table.arrangement,
+            words,
+        })
     }
 
     /// Returns the names of a point of a listing, its own name first.
@@ -45,31 +89,51 @@ impl Names {
         spellings(&self.points, point)
     }
 
-    /// Returns the names of a number, its own name first.
-    pub(super) fn of_number<'a>(&'a self, number: &'a str) -> impl Iterator<Item = &'a str> {
-        spellings(&self.numbers, number)
-    }
-
-    pub(super) fn all_of_points(&self) -> impl Iterator<Item = &str> {
-        self.points.keys().flat_map(|point| self.of_point(point))
+    /// Returns the form that all spellings of a name have.
+    pub(super) fn normal(&self, name: &str) -> String {
+        self.words.normal(name)
     }
 
     /// Returns whether the name is that of a point.
     pub(super) fn is_point(&self, name: &str) -> bool {
-        self.all_of_points().any(|other| is_same(other, name))
-    }
-
-    /// Returns the known name of a number that may have been meant by a mistyped one.
-    pub(super) fn number_meant(&self, name: &str) -> Option<&str> {
-        let numbers = self.numbers.keys();
-        nearest(name, numbers.flat_map(|number| self.of_number(number)))
+        self.known_points.contains(&self.normal(name))
     }
 
     /// Returns whether the name is that of a number.
     pub(super) fn is_number(&self, name: &str) -> bool {
-        let mut numbers = self.numbers.keys();
-        numbers.any(|number| self.of_number(number).any(|other| is_same(other, name)))
+        self.known_numbers.contains(&self.normal(name))
     }
+
+    /// Returns whether a name is one of those of a number.
+    pub(super) fn is_of_number(&self, number: &str, name: &str) -> bool {
+        let name = self.normal(name);
+        spellings(&self.numbers, number).any(|other| self.normal(other) == name)
+    }
+
+    /// Returns the name of a point that may have been meant by an unknown one.
+    pub(super) fn point_meant(&self, name: &str) -> Option<String> {
+        self.meant(name, all(&self.points).collect())
+    }
+
+    /// Returns the name of a number that may have been meant by an unknown one.
+    pub(super) fn number_meant(&self, name: &str) -> Option<String> {
+        self.meant(name, all(&self.numbers).collect())
+    }
+
+    /// Returns which of some names may have been meant by an unknown one, in its own words if only letters are wrong.
+    pub(super) fn meant(&self, name: &str, known: Vec<&str>) -> Option<String> {
+        let corrected = self.words.corrected(name);
+        let form = self.normal(&corrected);
+        match known.iter().any(|other| self.normal(other) == form) {
+            true => Some(corrected),
+            false => nearest(name, known).map(str::to_owned),
+        }
+    }
+}
+
+/// Returns all names of a table, also of rows without other names.
+fn all(rows: &BTreeMap<String, Vec<String>>) -> impl Iterator<Item = &str> {
+    rows.keys().flat_map(|own| spellings(rows, own))
 }
 
 fn spellings<'a>(
@@ -86,13 +150,6 @@ pub(super) const MOST_NAMES: usize = 40;
 /// Returns the words on `others` that a message does not name; `None` if there are none.
 pub(super) fn and_more(others: usize) -> Option<String> {
     (others > 0).then(|| format!("and {others} more"))
-}
-
-/// Returns whether two spelled names are the same where their words may be joined or apart: `push_rod_outer` is
-/// `pushrod_outer`.
-pub(super) fn is_same(a: &str, b: &str) -> bool {
-    let [a, b] = [a, b].map(|name| name.bytes().filter(|byte| *byte != b'_'));
-    a.eq(b)
 }
 
 /// Returns a name in lower-case letters with `_` between words.

@@ -1,7 +1,6 @@
 //! Assumptions about hardpoints and doubts about them, one sentence each.
 
 use suspension_core::listing::{Kind, Parts};
-use suspension_listing::did_you_mean::nearest;
 
 use super::choice::Choice;
 use super::hardpoints::Hardpoint;
@@ -138,8 +137,8 @@ impl Imported<'_> {
 
     /// Names a point that is not used and, if its name is unknown, the point that may have been meant.
     fn unused(&self, point: &Hardpoint) -> String {
-        let all = self.names.all_of_points();
-        let meant = nearest(&point.key, all).filter(|_| !self.names.is_point(&point.key));
+        let is_known = self.names.is_point(&point.key);
+        let meant = self.names.point_meant(&point.key).filter(|_| !is_known);
         let hint = meant.map(|name| format!(" (did you mean {name}?)"));
         format!("{}{}", point.name, hint.unwrap_or_default())
     }

@@ -1,7 +1,7 @@
 //! Points that listings need and hardpoint files seldom have, computed from other points.
 
 use super::hardpoints::{Hardpoints, Number};
-use super::names::{Names, is_same};
+use super::names::Names;
 use super::side::Side;
 
 /// The distance of an added point of the spin axis from the wheel centre, m.
@@ -118,9 +118,5 @@ pub(super) fn number<'a>(
 ) -> Option<&'a Number> {
     let is_of_side = |number: &&Number| number.side.is_none_or(|other| other == side);
     let mut numbers = stated.numbers.iter().filter(is_of_side);
-    numbers.find(|number| {
-        names
-            .of_number(name)
-            .any(|other| is_same(other, &number.key))
-    })
+    numbers.find(|number| names.is_of_number(name, &number.key))
 }

@@ -1,0 +1,231 @@
+//! What `--names` prints.
+
+use suspension_core::linkages::LISTINGS;
+use suspension_runtime::Mistakes;
+
+use super::listed::points_of;
+use super::names::Names;
+
+/// The most columns of a line.
+const WIDTH: usize = 120;
+
+/// Lists the names that import knows: the layouts with their points, the other names of points and of numbers, and the words
+/// that mean the same.
+///
+/// # Errors
+///
+/// The mistakes of a listing.
+pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
+    let mut text = "layouts and their points\n".to_owned();
+    for (linkage, listing) in LISTINGS {
+        text += &row(linkage, &points_of(linkage, listing)?);
+    }
+    let parts = [
+        ("other names of points", &names.points),
+        ("other names of numbers", &names.numbers),
+        ("words that mean the same", &names.synonyms),
+    ];
+    for (heading, rows) in parts {
+        text += &format!("{heading}\n");
+        for (own, others) in rows.iter().filter(|(_, others)| !others.is_empty()) {
+            text += &row(own, others);
+        }
+    }
+    text += &format!("words without a meaning\n{}", row("", &names.unsaid));
+    Ok(text)
+}
+
+/// Returns a name with others beside it, in lines that a terminal does not break.
+fn row(name: &str, others: &[String]) -> String {
+    let first = format!("  {name:24} ");
+    let behind = " ".repeat(first.len());
+    let lines = textwrap::Options::new(WIDTH)
+        .initial_indent(&first)
+        .subsequent_indent(&behind);
+    textwrap::fill(&others.join(", "), lines) + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::names::spelled;
+    use super::*;
+
+    /// Returns the points of each layout of the catalogue.
+    fn layouts() -> Vec<(&'static str, Vec<String>)> {
+        let points = |&(linkage, text)| (linkage, points_of(linkage, text).expect("a listing"));
+        LISTINGS.iter().map(points).collect()
+    }
+
+    #[test]
+    fn names_toml_has_points_of_the_catalogue_in_normal_spelling() {
+        let names = Names::read().expect("a table");
+        let points: Vec<String> = layouts()
+            .into_iter()
+            .flat_map(|(_, points)| points)
+            .collect();
+        for (point, others) in &names.points {
+            assert!(points.contains(point), "no listing has {point}");
+            for name in others {
+                assert_eq!(*name, spelled(name));
+            }
+        }
+        let arrangement = &names.arrangement;
+        let ordered = arrangement.ahead.iter().chain(&arrangement.above).flatten();
+        for point in ordered {
+            assert!(points.contains(point), "no listing has {point}");
+        }
+    }
+
+    #[test]
+    fn no_name_is_that_of_two_points_of_a_layout_or_stands_twice() {
+        let names = Names::read().expect("a table");
+        for (linkage, points) in layouts() {
+            let mut found = BTreeMap::new();
+            for point in &points {
+                for name in names.of_point(point) {
+                    let other = found.insert(names.normal(name), (point, name));
+                    assert_eq!(other, None, "{linkage}: {point}, {name}");
+                }
+            }
+        }
+    }
+
+    /// Names of the templates of other programs, of theses and of racing teams, by the point of the listing.
+    const TEMPLATES: [(&str, &[&str]); 17] = [
+        (
+            "lower_front",
+            &[
+                "lca_front",
+                "lower_wishbone_front_pivot",
+                "lower_inboard_front",
+                "chas_lowfor",
+                "lca_fwd_chassis",
+                "lower_control_arm_front_bushing",
+                "front_lower_inboard",
+                "lower_a_arm_fore_inner",
+                "querlenker_unten_vorn",
+                "lcafront",
+            ],
+        ),
+        (
+            "upper_rear",
+            &[
+                "uca_rear",
+                "upper_arm_rear_pivot",
+                "chas_uppaft",
+                "uwb_aft",
+                "uca_inboard_rear",
+                "top_wishbone_rear",
+            ],
+        ),
+        (
+            "lower_ball",
+            &[
+                "lca_outer",
+                "lower_wishbone_outer_ball_joint",
+                "upri_lowpnt",
+                "lbj",
+                "lca_upright",
+                "traggelenk_unten",
+                "lower_balljoint",
+            ],
+        ),
+        (
+            "upper_ball",
+            &[
+                "uca_outer",
+                "upri_upppnt",
+                "ubj",
+                "top_ball_joint",
+                "outer_ball_joint_upper_arm",
+            ],
+        ),
+        (
+            "rack",
+            &[
+                "tierod_inner",
+                "inner_track_rod_ball_joint",
+                "chas_tiepnt",
+                "toe_rod_inner",
+                "spurstange_innen",
+                "rack_end",
+            ],
+        ),
+        (
+            "tie_ball",
+            &[
+                "tierod_outer",
+                "outer_tie_rod",
+                "upri_tiepnt",
+                "toelink_outboard",
+                "steering_arm",
+            ],
+        ),
+        (
+            "wheel_centre",
+            &[
+                "wheel_center",
+                "wheelcenter",
+                "wheel_center_point",
+                "radmittelpunkt",
+            ],
+        ),
+        ("axle", &["wheel_spindle_point"]),
+        (
+            "pushrod_lower",
+            &["prod_outboard", "push_rod_wishbone_end", "pullrod_outer"],
+        ),
+        (
+            "pushrod_upper",
+            &[
+                "prod_to_bellcrank",
+                "push_rod_rocker_end",
+                "pushrod_inboard",
+            ],
+        ),
+        (
+            "rocker_front",
+            &["bellcrank_pivot", "rocker_axis_1st_point"],
+        ),
+        ("rocker_rear", &["bellcrank_axis", "bellcrank_pivot_orient"]),
+        (
+            "damper_inner",
+            &["shock_to_chassis", "damper_to_body_point", "damper_inboard"],
+        ),
+        (
+            "damper_outer",
+            &["shock_to_bellcrank", "damper_to_rocker_point"],
+        ),
+        ("bar_outer", &["arb_bushing_mount", "arb_pivot"]),
+        ("drop_upper", &["arblink_to_bellcrank", "droplink_upper"]),
+        ("drop_lower", &["droplink_to_arb", "arblink_to_arb"]),
+    ];
+
+    #[test]
+    fn names_of_other_programs_are_known() {
+        let names = Names::read().expect("a table");
+        for (point, templates) in TEMPLATES {
+            let known: Vec<String> = names
+                .of_point(point)
+                .map(|name| names.normal(name))
+                .collect();
+            for name in templates {
+                assert!(known.contains(&names.normal(name)), "{point}: {name}");
+            }
+        }
+        let strange = [
+            "lower",
+            "front",
+            "wishbone",
+            "lca",
+            "lca_rocker",
+            "upper_lower_ball",
+            "point",
+        ];
+        for name in strange {
+            assert!(!names.is_point(name), "{name}");
+        }
+    }
+}
