@@ -5,6 +5,7 @@ mod candidate;
 mod choice;
 mod corner;
 mod draft;
+mod ends;
 mod format;
 mod hardpoints;
 mod heading;

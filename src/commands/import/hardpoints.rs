@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
 
-use super::names::{Names, key_of, spelled};
-use super::side::{End, Section, Side, Sides, end_of};
+use super::names::key_of;
+use super::side::{End, Section, Side, Sides, remedy};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
@@ -39,19 +38,6 @@ pub(super) struct Number {
 /// The end of Lotus' names for centres of mass.
 const CENTRE_OF_MASS: &str = "c_of_g";
 
-/// Returns what to do about two rows of one name, which belong to these ends of the vehicle.
-fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
-    match (first, second) {
-        (Some(first), Some(second)) if first != second => {
-            "to import one axle of the two, say --end front or --end rear"
-        }
-        _ => {
-            "leave one of them; if they are of two axles, write headings such as `Front suspension` and `Rear suspension` above \
-             the points and say --end front or --end rear"
-        }
-    }
-}
-
 /// The contents of a file.
 #[derive(Debug)]
 pub(super) struct Hardpoints<'a> {
@@ -63,7 +49,7 @@ pub(super) struct Hardpoints<'a> {
     /// The unit of lengths; `None` if the file does not state it.
     pub(super) unit: Option<Length>,
     /// The ends of the vehicle that the file names, each with its place.
-    ends: Vec<(End, Range<usize>)>,
+    pub(super) ends: Vec<(End, Range<usize>)>,
     /// The corners of the rows that are read next; a row may say more about itself.
     pub(super) section: Section,
     /// Whether the file's angles are in radians.
@@ -86,24 +72,6 @@ impl<'a> Hardpoints<'a> {
             radians: false,
             usual,
         }
-    }
-
-    /// Notes that a line names an end of the vehicle.
-    pub(super) fn add_end(&mut self, end: Option<End>, place: Range<usize>) {
-        self.ends.extend(end.map(|end| (end, place)));
-    }
-
-    /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or
-    /// names both. A name of the file counts only if its lines say nothing.
-    pub(super) fn end(&self) -> Option<(End, String)> {
-        let in_words = |end: End, at: &str| format!("{at} says {}", end.name());
-        let Some((end, place)) = self.ends.first() else {
-            let name = Path::new(self.source.name()).file_stem()?;
-            let end = end_of(&spelled(&name.to_string_lossy()))?;
-            return Some((end, in_words(end, "the name of the file")));
-        };
-        let is_same = self.ends.iter().all(|(other, _)| other == end);
-        is_same.then(|| (*end, in_words(*end, &self.line(place))))
     }
 
     /// Adds a point, on both sides if it is mirrored. Skips centres of mass.
@@ -159,51 +127,8 @@ impl<'a> Hardpoints<'a> {
         }
     }
 
-    /// Takes the first word of a name, as in `Rear lower wishbone front`, as the end of the vehicle where the name is only
-    /// known without it.
-    pub(super) fn split_ends_off(&mut self, names: &Names) {
-        let mut ends = Vec::new();
-        for point in self
-            .points
-            .iter_mut()
-            .filter(|point| !names.is_point(&point.key))
-        {
-            let split = point.key.split_once('_');
-            let split = split.and_then(|(first, own)| Some((end_of(first)?, own.to_owned())));
-            if let Some((end, own)) = split.filter(|(_, own)| names.is_point(own)) {
-                ends.push((end, point.place.clone()));
-                point.end = Some(end);
-                point.key = own;
-            }
-        }
-        self.ends.extend(ends);
-    }
-
-    /// Returns the contents without the points and numbers of the other end of the vehicle, if `wanted` names an end.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure::Input`] if the file does not say which points are of that end, or states two values of a number.
-    pub(super) fn of_end(mut self, wanted: Option<End>) -> Result<Self, Failure> {
-        if let Some(wanted) = wanted {
-            if !self.points.iter().any(|point| point.end == Some(wanted)) {
-                let end = wanted.name();
-                let message = format!(
-                    "no line says which points are of the {end} axle: write a heading such as `{end} suspension` above them"
-                );
-                return Err(self.source.refuse(&(0..0), message));
-            }
-            let is_wanted = |end: Option<End>| end.is_none_or(|end| end == wanted);
-            self.points.retain(|point| is_wanted(point.end));
-            self.numbers.retain(|number| is_wanted(number.end));
-            self.ends.retain(|(end, _)| *end == wanted);
-        }
-        self.check_numbers()?;
-        Ok(self)
-    }
-
     /// Refuses two values of one number on the same side.
-    fn check_numbers(&self) -> Result<(), Failure> {
+    pub(super) fn check_numbers(&self) -> Result<(), Failure> {
         for (place, number) in self.numbers.iter().enumerate() {
             let mut before = self.numbers[..place].iter();
             let first = before.find(|other| other.key == number.key && other.side == number.side);

@@ -78,6 +78,19 @@ impl Section {
     }
 }
 
+/// Returns what to do about two rows of one name, which belong to these ends of the vehicle.
+pub(super) fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
+    match (first, second) {
+        (Some(first), Some(second)) if first != second => {
+            "to import one axle of the two, say --end front or --end rear"
+        }
+        _ => {
+            "leave one of them; if they are of two axles, write headings such as `Front suspension` and `Rear suspension` above \
+             the points and say --end front or --end rear"
+        }
+    }
+}
+
 /// Returns the end of the vehicle that spelled words name; `None` if they name none or both.
 pub(super) fn end_of(words: &str) -> Option<End> {
     let [front, rear] = ["front", "rear"].map(|end| words.split('_').any(|word| word == end));
