@@ -57,7 +57,7 @@ pub struct Structure<'l> {
     measured_points: Vec<Vec<usize>>,
     /// The number of chassis points, which are the first of all points.
     chassis: usize,
-    /// Markers with three points of the body that carries each.
+    /// Markers with three points of the body that carries each. A force at another marker acts on the points that carry it.
     carriers: Vec<(usize, [usize; 3])>,
     /// The pairs of joints that share the force along their line.
     shared: Vec<Shared>,
@@ -80,7 +80,7 @@ impl<'l> Structure<'l> {
             actuators,
             measured: listing.shares_in_measures(),
             measured_points: listing.points_of_measures(),
-            carriers: listing.carriers(),
+            carriers: listing.rigid_carriers(),
             shared: Shared::all(&statements, chassis),
             chassis,
             statements,

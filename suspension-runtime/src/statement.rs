@@ -105,6 +105,16 @@ impl Listing {
         (before..).zip(places).collect()
     }
 
+    /// The markers of [`Self::carriers`] whose three points are rigid: those that are not among [`Self::loose_markers`].
+    pub fn rigid_carriers(&self) -> Vec<(usize, [usize; 3])> {
+        let loose = self.loose_markers().into_iter();
+        let loose: BTreeSet<Option<usize>> = loose.map(|[marker, ..]| self.point(marker)).collect();
+        let carriers = self.carriers().into_iter();
+        carriers
+            .filter(|(marker, _)| !loose.contains(&Some(*marker)))
+            .collect()
+    }
+
     /// For each measure, the points that its value depends on, by their indices among all points; none for an angle.
     pub fn points_of_measures(&self) -> Vec<Vec<usize>> {
         let measures = self.system().measures.iter();

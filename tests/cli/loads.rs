@@ -252,6 +252,23 @@ fn a_force_at_a_driven_chassis_point_is_borne_by_its_drive() {
     assert!(by("a_tie_rod_N").abs() < 1e-9, "{}", by("a_tie_rod_N"));
 }
 
+/// A marker of three points that are not rigid: the drives bear the work of its force, by the derivatives of its coordinates.
+#[test]
+fn a_force_at_a_marker_off_all_bodies_does_the_work_of_the_marker() {
+    let file = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.1, side = 0.2 }\nstatements = \"\"\"\n\
+                fixed: front at [0.2, 0.0, 0.3], rear at [-0.2, 0.0, 0.3];\nfree: tip at [0.0, 0.4, 0.1];\nlink fore: front -> tip;\n\
+                point seat: front, rear, tip at [0.0, 0.3, 0.1];\ndrive side: tip.x - rear.x;\ndrive bump: tip.z;\n\"\"\"\n\
+                [loads.a]\nseat = [100.0, 200.0, 300.0]\n";
+    let borne = &table(file, &[])[0];
+    let seat = &swept(file, &["--drive", "bump=0:0.01:2"])[0];
+    for drive in ["bump", "side"] {
+        let per = |axis: &str| seat[&format!("seat_{axis}_per_{drive}")];
+        let work = 100.0 * per("x") + 200.0 * per("y") + 300.0 * per("z");
+        let borne = borne[&format!("a_{drive}_N")];
+        assert!((borne - work).abs() < 1e-9, "{drive}: {borne}, {work}");
+    }
+}
+
 /// The published five-point suspension locks at theta = 2.178426 rad.
 #[test]
 fn the_loads_report_warns_near_a_lock() {

@@ -158,7 +158,7 @@ impl Reader<'_> {
         let Some(point) = names.points.iter().position(|point| point == name) else {
             return self.contact(place);
         };
-        let mut carriers = self.listing.carriers().into_iter();
+        let mut carriers = self.listing.rigid_carriers().into_iter();
         if let Some((_, body)) = carriers.find(|(marker, _)| *marker == point) {
             return Ok(Site::Body(point, body));
         }
