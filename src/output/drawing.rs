@@ -8,6 +8,7 @@ mod labels;
 mod start;
 #[cfg(test)]
 mod tests;
+mod together;
 mod view;
 
 use nalgebra::Vector3;
@@ -180,9 +181,11 @@ impl Drawing {
                 area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
             }
         }
+        let labelled = together::labels(&self.names, &places, 2 * FINE as i32);
+        let places: Vec<(i32, i32)> = labelled.iter().map(|(_, place)| *place).collect();
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
-        for (name, place) in self.names.iter().zip(places) {
-            put(area, &mut labels, (name, place), [CHASSIS; 2])?;
+        for (name, place) in &labelled {
+            put(area, &mut labels, (name, *place), [CHASSIS; 2])?;
         }
         self.draw_numbers(area, view, &mut labels)
     }
