@@ -24,16 +24,15 @@ mod subsystem;
 mod table;
 mod upper;
 mod words;
+mod written;
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::failure::Failure;
-use crate::file::{Source, tell};
-use crate::load::load;
+use crate::file::Source;
 use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use axle::Axle;
@@ -45,6 +44,7 @@ use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
 use side::{End, Side};
+use written::written_out;
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]
@@ -221,45 +221,6 @@ fn with_line_ends(source: Source) -> Source {
 
 fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
     Failure::Input(format!("{}: {message}", stated.source.name()))
-}
-
-/// Returns the text of the motion file at the path `out`.
-fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
-    for remark in &draft.remarks {
-        tell(format_args!("note: {}: {remark}", draft.source));
-    }
-    let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
-    // The drives' values at the design position come from the mechanism, so it is built first.
-    let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
-    let moved =
-        load(&unmoved).and_then(|loaded| Ok(draft.text(&loaded.at_design_without_notes()?.design)));
-    let text = moved.map_err(|failure| with_line(failure, &unmoved))?;
-    let written = file(&text);
-    let loaded = load(&written)?;
-    loaded.at_design()?;
-    if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
-        tell(format_args!(
-            "note: {why}; state a shorter motion under [drives]"
-        ));
-    }
-    Ok(text)
-}
-
-/// Quotes the line that a message names, because no file has it.
-fn with_line(failure: Failure, unwritten: &Source) -> Failure {
-    let Failure::Input(message) = failure else {
-        return failure;
-    };
-    let name = unwritten.name();
-    let place = message.strip_prefix(&format!("{name}:"));
-    let number = place.and_then(|place| place.split(':').next()?.parse::<usize>().ok());
-    let line = number.and_then(|number| Some((number, unwritten.text().lines().nth(number - 1)?)));
-    Failure::Input(match line {
-        Some((number, line)) => {
-            format!("{message}\n{name} is not written; its line {number} would be: {line}")
-        }
-        None => message,
-    })
 }
 
 const NOTES: &str = "\

@@ -137,7 +137,7 @@ where
     let rounding = T::EPSILON * linkage.size();
     let by_rounding = change * change * rounding / curvature.norm();
     let most = T::constant(CHANGE_BY_ROUNDING);
-    let (_, pivot) = factors.smallest_pivot();
+    let pivot = factors.smallest_pivot();
     let least = least_pivot();
     if by_rounding > most || pivot <= least {
         return Err(SolveError::Singular {

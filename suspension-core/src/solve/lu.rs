@@ -93,9 +93,9 @@ impl<T: Real, const N: usize> Lu<T, N> {
         }
     }
 
-    /// The column and size of the smallest pivot.
-    pub fn smallest_pivot(&self) -> (usize, T) {
-        self.smallest
+    /// The size of the smallest pivot.
+    pub fn smallest_pivot(&self) -> T {
+        self.smallest.1
     }
 
     /// The row and size of the largest entry of column `k` on or below the diagonal.
