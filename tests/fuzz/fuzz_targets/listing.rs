@@ -1,5 +1,5 @@
 //! From any text to a listing, a model if it states its points, and its steps; or mistakes with their places.
-#![no_main]
+#![cfg_attr(feature = "fuzzer", no_main)]
 
 use libfuzzer_sys::fuzz_target;
 use nalgebra::Vector3;
@@ -94,3 +94,8 @@ fuzz_target!(|text: &str| {
         Err(refused) => check(text, &refused),
     }
 });
+
+#[cfg(not(feature = "fuzzer"))]
+fn main() {
+    panic!("this target is linked without the fuzzer; tests/fuzz/README.md says how to run it");
+}

@@ -1,5 +1,5 @@
 //! From any text to a mechanism: a motion, or one sentence that says what is wrong.
-#![no_main]
+#![cfg_attr(feature = "fuzzer", no_main)]
 
 use libfuzzer_sys::fuzz_target;
 
@@ -7,3 +7,8 @@ use libfuzzer_sys::fuzz_target;
 mod demand;
 
 fuzz_target!(|text: &str| demand::demand(text));
+
+#[cfg(not(feature = "fuzzer"))]
+fn main() {
+    panic!("this target is linked without the fuzzer; tests/fuzz/README.md says how to run it");
+}

@@ -1,5 +1,5 @@
 //! From any bytes to a mechanism and its motion: what `tests/long_running/hostile` demands of random ones.
-#![no_main]
+#![cfg_attr(feature = "fuzzer", no_main)]
 
 use libfuzzer_sys::fuzz_target;
 use suspension_core::linkages::{attia2003, five_link};
@@ -47,3 +47,8 @@ fuzz_target!(|bytes: &[u8]| {
     let run = RUNS[usize::from(*which) % RUNS.len()];
     run(&mut Draw::new(&mut || words.next().unwrap_or_default()));
 });
+
+#[cfg(not(feature = "fuzzer"))]
+fn main() {
+    panic!("this target is linked without the fuzzer; tests/fuzz/README.md says how to run it");
+}
