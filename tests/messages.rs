@@ -83,7 +83,7 @@ fn a_stopped_advance_does_not_ask_for_shorter_steps() {
     };
     assert_eq!(
         stopped.named(five_link::Listing).to_string(),
-        "stopped at time 0.75: there is no configuration near by: the correction is too large: unknown \
+        "stopped at time 0.750000 s: there is no configuration near by: the correction is too large: unknown \
          `lower_front_outer.z`, correction 1.000000, allowed 0.250000; shorter steps lead no further: the mechanism locks \
          here, or the drives jump"
     );

@@ -44,7 +44,7 @@ impl Facts {
     /// Writes the message, with names if a listing provides them.
     fn write(&self, parts: Option<&dyn Parts>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(reached) = self.reached {
-            write!(f, "stopped at time {reached}: ")?;
+            write!(f, "stopped at time {} s: ", Number(reached))?;
         }
         f.write_str(self.cause.what())?;
         let mut between = ": ";
