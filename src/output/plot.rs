@@ -207,11 +207,14 @@ impl Axis {
         })
     }
 
-    /// Returns whether two curves are drawn over each other all along.
+    /// Returns whether two curves are drawn over each other all along, with the same gaps.
     fn shows_as_one(&self, a: &Curve, b: &Curve) -> bool {
         let near = (self.high - self.low) / 400.0;
-        let mut pairs = a.line.iter().zip(&b.line);
-        a.line.len() == b.line.len() && pairs.all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < near)
+        let is_one = |(a, b): (&(f64, f64), &(f64, f64))| match [a, b].map(is_finite) {
+            [true, true] => a.0 == b.0 && (a.1 - b.1).abs() < near,
+            [a, b] => a == b,
+        };
+        a.line.len() == b.line.len() && a.line.iter().zip(&b.line).all(is_one)
     }
 
     /// Formats a label, with enough decimals to distinguish about ten of them.
@@ -225,5 +228,27 @@ impl Axis {
     fn label_width(&self) -> u32 {
         let lengths = [self.low, self.high].map(|end| self.label(end).len() as u32);
         lengths[0].max(lengths[1]) * DIGIT
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_with_the_same_gap_are_drawn_over_each_other() {
+        let curve = |heights: [f64; 3]| Curve {
+            name: String::new(),
+            line: [0.0, 1.0, 2.0].into_iter().zip(heights).collect(),
+            marks: Vec::new(),
+        };
+        let axis = Axis {
+            low: 0.0,
+            high: 4.0,
+        };
+        let cut = curve([1.0, 2.0, f64::NAN]);
+        assert!(axis.shows_as_one(&cut, &cut.clone()));
+        assert!(!axis.shows_as_one(&cut, &curve([1.0, 2.0, 3.0])));
+        assert!(!axis.shows_as_one(&cut, &curve([1.0, 3.0, f64::NAN])));
     }
 }
