@@ -18,7 +18,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     let mut stated = Hardpoints::new(source, Axes::Iso);
     let mut section = Section::default();
     for (place, line) in lines(source.text()) {
-        let row = Row::parse(place.clone(), line);
+        let named = with_whole_name(line, names);
+        let row = Row::parse(place.clone(), &named);
         stated.section = Section {
             end: row.end().or(section.end),
             ..section
@@ -44,6 +45,38 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         stated.usual = Axes::Adams;
     }
     Ok(stated)
+}
+
+/// Returns a line without parentheses around words. The words are part of the name if it is then known, as in `Tie rod
+/// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself.
+fn with_whole_name(line: &str, names: &Names) -> String {
+    let joined = replace_words_in_parentheses(line, |words| format!(" {words}"));
+    let remarked = replace_words_in_parentheses(line, |_| String::new());
+    let mut readings = vec![joined, remarked, line.to_owned()];
+    let is_known = |line: &String| {
+        let (key, _) = key_of(&Row::parse(0..0, line).name());
+        names.is_point(&key) || names.is_number(&key)
+    };
+    let known = readings.iter().position(is_known);
+    readings.swap_remove(known.unwrap_or_default())
+}
+
+/// Replaces words in parentheses, with the parentheses. Numbers in parentheses stay as they are.
+fn replace_words_in_parentheses(line: &str, by: impl Fn(&str) -> String) -> String {
+    let (mut text, mut rest) = (String::new(), line);
+    while let Some((before, (inside, behind))) = rest
+        .split_once('(')
+        .and_then(|(before, behind)| Some((before, behind.split_once(')')?)))
+    {
+        if inside.starts_with(char::is_alphabetic) {
+            text += before.trim_end_matches(' ');
+            text += &by(inside);
+        } else {
+            text += &format!("{before}({inside})");
+        }
+        rest = behind;
+    }
+    text + rest
 }
 
 /// Adds the point or the number of a row; skips other rows.

@@ -53,6 +53,14 @@ fn a_point_placed_by_a_missing_point_is_not_reported_as_missing() {
     assert!(!message.contains("axle"), "{message}");
 }
 
+/// `left_wheel_centre` has no other names.
+#[test]
+fn a_row_with_the_own_name_of_a_point_needs_three_numbers() {
+    let message = refusal("a.csv", "Left wheel center; 0; 740\n", &[]);
+    let expected = "a.csv:1:1: point `left_wheel_center` needs three numbers in a row";
+    assert!(message.starts_with(expected), "{message}");
+}
+
 #[test]
 fn a_layout_without_any_point_of_the_file_is_refused() {
     let message = refusal("a.csv", &table(&CORNER), &["--linkage", "twist_beam"]);

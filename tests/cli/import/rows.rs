@@ -218,6 +218,27 @@ fn words_of_a_point_name_may_be_joined_or_separate() {
     assert!(!apart.notes.contains("not used"), "{}", apart.notes);
 }
 
+/// `axle` is a point of the layout too.
+#[test]
+fn words_in_parentheses_are_part_of_a_name_or_a_remark() {
+    let names = [
+        ("tierod_inner", "Tie rod (inner)"),
+        ("wheel_center", "Wheel centre (WC)"),
+        ("uca_outer", "UCA outer (axle)"),
+        ("lca_outer", "Joint (LCA outer)"),
+        ("tire_radius", "tire radius (mm)"),
+    ];
+    let folder = folder();
+    let plain = table(&CORNER) + "tire_radius, 229\n";
+    let names = names.iter();
+    let file = names.fold(plain.clone(), |file, (name, other)| {
+        file.replace(name, other)
+    });
+    let [plain, file] = [plain, file].map(|file| import(folder.path(), "a.csv", &file, &[]));
+    assert_eq!(file.points(), plain.points(), "{}", file.notes);
+    assert_eq!(file.motion["vehicle"], plain.motion["vehicle"]);
+}
+
 #[test]
 fn a_mistyped_optional_point_is_noted_with_a_suggestion() {
     let folder = folder();

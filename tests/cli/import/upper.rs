@@ -38,6 +38,17 @@ fn stretch(imported: &Imported, rows: &[BTreeMap<String, f64>], names: [&str; 2]
 }
 
 #[test]
+fn a_damper_to_the_chassis_may_have_an_inner_and_an_outer_end() {
+    let folder = folder();
+    let file = coilover();
+    let other = file
+        .replace("shock_lower", "Shock outboard")
+        .replace("shock_upper", "Shock inboard");
+    let [file, other] = [file, other].map(|file| import(folder.path(), "a.csv", &file, &[]));
+    assert_eq!(other.points(), file.points(), "{}", other.notes);
+}
+
+#[test]
 fn an_outer_end_near_the_upper_ball_joint_moves_with_the_upper_wishbone() {
     let folder = folder();
     for (file, point, outer, layout) in [
