@@ -58,13 +58,18 @@ impl<'a> Candidate<'a> {
         })
     }
 
-    /// Lists the missing points with the names that import knows for them, without those that can be placed from others.
-    fn lacks(&self, names: &Names) -> String {
+    /// Returns the missing points that cannot be placed from the others.
+    pub(super) fn needed(&self) -> Vec<&str> {
         let found = self.found.iter().map(|(name, _)| name);
         let with_missing: Vec<&String> = found.chain(&self.missing).collect();
         let has = |name: &str| with_missing.iter().any(|other| *other == name);
-        let needed = self.missing.iter().filter(|name| !has_stand_in(name, has));
-        let each = needed.map(|name| {
+        let missing = self.missing.iter().map(String::as_str);
+        missing.filter(|name| !has_stand_in(name, has)).collect()
+    }
+
+    /// Lists the needed points with the names that import knows for them.
+    fn lacks(&self, names: &Names) -> String {
+        let each = self.needed().into_iter().map(|name| {
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
             match others.as_slice() {
                 [] => format!("`{name}`"),

@@ -83,11 +83,11 @@ pub(super) fn choose<'a>(
     let candidates = candidates.collect::<Result<_, _>>();
     let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
     candidates.sort_by_key(|candidate| {
-        let (found, missing) = (candidate.found.len(), candidate.missing.len());
+        let (found, needed) = (candidate.found.len(), candidate.needed().len());
         // Of two listings with equally many points, prefer the one that states its spin axis.
         (
             found == 0,
-            missing,
+            needed,
             Reverse(found),
             Reverse(candidate.spare.len()),
         )

@@ -53,6 +53,18 @@ fn a_point_placed_by_a_missing_point_is_not_reported_as_missing() {
     assert!(!message.contains("axle"), "{message}");
 }
 
+/// `strut_high` is placed from the other two points of the strut.
+#[test]
+fn the_nearest_layout_needs_the_fewest_points() {
+    let message = refusal(
+        "a.csv",
+        &without(&["uca_front", "uca_rear", "uca_outer"]),
+        &[],
+    );
+    let expected = "the nearest, macpherson, lacks `top` (or strut_top, ";
+    assert!(message.contains(expected), "{message}");
+}
+
 /// `left_wheel_centre` has no other names.
 #[test]
 fn a_row_with_the_own_name_of_a_point_needs_three_numbers() {
