@@ -1,6 +1,7 @@
 //! `suspension import`: from hardpoint files to motion files.
 
 mod axle;
+mod both_sides;
 mod designer;
 mod ends;
 mod formats;

@@ -48,7 +48,7 @@ impl<'a> Candidate<'a> {
         let has = |name: &str| found.iter().any(|(other, _)| other == name);
         let (spare, missing) = missing
             .into_iter()
-            .partition(|name| has_stand_in(name, has));
+            .partition(|name| has_stand_in(name, text, has));
         Ok(Self {
             linkage,
             text,
@@ -64,7 +64,9 @@ impl<'a> Candidate<'a> {
         let with_missing: Vec<&String> = found.chain(&self.missing).collect();
         let has = |name: &str| with_missing.iter().any(|other| *other == name);
         let missing = self.missing.iter().map(String::as_str);
-        missing.filter(|name| !has_stand_in(name, has)).collect()
+        missing
+            .filter(|name| !has_stand_in(name, self.text, has))
+            .collect()
     }
 
     /// Lists the needed points with the names that import knows for them.
@@ -136,7 +138,7 @@ impl<'a> Candidate<'a> {
         };
         let (lacks, unknown) = (self.lacks(names), self.unknown(points, names, stated));
         Some(format!(
-            "{what} {lacks}{unknown}; suspension import --names lists all names"
+            "{what} {lacks}{unknown}; suspension import --names lists all names, suspension list {linkage} says what the points are"
         ))
     }
 }

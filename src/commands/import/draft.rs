@@ -7,8 +7,8 @@ use suspension_runtime::Listing;
 
 use super::axle::Axle;
 use super::imported::Imported;
-use super::rack;
 use super::stand_in::number;
+use super::{rack, remarks};
 use crate::mechanism::Length;
 use crate::number::rounded;
 
@@ -43,9 +43,7 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     let spare = &imported.choice.spare;
     let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
     let placed = points.iter().filter(|[name, ..]| is_placed(name));
-    let placed = placed.map(|[name, _, why]| {
-        format!("the file does not have the point `{name}`, which is placed {why}")
-    });
+    let placed = remarks::placed(placed);
     let remarks = imported.corner_remarks(!before.is_empty()).into_iter();
     let remarks = remarks.chain(placed).collect();
     (points, remarks)

@@ -3,7 +3,6 @@
 use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
-use super::hardpoints::Hardpoint;
 use super::names::Arrangement;
 use super::side::Side;
 use crate::mechanism::Axes;
@@ -46,7 +45,7 @@ pub(super) fn orientation(
     let clues = [
         clue_from_order(choice, ahead, 0, "behind"),
         clue_from_order(choice, above, 2, "below"),
-        clue_from_side(choice.point("wheel_centre")),
+        clue_from_side(choice),
     ];
     let clues: Vec<Clue> = clues.into_iter().flatten().collect();
     let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
@@ -162,10 +161,13 @@ fn clue_from_order(
     })
 }
 
-/// Deduces the direction of the lateral axis from the side that a point's name states.
-fn clue_from_side(point: Option<&Hardpoint>) -> Option<Clue> {
-    let point = point?;
-    let (side, y) = (point.side?, point.at[1]);
+/// Deduces the direction of the lateral axis from the side that the name of a wheel centre states.
+fn clue_from_side(choice: &Choice<'_>) -> Option<Clue> {
+    let (point, side) = match choice.point("wheel_centre") {
+        Some(point) => (point, point.side?),
+        None => (choice.point("left_wheel_centre")?, Side::Left),
+    };
+    let y = point.at[1];
     let outboard = match side {
         Side::Left => 1.0,
         Side::Right => -1.0,

@@ -176,6 +176,26 @@ impl Imported<'_> {
     }
 }
 
+/// Says how points that the file does not have are placed; points with the same reason share a sentence.
+pub(super) fn placed<'a>(points: impl Iterator<Item = &'a [String; 3]>) -> Vec<String> {
+    let mut whys: Vec<(&str, Vec<String>)> = Vec::new();
+    for [name, _, why] in points {
+        let name = format!("`{name}`");
+        match whys.iter_mut().find(|(other, _)| other == why) {
+            Some((_, names)) => names.push(name),
+            None => whys.push((why, vec![name])),
+        }
+    }
+    let each = whys.into_iter().map(|(why, names)| match names.as_slice() {
+        [name] => format!("the file does not have the point {name}, which is placed {why}"),
+        names => {
+            let names = names.join(", ");
+            format!("the file does not have the points {names}, each of which is placed {why}")
+        }
+    });
+    each.collect()
+}
+
 /// Removes the side from the description of a layout: all corners of the catalogue are left ones.
 fn remove_side(sentence: &str) -> String {
     let sides = [", front left", ", rear left", ", left"];

@@ -7,14 +7,31 @@ use super::side::Side;
 /// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;
 
-/// Returns whether a missing point can be computed from points that there are.
-pub(super) fn has_stand_in(point: &str, has: impl Fn(&str) -> bool) -> bool {
+/// The statement of a layout whose right side is the image of its left one.
+const MIRROR: &str = "\nmirror: left -> right;";
+
+/// Returns whether a missing point of a layout, given by its statements, can be computed from points that there are.
+pub(super) fn has_stand_in(point: &str, statements: &str, has: impl Fn(&str) -> bool) -> bool {
     match point {
         "axle" | "shaft_outer" => has("wheel_centre"),
+        "left_axle" | "right_axle" => has("left_wheel_centre"),
         "bar_inner" => has("bar_outer"),
         "strut_high" => has("strut_low") && has("top"),
-        _ => false,
+        _ => {
+            let left = of_left(point).filter(|_| statements.contains(MIRROR));
+            left.is_some_and(|left| has(&left))
+        }
     }
+}
+
+/// Returns the name of the point of the left side whose image a point of the right side is.
+fn of_left(point: &str) -> Option<String> {
+    let words = point.split('_').map(|word| match word {
+        "right" => "left",
+        word => word,
+    });
+    let left = words.collect::<Vec<_>>().join("_");
+    (left != point).then_some(left)
 }
 
 /// Returns the coordinates of a missing point, as the motion file states them, and the reason for them. The other points are
@@ -26,9 +43,15 @@ pub(super) fn stand_in(
     (metre, before): (f64, &str),
 ) -> Option<(String, String)> {
     match point {
-        "axle" | "shaft_outer" => {
-            let offset = spin.inboard(INBOARD * metre);
-            let position = format!("{{ from = \"{before}wheel_centre\", offset = {offset:?} }}");
+        "axle" | "shaft_outer" | "left_axle" | "right_axle" => {
+            let mut side = ["left_", "right_"].into_iter();
+            let side = side.find(|side| point.starts_with(side));
+            let mut offset = spin.inboard(INBOARD * metre);
+            if side == Some("right_") {
+                offset[1] = 0.0 - offset[1];
+            }
+            let centre = format!("{before}{}wheel_centre", side.unwrap_or_default());
+            let position = format!("{{ from = \"{centre}\", offset = {offset:?} }}");
             let why = format!(
                 "on the spin axis, inboard of the wheel centre: {}",
                 spin.why
@@ -46,7 +69,11 @@ pub(super) fn stand_in(
             let why = "halfway from strut_low to top: the strut points at its top mount";
             Some((format!("{middle:?}"), why.to_owned()))
         }
-        _ => None,
+        _ => {
+            let [x, y, z] = at(&of_left(point)?)?;
+            let why = "as the mirror image of the left one";
+            Some((format!("{:?}", [x, 0.0 - y, z]), why.to_owned()))
+        }
     }
 }
 

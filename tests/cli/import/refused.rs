@@ -91,7 +91,7 @@ fn a_mistyped_name_is_reported_with_line_and_suggestion() {
         message.starts_with("a.csv: double_wishbone lacks `upper_ball` (or upper_wishbone_outer, "),
         "{message}"
     );
-    let unknown = "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16); suspension import --names lists all names";
+    let unknown = "); not known: `hpl_uca_outr` (a.csv:6), did you mean uca_outer?; `ballast` (a.csv:16); suspension import --names lists all names, suspension list double_wishbone says what the points are";
     assert!(message.ends_with(unknown), "{message}");
 }
 
