@@ -21,7 +21,7 @@ impl Imported<'_> {
             (None, Some(unit)) => (unit, "as the file says".to_owned()),
             (None, None) => {
                 let apart = self.corner.apart();
-                let why = format!("as the points are up to {} apart", rounded(apart, 3));
+                let why = format!("as the points are up to {} apart", rounded(apart, 4));
                 (Length::guess_from_size(apart), why)
             }
         }

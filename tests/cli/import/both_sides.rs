@@ -53,6 +53,16 @@ fn a_missing_right_side_is_the_mirror_image_of_the_left_one() {
     assert!(left.notes.contains(said), "{}", left.notes);
 }
 
+#[test]
+fn the_size_of_an_axle_has_no_exponent() {
+    let millimetres = PANHARD.map(|(name, at)| (name, at.map(|x| 25.0 * x)));
+    let notes = import(folder().path(), "a.csv", &table(&millimetres, ISO), &[]).notes;
+    assert!(
+        notes.contains("is mm, as the points are up to 1450 apart"),
+        "{notes}"
+    );
+}
+
 /// The spin axis of each wheel is placed from toe and camber, which are the same on both sides.
 #[test]
 fn spin_axes_of_a_twist_beam_are_mirror_images() {
