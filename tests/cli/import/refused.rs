@@ -61,7 +61,7 @@ fn the_nearest_layout_needs_the_fewest_points() {
         &without(&["uca_front", "uca_rear", "uca_outer"]),
         &[],
     );
-    let expected = "the nearest, macpherson, lacks `top` (or strut_top, ";
+    let expected = "the nearest, macpherson, lacks `top` (or top_mount, ";
     assert!(message.contains(expected), "{message}");
 }
 
