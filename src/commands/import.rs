@@ -9,6 +9,7 @@ mod ends;
 mod format;
 mod hardpoints;
 mod heading;
+mod help;
 mod imported;
 mod known;
 mod listed;
@@ -40,6 +41,7 @@ use choice::choose;
 use corner::Corner;
 use draft::Draft;
 use hardpoints::Hardpoints;
+use help::NOTES;
 use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
@@ -108,7 +110,7 @@ impl Arguments {
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
         let source = with_line_ends(Source::read(file)?);
-        let stated = format::read(&source, &names)?.of_end(self.end)?;
+        let stated = self.of_axle(format::read(&source, &names)?, &names)?;
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| self.usual_place(file));
         self.check_place(&out)?;
@@ -137,6 +139,37 @@ impl Arguments {
         }
     }
 
+    /// Returns the points of the wanted axle. Words that name a corner are part of a name where a layout then has the points;
+    /// otherwise they are not.
+    fn of_axle<'a>(
+        &self,
+        stated: Hardpoints<'a>,
+        names: &Names,
+    ) -> Result<Hardpoints<'a>, Failure> {
+        let apart = stated.with_corners_apart(names);
+        let is_clearer = apart.count_known(names) > stated.count_known(names);
+        let [stated, apart] = [stated, apart].map(|read| read.of_end(self.end));
+        let is_suspension = |read: &Result<Hardpoints<'_>, Failure>| {
+            let corner = read
+                .as_ref()
+                .map(|read| self.corner(read, names, self.first_side()));
+            matches!(corner, Ok(Ok(_)))
+        };
+        if !is_suspension(&stated) && (is_clearer || is_suspension(&apart)) {
+            return apart;
+        }
+        stated
+    }
+
+    /// Returns the side of the corner that is imported, or that is first: the left one of an axle.
+    fn first_side(&self) -> Option<Side> {
+        if self.axle {
+            Some(Side::Left)
+        } else {
+            self.side
+        }
+    }
+
     /// Writes the motion file and the listing that it includes.
     fn import(
         &self,
@@ -144,12 +177,7 @@ impl Arguments {
         out: &Path,
         names: &Names,
     ) -> Result<Vec<PathBuf>, Failure> {
-        let side = if self.axle {
-            Some(Side::Left)
-        } else {
-            self.side
-        };
-        let mut one = self.corner(stated, names, side)?;
+        let mut one = self.corner(stated, names, self.first_side())?;
         let other = one.other_side();
         let unlike = matches!(other, Other::Unlike(_)) && self.side.is_none();
         if self.side.is_none() {
@@ -222,28 +250,3 @@ fn with_line_ends(source: Source) -> Source {
 fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
     Failure::Input(format!("{}: {message}", stated.source.name()))
 }
-
-const NOTES: &str = "\
-The content of the file decides how it is read:
-
-  tables of points      a name and x, y, z on each line, separated by commas, semicolons, tabs or blanks; headings
-                        and remarks may stand anywhere; so may reports of Lotus Suspension Analysis
-  Adams/Car             subsystem files (.sub); names may begin with hpl_, hpr_ or hps_
-  Lotus                 model files (.shk) of one suspension
-
-A table may also state toe_angle and camber_angle in degrees (positive: toe-in, top outboard) and tire_radius, each on its
-own line. The motion file quotes the source line of each point beside it. The program prints its assumptions on standard
-error and writes them at the top of the motion file. A point that hardpoint files do not have, such as a second point of the
-spin axis, is placed from the others; the motion file says how.
-
-Where left and right are not mirror images, and with --axle, the motion file is of an axle with both corners, on one rack if
-they are steered. A steered corner is then in a listing beside it, named NAME_corner.linkage.
-
-Axes, all right-handed: iso x forward, y left, z up; adams (Lotus too) x rearward, y right, z up; sae x forward, y right,
-z down. The motion file is in iso and in the unit of the file.
-
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, or the file does not give a suspension that can be built.
-
-Example:
-  suspension import front.sub
-  suspension sheet front.toml";

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
-use super::side::{End, end_of};
+use super::side::{End, end_of, side_of};
 use crate::failure::Failure;
 
 impl Hardpoints<'_> {
@@ -27,24 +27,31 @@ impl Hardpoints<'_> {
         is_same.then(|| (*end, in_words(*end, &self.line(place))))
     }
 
-    /// Takes the first word of a name, as in `Rear lower wishbone front`, as the end of the vehicle where the name is only
-    /// known without it.
-    pub(super) fn split_ends_off(&mut self, names: &Names) {
-        let mut ends = Vec::new();
-        for point in self
-            .points
-            .iter_mut()
-            .filter(|point| !names.is_point(&point.key))
-        {
-            let split = point.key.split_once('_');
-            let split = split.and_then(|(first, own)| Some((end_of(first)?, own.to_owned())));
-            if let Some((end, own)) = split.filter(|(_, own)| names.is_point(own)) {
-                ends.push((end, point.place.clone()));
+    /// Returns the contents with the words that name a corner apart from the names that are known without them, as in `Rear
+    /// lower wishbone front` and `Left wheel centre`. In layouts with both sides these words are part of the names.
+    pub(super) fn with_corners_apart(&self, names: &Names) -> Self {
+        let mut apart = self.clone();
+        let is_known = |key: &str| names.is_point(key);
+        for point in &mut apart.points {
+            let is_known_of_side =
+                |key: &str| is_known(key) || without(key, side_of, is_known).is_some();
+            if let Some((end, own)) = without(&point.key, end_of, is_known_of_side) {
+                apart.ends.push((end, point.place.clone()));
                 point.end = Some(end);
                 point.key = own;
             }
+            if let Some((side, own)) = without(&point.key, side_of, is_known) {
+                point.side = Some(side);
+                point.key = own;
+            }
         }
-        self.ends.extend(ends);
+        apart
+    }
+
+    /// Returns the number of points with known names.
+    pub(super) fn count_known(&self, names: &Names) -> usize {
+        let points = self.points.iter();
+        points.filter(|point| names.is_point(&point.key)).count()
     }
 
     /// Returns the contents without the points and numbers of the other end of the vehicle, if `wanted` names an end.
@@ -69,4 +76,19 @@ impl Hardpoints<'_> {
         self.check_numbers()?;
         Ok(self)
     }
+}
+
+/// Returns the meaning of the first or the last word of a name, and the known name without it.
+fn without<T>(
+    key: &str,
+    meaning: impl Fn(&str) -> Option<T>,
+    is_known: impl Fn(&str) -> bool,
+) -> Option<(T, String)> {
+    let first = key.split_once('_');
+    let last = key.rsplit_once('_').map(|(own, word)| (word, own));
+    let mut ends = [first, last].into_iter().flatten();
+    ends.find_map(|(word, own)| {
+        let meant = meaning(word)?;
+        is_known(own).then(|| (meant, own.to_owned()))
+    })
 }

@@ -25,7 +25,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     if let Some((_, message)) = other.iter().find(|(is, _)| *is) {
         return Err(source.refuse(&(0..0), message));
     }
-    let mut stated = if shark::is_model(source) {
+    let stated = if shark::is_model(source) {
         shark::read(source)?
     } else if subsystem::is_subsystem(source.text()) {
         subsystem::read(source, names)?
@@ -36,6 +36,5 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         let message = "there are no hardpoints here; a line has a name and three numbers: x, y, z";
         return Err(source.refuse(&(0..0), message));
     }
-    stated.split_ends_off(names);
     Ok(stated)
 }

@@ -39,7 +39,7 @@ pub(super) struct Number {
 const CENTRE_OF_MASS: &str = "c_of_g";
 
 /// The contents of a file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Hardpoints<'a> {
     pub(super) source: &'a Source,
     pub(super) points: Vec<Hardpoint>,

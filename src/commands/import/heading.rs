@@ -1,6 +1,6 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
-use super::side::{End, Side, corner_of, end_of};
+use super::side::{End, Side, corner_of, end_of, side_of};
 use crate::mechanism::Length;
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
@@ -27,18 +27,18 @@ pub(super) fn end_of_heading(words: &str) -> Option<End> {
 pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
     let is_of_corner = |word: &&str| {
         let is_other = ["side", "wheel"].contains(word) || unit(word).is_some();
-        OF_AXLE.contains(word) || end_of(word).is_some() || corner_of(word).is_some() || is_other
+        let is_of_end = OF_AXLE.contains(word) || end_of(word).is_some();
+        is_of_end || side_of(word).is_some() || corner_of(word).is_some() || is_other
     };
     if !words.iter().all(is_of_corner) {
         return None;
     }
-    match ["left", "right"].map(|side| words.contains(&side)) {
-        [true, false] => Some(Side::Left),
-        [false, true] => Some(Side::Right),
-        _ => words
-            .iter()
-            .find_map(|word| corner_of(word))
-            .map(|(_, side)| side),
+    let side = |word: &&str| side_of(word).or_else(|| corner_of(word).map(|(_, side)| side));
+    let mut sides: Vec<Side> = words.iter().filter_map(side).collect();
+    sides.dedup();
+    match sides[..] {
+        [side] => Some(side),
+        _ => None,
     }
 }
 

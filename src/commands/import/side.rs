@@ -28,6 +28,15 @@ impl Side {
     }
 }
 
+/// Returns the side of the vehicle that a word in small letters names.
+pub(super) fn side_of(word: &str) -> Option<Side> {
+    match word {
+        "left" | "lh" => Some(Side::Left),
+        "right" | "rh" => Some(Side::Right),
+        _ => None,
+    }
+}
+
 /// The sides of the vehicle to which a row of a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sides {

@@ -26,7 +26,7 @@ fn each_with(before: &str, points: &[(&str, [f64; 3])]) -> String {
 }
 
 /// Tables of both axles.
-fn cars() -> [String; 6] {
+fn cars() -> [String; 7] {
     let (front, rear) = (CORNER.as_slice(), rear());
     let front_right = mirrored(front);
     let rear_right = mirrored(&rear);
@@ -39,6 +39,10 @@ fn cars() -> [String; 6] {
         format!("x, y, z\n# FRONT\n{}# REAR\n{}", table(front), table(&rear)),
         each_with("Front, ", front) + &each_with("Rear, ", &rear),
         each_with("Front ", front) + &each_with("Rear ", &rear),
+        each_with("Front Left ", front)
+            + &each_with("Front Right ", &front_right)
+            + &each_with("Rear Left ", &rear)
+            + &each_with("Rear Right ", &rear_right),
         each_with("FL ", front)
             + &each_with("FR ", &front_right)
             + &each_with("RL ", &rear)
