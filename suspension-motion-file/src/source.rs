@@ -9,6 +9,9 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::{inputs, mark};
 
+/// The first bytes of workbooks of spreadsheet programs (`.xlsx` and `.ods`, `.xls`).
+const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
+
 /// The size limit of input files in bytes: a motion file has a few thousand, and the parser needs a hundred times the
 /// memory.
 const LARGEST: usize = 4 << 20;
@@ -45,7 +48,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB or is not UTF-8.
+    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = fit_for_terminal(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
@@ -60,6 +63,9 @@ impl Source {
         };
         if bytes.len() > LARGEST {
             return refuse(format!("is larger than {} MiB", LARGEST >> 20));
+        }
+        if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
+            return refuse("is a workbook, not text; save the sheet as CSV in UTF-8".to_owned());
         }
         String::from_utf8(bytes).map_or_else(
             |error| {

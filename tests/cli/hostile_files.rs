@@ -38,6 +38,16 @@ fn files_that_are_not_utf_8_are_refused() {
 }
 
 #[test]
+fn workbooks_are_refused() {
+    for start in [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"] {
+        assert_eq!(
+            refused_content(start),
+            "bad.toml: is a workbook, not text; save the sheet as CSV in UTF-8\n"
+        );
+    }
+}
+
+#[test]
 fn files_of_any_size_are_read_or_refused() {
     assert!(refused_content(vec![b'x'; 100_000_000]).contains("larger than 4 MiB"));
     // Just small enough to be read.
