@@ -65,7 +65,7 @@ pub struct Arguments {
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     unit: Option<Length>,
     /// The axes. Without it the axes that the points suggest.
-    #[arg(long, value_parser = axes())]
+    #[arg(long, ignore_case = true, value_parser = axes())]
     axes: Option<Axes>,
     /// The corner to import, mirrored if the file has only the other one.
     #[arg(long)]
@@ -92,7 +92,8 @@ fn unit(word: &str) -> Result<Length, String> {
 fn axes() -> impl TypedValueParser<Value = Axes> {
     let options = Axes::ALL.map(|axes| PossibleValue::new(axes.option()).help(axes.in_words()));
     PossibleValuesParser::new(options).map(|word| {
-        let named = Axes::ALL.into_iter().find(|axes| axes.option() == word);
+        let mut all = Axes::ALL.into_iter();
+        let named = all.find(|axes| axes.option().eq_ignore_ascii_case(&word));
         named.unwrap_or_default()
     })
 }

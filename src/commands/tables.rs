@@ -29,7 +29,7 @@ pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
     /// The program for which to write tables.
-    #[arg(long = "as", value_name = "PROGRAM")]
+    #[arg(long = "as", value_name = "PROGRAM", ignore_case = true)]
     program: Program,
     /// The wheel, if the listing names several. Without it the first.
     #[arg(long, value_name = "NAME")]

@@ -161,7 +161,7 @@ fn tables_do_not_depend_on_the_axes_of_the_file() {
         )
     };
     let iso = file("ISO 8855", "0.3");
-    let [carsim, carmaker] = ["carsim", "carmaker"].map(|program| tables(&iso, &[program]));
+    let [carsim, carmaker] = ["CarSim", "carmaker"].map(|program| tables(&iso, &[program]));
     for (axes, bump) in [("Adams", "0.3"), ("SAE", "-0.3")] {
         let other = file(axes, bump).replace("steer = 0.34", "steer = -0.34");
         let table = carsim_table(&tables(&other, &["carsim"]), "CAMBER_TABLE");

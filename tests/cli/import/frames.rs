@@ -79,7 +79,7 @@ fn stated_axes_are_used_and_a_contradiction_by_points_is_noted() {
         folder.path(),
         "a.csv",
         &corner("", [1.0; 3]),
-        &["--axes", "iso"],
+        &["--axes", "ISO"],
     );
     let as_listed = expected(-1.0).into_iter();
     let as_listed = as_listed.map(|(name, [x, y, z])| (name, [0.0 - x, y, z]));
