@@ -74,8 +74,8 @@ pub struct Arguments {
     /// the other.
     #[arg(long, conflicts_with = "side")]
     axle: bool,
-    /// The axle to import, if the file has both. Headings such as `Rear suspension`, or codes such as RL, say which points are
-    /// of which axle; others are of both.
+    /// The axle to import. Headings such as `Rear suspension`, codes such as RL, or names say which points are of which axle;
+    /// others are of both.
     #[arg(long)]
     end: Option<End>,
     /// Write the motion file to PATH, replacing a file of that name. For an axle, NAME_corner.linkage goes beside it; a

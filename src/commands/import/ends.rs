@@ -14,10 +14,13 @@ impl Hardpoints<'_> {
         self.ends.extend(end.map(|end| (end, place)));
     }
 
-    /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or
-    /// names both. A name of the file counts only if its lines say nothing.
+    /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or names
+    /// both. The option `--end` comes first, then the lines of the file, then its name.
     pub(super) fn end(&self) -> Option<(End, String)> {
         let in_words = |end: End, at: &str| format!("{at} says {}", end.name());
+        if let Some(wanted) = self.wanted {
+            return Some((wanted, in_words(wanted, "--end")));
+        }
         let Some((end, place)) = self.ends.first() else {
             let name = Path::new(self.source.name()).file_stem()?;
             let end = end_of(&spelled(&name.to_string_lossy()))?;
@@ -58,21 +61,25 @@ impl Hardpoints<'_> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the file does not say which points are of that end, or states two values of a number.
+    /// [`Failure::Input`] if the file says that all its points are of the other end, or states two values of a number.
     pub(super) fn of_end(mut self, wanted: Option<End>) -> Result<Self, Failure> {
         if let Some(wanted) = wanted {
-            if !self.points.iter().any(|point| point.end == Some(wanted)) {
-                let end = wanted.name();
-                let message = format!(
-                    "no line says which points are of the {end} axle: write a heading such as `{end} suspension` above them"
-                );
-                return Err(self.source.refuse(&(0..0), message));
-            }
             let is_wanted = |end: Option<End>| end.is_none_or(|end| end == wanted);
+            let other = self.points.iter().find(|point| !is_wanted(point.end));
+            let is_named = self.points.iter().any(|point| point.end == Some(wanted));
+            if let Some(other) = other.filter(|_| !is_named) {
+                let message = format!(
+                    "point `{}` is of the other axle, and no line says which points are of the {end} one: write a heading such \
+                     as `{end} suspension` above them",
+                    other.name,
+                    end = wanted.name()
+                );
+                return Err(self.source.refuse(&other.place, message));
+            }
             self.points.retain(|point| is_wanted(point.end));
             self.numbers.retain(|number| is_wanted(number.end));
-            self.ends.retain(|(end, _)| *end == wanted);
         }
+        self.wanted = wanted;
         self.check_numbers()?;
         Ok(self)
     }

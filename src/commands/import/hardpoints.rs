@@ -50,6 +50,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) unit: Option<Length>,
     /// The ends of the vehicle that the file names, each with its place.
     pub(super) ends: Vec<(End, Range<usize>)>,
+    /// The end of the vehicle that `--end` names.
+    pub(super) wanted: Option<End>,
     /// The corners of the rows that are read next; a row may say more about itself.
     pub(super) section: Section,
     /// Whether the file's angles are in radians.
@@ -68,6 +70,7 @@ impl<'a> Hardpoints<'a> {
             unread: Vec::new(),
             unit: None,
             ends: Vec::new(),
+            wanted: None,
             section: Section::default(),
             radians: false,
             usual,

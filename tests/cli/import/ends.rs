@@ -87,14 +87,28 @@ fn a_table_of_both_axles_is_refused_without_an_end() {
 }
 
 #[test]
-fn an_end_that_the_table_does_not_name_is_refused() {
-    let front = format!("Front suspension\n{}", table(&CORNER));
-    for file in [front, table(&CORNER)] {
-        let said = refusal("car.csv", &file, &["--end", "rear"]);
-        let expected = "car.csv:1:1: no line says which points are of the rear axle: write a heading such as `rear suspension` \
-                        above them";
-        assert_eq!(said.trim_end(), expected);
-    }
+fn an_end_is_refused_if_all_points_are_of_the_other_one() {
+    let file = format!("Front suspension\n{}", table(&CORNER));
+    let said = refusal("car.csv", &file, &["--end", "rear"]);
+    let expected = "car.csv:2:1: point `lca_front` is of the other axle, and no line says which points are of the rear one: write \
+                    a heading such as `rear suspension` above them";
+    assert_eq!(said.trim_end(), expected);
+}
+
+/// The tie rod of a rear axle is fixed on the chassis.
+#[test]
+fn an_end_may_be_told_of_a_table_that_does_not_name_it() {
+    let folder = folder();
+    let file = table(&CORNER);
+    let [untold, rear] =
+        [&[][..], &["--end", "rear"]].map(|options| import(folder.path(), "a.csv", &file, options));
+    assert_eq!(rear.points(), untold.points());
+    assert!(!untold.notes.contains("does not steer"), "{}", untold.notes);
+    assert!(
+        rear.notes.contains("fixed on the chassis: --end says rear"),
+        "{}",
+        rear.notes
+    );
 }
 
 #[test]
