@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use super::fields::{fields, has_number_in_parentheses, without_axes};
 use super::heading::{end_of_heading, unit};
 use super::names::spelled;
-use super::side::{End, Side, Sides, corner_of};
+use super::side::{End, Side, Sides, corner_of, side_of};
 
 /// The beginnings of a remark.
 const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
@@ -139,6 +140,22 @@ impl<'a> Row<'a> {
         }
     }
 
+    /// Returns the words before the coordinates; none in a row without coordinates.
+    pub(super) fn words_before_coordinates(&self) -> Vec<&'a str> {
+        let first = self.found().map_or(0, |(first, _)| first);
+        self.words(&self.fields[..first])
+    }
+
+    /// Returns the heading that the row is for others: its first column, or all words between blanks, but the axes.
+    pub(super) fn heading(&self) -> Option<String> {
+        let mut words = self.words(&self.fields);
+        words.retain(|word| !["x", "y", "z"].contains(&word.to_lowercase().as_str()));
+        if self.separator != ' ' {
+            words.truncate(1);
+        }
+        Some(words.join(" ")).filter(|words| !words.is_empty())
+    }
+
     /// Returns the sides that the row states.
     pub(super) fn sides(&self) -> Sides {
         let said = self.fields.iter().find_map(|field| sides_of(field));
@@ -202,62 +219,20 @@ impl<'a> Row<'a> {
     }
 }
 
+/// Returns whether a word states a unit or a side.
+pub(super) fn is_unit_or_side(word: &str) -> bool {
+    unit(word).is_some() || sides_of(word).is_some()
+}
+
 fn sides_of(field: &str) -> Option<Sides> {
     match field.to_ascii_lowercase().as_str() {
-        "left" | "l" => Some(Sides::One(Side::Left)),
-        "right" | "r" => Some(Sides::One(Side::Right)),
+        "l" => Some(Sides::One(Side::Left)),
+        "r" => Some(Sides::One(Side::Right)),
         "left/right" => Some(Sides::Mirrored),
         "single" => Some(Sides::Unsaid),
-        code => corner_of(code).map(|(_, side)| Sides::One(side)),
-    }
-}
-
-/// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.
-fn has_number_in_parentheses(line: &str) -> bool {
-    let mut opened = line.match_indices('(');
-    opened.any(|(at, _)| {
-        let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
-        let inside = behind.split_once(')').map(|(inside, _)| inside.trim());
-        inside.is_some_and(|inside| inside.replace(',', ".").parse::<f64>().is_ok())
-            && !before.to_lowercase().ends_with("point")
-    })
-}
-
-/// Removes the names of the axes from `x = 1, y = 2, z = 3`.
-fn without_axes(fields: Vec<&str>) -> Vec<&str> {
-    let is_axes = |labels: &[&str]| {
-        let mut pairs = labels.iter().step_by(2).zip(["x", "y", "z"]);
-        pairs.all(|(label, axis)| label.eq_ignore_ascii_case(axis))
-    };
-    match fields.windows(6).position(is_axes) {
-        Some(x) => {
-            let labels = [x, x + 2, x + 4];
-            let others = fields.into_iter().enumerate();
-            others
-                .filter(|(place, _)| !labels.contains(place))
-                .map(|(_, field)| field)
-                .collect()
+        word => {
+            let side = side_of(word).or_else(|| Some(corner_of(word)?.1));
+            side.map(Sides::One)
         }
-        None => fields,
     }
-}
-
-/// Returns the fields of a line without quotes and empty fields.
-fn fields(line: &str, separator: char) -> Vec<&str> {
-    let mut quote = None;
-    let apart = move |c: char| {
-        if quote.is_none() && matches!(c, '\'' | '"') {
-            quote = Some(c);
-        } else if quote == Some(c) {
-            quote = None;
-        }
-        let is_blank = separator == ' ' && c.is_whitespace();
-        quote.is_none() && (c == separator || is_blank || "=:[](){}".contains(c))
-    };
-    let fields = line.split(apart);
-    // Between blanks a comma may follow a number, as in `name 1, 2, 3`.
-    let around = if separator == ' ' { "'\"\\," } else { "'\"\\" };
-    let fields =
-        fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || around.contains(c)));
-    fields.filter(|field| !field.is_empty()).collect()
 }

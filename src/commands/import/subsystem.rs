@@ -35,7 +35,10 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             continue;
         }
         match &*within {
-            "HARDPOINT" | "PARAMETER" => add(&mut stated, &Row::parse(place, line), names)?,
+            "HARDPOINT" | "PARAMETER" => {
+                let row = Row::parse(place, line);
+                add(&mut stated, &row, &row.name(), names)?;
+            }
             "SUBSYSTEM_HEADER" => {
                 let words = spelled(line);
                 if let Some(role) = words.strip_prefix("minor_role_") {

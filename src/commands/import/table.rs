@@ -3,7 +3,8 @@
 use super::hardpoints::Hardpoints;
 use super::heading::{check_columns, end_of_heading, side_of_heading, unit, unit_of_heading};
 use super::names::{Names, key_of, spelled};
-use super::row::{Row, lines};
+use super::row::{Row, is_unit_or_side, lines};
+use super::row_name::name_of;
 use super::side::Section;
 use crate::failure::Failure;
 use crate::file::Source;
@@ -17,6 +18,7 @@ use crate::mechanism::Axes;
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Iso);
     let mut section = Section::default();
+    let mut heading = String::new();
     for (place, line) in lines(source.text()) {
         let named = with_whole_name(line, names);
         let row = Row::parse(place.clone(), &named);
@@ -24,9 +26,10 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             end: row.end().or(section.end),
             ..section
         };
-        add(&mut stated, &row, names)?;
+        add(&mut stated, &row, &name_of(&row, &heading, names), names)?;
         stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
+            heading = row.heading().unwrap_or(heading);
             let words = spelled(line);
             let end = end_of_heading(&words);
             stated.add_end(end, place.clone());
@@ -61,14 +64,14 @@ fn with_whole_name(line: &str, names: &Names) -> String {
     readings.swap_remove(known.unwrap_or_default())
 }
 
-/// Replaces words in parentheses, with the parentheses. Numbers in parentheses stay as they are.
+/// Replaces words in parentheses, with the parentheses. Numbers, units and sides in parentheses stay as they are.
 fn replace_words_in_parentheses(line: &str, by: impl Fn(&str) -> String) -> String {
     let (mut text, mut rest) = (String::new(), line);
     while let Some((before, (inside, behind))) = rest
         .split_once('(')
         .and_then(|(before, behind)| Some((before, behind.split_once(')')?)))
     {
-        if inside.starts_with(char::is_alphabetic) {
+        if inside.starts_with(char::is_alphabetic) && !is_unit_or_side(inside) {
             text += before.trim_end_matches(' ');
             text += &by(inside);
         } else {
@@ -79,7 +82,7 @@ fn replace_words_in_parentheses(line: &str, by: impl Fn(&str) -> String) -> Stri
     text + rest
 }
 
-/// Adds the point or the number of a row; skips other rows.
+/// Adds the point or the number of a row under a name; skips other rows.
 ///
 /// # Errors
 ///
@@ -88,10 +91,10 @@ fn replace_words_in_parentheses(line: &str, by: impl Fn(&str) -> String) -> Stri
 pub(super) fn add(
     stated: &mut Hardpoints<'_>,
     row: &Row<'_>,
+    name: &str,
     names: &Names,
 ) -> Result<(), Failure> {
-    let name = row.name();
-    let (key, _) = key_of(&name);
+    let (key, _) = key_of(name);
     let coordinates = row.coordinates();
     if coordinates.is_none()
         && let Some(name) = before_numbers(&row.spelled(), names)
@@ -108,14 +111,14 @@ pub(super) fn add(
     }
     match (coordinates, row.numbers().as_slice()) {
         (Some(at), _) if !key.is_empty() => {
-            stated.add_point(&name, row.sides(), at, row.place.clone());
+            stated.add_point(name, row.sides(), at, row.place.clone());
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
-            [value] => stated.add_number(&name, row.sides(), value, row.place.clone()),
-            _ => return Err(misread(stated, &name, row, names)),
+            [value] => stated.add_number(name, row.sides(), value, row.place.clone()),
+            _ => return Err(misread(stated, name, row, names)),
         },
         _ if names.is_point(&key) && row.begins_a_number() => {
-            return Err(misread(stated, &name, row, names));
+            return Err(misread(stated, name, row, names));
         }
         (None, [_]) => {
             let meant = names.number_meant(&key);

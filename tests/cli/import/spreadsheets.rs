@@ -100,6 +100,35 @@ fn tables_of_other_programs_give_the_same_points() {
     }
 }
 
+/// The name of the part has a column of its own, or is the heading above the points.
+#[test]
+fn a_part_and_its_point_may_be_apart() {
+    let folder = folder();
+    let parts = ["Lower wishbone", "Upper wishbone", "Tie rod"];
+    let points = [
+        &["Front inboard", "Rear inboard", "Outboard"][..],
+        &["Front", "Rear", "Outer"],
+        &["Inner", "Outer"],
+    ];
+    let at = |index: usize| CORNER[index].1.map(|x| x.to_string()).join(",");
+    let wheel = format!("Wheel centre,,{}\n", at(8));
+    let [mut columns, mut headed] = [String::new(), String::new()];
+    for (part, points) in parts.into_iter().zip(points) {
+        headed += &format!("{part},X (mm),Y (mm),Z (mm)\n");
+        for point in points {
+            let at = at(columns.lines().count());
+            columns += &format!("{part},{point},{at}\n");
+            headed += &format!("{point},{at}\n");
+        }
+    }
+    let plain = lines(0, |name, [x, y, z]| format!("{name}, {x}, {y}, {z}\n"));
+    let plain = import(folder.path(), "a.csv", &plain, &[]);
+    for file in [columns + &wheel, headed + &wheel] {
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(imported.points(), plain.points(), "{file}");
+    }
+}
+
 /// `FL`, `RR` and the like stand before the name, behind it, or in a column.
 #[test]
 fn codes_of_corners_state_the_side_and_the_axle() {
@@ -107,10 +136,11 @@ fn codes_of_corners_state_the_side_and_the_axle() {
     let of_right = |[x, y, z]: [f64; 3]| [x, 0.0 - y, z];
     let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
     for (left, right, is_rear) in [("FL", "FR", false), ("RL", "RR", true), ("LR", "RR", true)] {
-        for place in ["before", "behind", "column"] {
+        for place in ["before", "behind", "column", "parentheses"] {
             let line = |code: &str, name: &str, [x, y, z]: [f64; 3]| match place {
                 "before" => format!("{code} {name}, {x}, {y}, {z}\n"),
                 "behind" => format!("{name}_{code}, {x}, {y}, {z}\n"),
+                "parentheses" => format!("{name} ({code}), {x}, {y}, {z}\n"),
                 _ => format!("{name}, {x}, {y}, {z}, {code}\n"),
             };
             // In axes of Adams the points of the left are those with negative y.
@@ -129,6 +159,22 @@ fn codes_of_corners_state_the_side_and_the_axle() {
                     .contains("the right corner is the mirror image")
             );
         }
+    }
+}
+
+#[test]
+fn words_in_parentheses_state_the_side() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
+    for [left, right] in [["left", "right"], ["LH", "RH"]] {
+        let rows = CORNER.map(|(name, [x, y, z])| {
+            let y_of_right = 0.0 - y;
+            format!("{name} ({left}), {x}, {y}, {z}\n{name} ({right}), {x}, {y_of_right}, {z}\n")
+        });
+        let imported = import(folder.path(), "a.csv", &rows.concat(), &[]);
+        assert_eq!(imported.points(), plain.points(), "{left}");
+        let said = "the right corner is the mirror image of the left one";
+        assert!(imported.notes.contains(said), "{}", imported.notes);
     }
 }
 

@@ -1,0 +1,51 @@
+//! The fields of a line of a table.
+
+/// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.
+pub(super) fn has_number_in_parentheses(line: &str) -> bool {
+    let mut opened = line.match_indices('(');
+    opened.any(|(at, _)| {
+        let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
+        let inside = behind.split_once(')').map(|(inside, _)| inside.trim());
+        inside.is_some_and(|inside| inside.replace(',', ".").parse::<f64>().is_ok())
+            && !before.to_lowercase().ends_with("point")
+    })
+}
+
+/// Removes the names of the axes from `x = 1, y = 2, z = 3`.
+pub(super) fn without_axes(fields: Vec<&str>) -> Vec<&str> {
+    let is_axes = |labels: &[&str]| {
+        let mut pairs = labels.iter().step_by(2).zip(["x", "y", "z"]);
+        pairs.all(|(label, axis)| label.eq_ignore_ascii_case(axis))
+    };
+    match fields.windows(6).position(is_axes) {
+        Some(x) => {
+            let labels = [x, x + 2, x + 4];
+            let others = fields.into_iter().enumerate();
+            others
+                .filter(|(place, _)| !labels.contains(place))
+                .map(|(_, field)| field)
+                .collect()
+        }
+        None => fields,
+    }
+}
+
+/// Returns the fields of a line without quotes and empty fields.
+pub(super) fn fields(line: &str, separator: char) -> Vec<&str> {
+    let mut quote = None;
+    let apart = move |c: char| {
+        if quote.is_none() && matches!(c, '\'' | '"') {
+            quote = Some(c);
+        } else if quote == Some(c) {
+            quote = None;
+        }
+        let is_blank = separator == ' ' && c.is_whitespace();
+        quote.is_none() && (c == separator || is_blank || "=:[](){}".contains(c))
+    };
+    let fields = line.split(apart);
+    // Between blanks a comma may follow a number, as in `name 1, 2, 3`.
+    let around = if separator == ' ' { "'\"\\," } else { "'\"\\" };
+    let fields =
+        fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || around.contains(c)));
+    fields.filter(|field| !field.is_empty()).collect()
+}
