@@ -44,7 +44,11 @@ pub(super) fn fields(line: &str, separator: char) -> Vec<&str> {
     };
     let fields = line.split(apart);
     // Between blanks a comma may follow a number, as in `name 1, 2, 3`.
-    let around = if separator == ' ' { "'\"\\," } else { "'\"\\" };
+    let around = if separator == ' ' {
+        "'\"\\$,"
+    } else {
+        "'\"\\$"
+    };
     let fields =
         fields.map(|field| field.trim_matches(|c: char| c.is_whitespace() || around.contains(c)));
     fields.filter(|field| !field.is_empty()).collect()

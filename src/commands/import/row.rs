@@ -7,8 +7,11 @@ use super::heading::{end_of_heading, unit};
 use super::names::spelled;
 use super::side::{End, Side, Sides, corner_of, side_of};
 
-/// The beginnings of a remark.
-const REMARKS: [&str; 5] = ["#", "//", "%", "$", "!"];
+/// The beginnings of a remark, and the end of a row in LaTeX.
+const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];
+
+/// The beginning of a line that is a remark in Adams/Car; elsewhere it stands around numbers in LaTeX.
+const REMARK_LINE: char = '$';
 
 /// The separators of fields, among them those of tables in Markdown and LaTeX; numbers may have a decimal comma between all
 /// but commas and blanks.
@@ -44,7 +47,11 @@ impl<'a> Row<'a> {
     /// Splits a line without its remark, at the separator that gives three coordinates, or else the most numbers.
     pub(super) fn parse(place: Range<usize>, line: &'a str) -> Self {
         let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
-        let line = &line[..starts.min().unwrap_or(line.len())];
+        let end = match line.starts_with(REMARK_LINE) {
+            true => 0,
+            false => starts.min().unwrap_or(line.len()),
+        };
+        let line = &line[..end];
         let present = SEPARATORS
             .into_iter()
             .filter(|c| *c == ' ' || line.contains(*c));

@@ -85,7 +85,7 @@ fn tables_of_other_programs_give_the_same_points() {
     for file in [
         format!("| Point | X (mm) | Y (mm) | Z (mm) |\n|---|---|---|---|\n{markdown}"),
         lines(1, |name, [x, y, z]| {
-            format!("{name} & {x} & {y} & {z} \\\\\n")
+            format!("{name} & {x} & ${y}$ & ${z}$ \\\\ \\hline\n")
         }),
         lines(2, |name, [x, y, z]| {
             format!("{name}\t{}\t{}\t{}\n", comma(x), comma(y), comma(z))
