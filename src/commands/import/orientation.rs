@@ -42,22 +42,22 @@ pub(super) fn orientation(
     let mut otherwise = arrangement.otherwise.iter();
     let is_otherwise = otherwise.any(|name| name == choice.linkage);
     let ahead = if is_otherwise { &[][..] } else { ahead };
-    let clues = [
-        clue_from_order(choice, ahead, 0, "behind"),
-        clue_from_order(choice, above, 2, "below"),
-        clue_from_side(choice),
-    ];
+    let along = majority(clues_from_order(choice, ahead, 0, "behind"));
+    let up = majority(clues_from_order(choice, above, 2, "below"));
+    let against = [along.1, up.1].into_iter().flatten();
+    let against: Vec<String> = against.map(|clue| clue.why).collect();
+    let clues = [along.0, up.0, clue_from_side(choice)];
     let clues: Vec<Clue> = clues.into_iter().flatten().collect();
     let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
     if let Some(axes) = stated {
         // The side of the corner is checked separately.
-        let against = clues
+        let doubts = clues
             .iter()
             .filter(|clue| clue.axis != 1 && !fits(&axes, clue));
         return Ok(Orientation {
             axes,
             why: "as --axes says".to_owned(),
-            doubts: against.map(|clue| clue.why.clone()).collect(),
+            doubts: doubts.map(|clue| clue.why.clone()).collect(),
         });
     }
     let why: Vec<&str> = clues.iter().map(|clue| clue.why.as_str()).collect();
@@ -75,12 +75,12 @@ pub(super) fn orientation(
         [axes] => Ok(Orientation {
             axes: *axes,
             why: format!("as {why}"),
-            doubts: Vec::new(),
+            doubts: against,
         }),
         [first, ..] => Ok(Orientation {
             axes: if fit.contains(&usual) { usual } else { *first },
             why: "as is usual in such files".to_owned(),
-            doubts: Vec::new(),
+            doubts: against,
         }),
     }
 }
@@ -139,14 +139,25 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     }
 }
 
-/// Deduces the direction of an axis from the first of the pairs that the file has.
-fn clue_from_order(
+/// Returns the first clue of the direction that most clues of an axis show, or the first one does, and the first clue against
+/// it: a mistyped coordinate turns one pair of points round, not the others.
+fn majority(clues: Vec<Clue>) -> (Option<Clue>, Option<Clue>) {
+    let sum: f64 = clues.iter().map(|clue| clue.sign).sum();
+    let first = clues.first().map_or(0.0, |clue| clue.sign);
+    let sign = if sum == 0.0 { first } else { sum.signum() };
+    let (with, against): (Vec<Clue>, Vec<Clue>) =
+        clues.into_iter().partition(|clue| clue.sign == sign);
+    (with.into_iter().next(), against.into_iter().next())
+}
+
+/// Deduces the direction of an axis from each of the pairs that the file has.
+fn clues_from_order(
     choice: &Choice<'_>,
     pairs: &[[String; 2]],
     axis: usize,
     is: &str,
-) -> Option<Clue> {
-    pairs.iter().find_map(|[first, second]| {
+) -> Vec<Clue> {
+    let clues = pairs.iter().filter_map(|[first, second]| {
         let [first, second] = [choice.point(first)?, choice.point(second)?];
         let [a, b] = [first.at[axis], second.at[axis]];
         let name = ["x", "y", "z"][axis];
@@ -158,7 +169,8 @@ fn clue_from_order(
                 first.name, second.name
             ),
         })
-    })
+    });
+    clues.collect()
 }
 
 /// Deduces the direction of the lateral axis from the side that the name of a wheel centre states.

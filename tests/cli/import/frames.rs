@@ -94,6 +94,21 @@ fn stated_axes_are_used_and_a_contradiction_by_points_is_noted() {
 }
 
 #[test]
+fn a_mistyped_coordinate_does_not_turn_the_axes() {
+    let folder = folder();
+    let file = corner("", [1.0; 3]);
+    let mistyped = file.replace("uca_outer, 14, -535, 330", "uca_outer, 14, -535, 33");
+    assert_ne!(mistyped, file);
+    let imported = import(folder.path(), "a.csv", &mistyped, &[]);
+    for said in [
+        "axes are Adams (x rearward, y right, z up)",
+        "that is doubtful, as z is 33 at `uca_outer` and 128 at `lca_outer` below it",
+    ] {
+        assert!(imported.notes.contains(said), "{}", imported.notes);
+    }
+}
+
+#[test]
 fn an_imported_corner_keeps_its_side_unless_the_other_is_requested() {
     let folder = folder();
     let right = [1.0, -1.0, 1.0];
