@@ -147,10 +147,17 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// Returns the words before the coordinates; none in a row without coordinates.
-    pub(super) fn words_before_coordinates(&self) -> Vec<&'a str> {
-        let first = self.found().map_or(0, |(first, _)| first);
-        self.words(&self.fields[..first])
+    /// Returns the columns with words before the first number; none between blanks.
+    pub(super) fn columns_before_numbers(&self) -> Vec<&'a str> {
+        // Numbers before the words count rows.
+        let fields = self.fields.iter().copied();
+        let fields = fields.skip_while(|field| self.number(field).is_some());
+        let columns = fields.take_while(|field| self.number(field).is_none());
+        let columns: Vec<&str> = columns.collect();
+        match self.separator {
+            ' ' => Vec::new(),
+            _ => self.words(&columns),
+        }
     }
 
     /// Returns the heading that the row is for others: its first column, or all words between blanks, but the axes.

@@ -1,21 +1,27 @@
 //! The name of a row of which a column before it, or the heading above it, has a part.
 
-use super::names::{Names, key_of};
+use super::heading::end_of_heading;
+use super::names::{Names, key_of, spelled};
 use super::row::Row;
 
-/// Returns the name of a row: its own or, if that is no point, the one that is a point together with columns before it, as
-/// in `Tie rod, inner`, or with the `heading` above it.
+/// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,
+/// if that is known, or else its own.
 pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
     let own = row.name();
-    let columns = row.words_before_coordinates();
-    let joined = (0..columns.len())
-        .rev()
-        .map(|from| columns[from..].join(" "));
-    let under_heading = format!("{heading} {own}");
-    let mut readings = [own.clone()]
-        .into_iter()
-        .chain(joined)
-        .chain([under_heading]);
-    let known = readings.find(|name| names.is_point(&key_of(name).0));
+    let is_point = row.coordinates().is_some();
+    let mut columns = row.columns_before_numbers();
+    let last = columns.pop();
+    // A column such as `Rear` is of the axle.
+    columns.retain(|column| end_of_heading(&spelled(column)).is_none());
+    let others = columns.len();
+    columns.extend(last);
+    let joined = (0..others).map(|from| columns[from..].join(" "));
+    let headed = (!heading.is_empty()).then(|| format!("{heading} {own}"));
+    let mut readings = joined.chain(headed);
+    let is_known = |key: &str| match is_point {
+        true => names.is_point(key),
+        false => names.is_number(key),
+    };
+    let known = readings.find(|name| is_known(&key_of(name).0));
     known.unwrap_or(own)
 }

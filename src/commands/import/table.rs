@@ -29,12 +29,16 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         add(&mut stated, &row, &name_of(&row, &heading, names), names)?;
         stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
-            heading = row.heading().unwrap_or(heading);
             let words = spelled(line);
             let end = end_of_heading(&words);
             stated.add_end(end, place.clone());
             let words: Vec<&str> = words.split('_').collect();
-            section = section.below(end.or(row.end()), side_of_heading(&words));
+            let side = side_of_heading(&words);
+            section = section.below(end.or(row.end()), side);
+            heading = match (end, side) {
+                (None, None) => row.heading().unwrap_or(heading),
+                _ => String::new(),
+            };
             check_columns(&words).map_err(|message| source.refuse(&place, message))?;
             let unit = unit_of_heading(&words).map_err(|message| source.refuse(&place, message))?;
             stated.unit = stated.unit.or(unit);

@@ -104,14 +104,14 @@ fn tables_of_other_programs_give_the_same_points() {
 #[test]
 fn a_part_and_its_point_may_be_apart() {
     let folder = folder();
-    let parts = ["Lower wishbone", "Upper wishbone", "Tie rod"];
+    let parts = ["Lower wishbone", "Upper wishbone", "Tie rod", "Wheel"];
     let points = [
-        &["Front inboard", "Rear inboard", "Outboard"][..],
-        &["Front", "Rear", "Outer"],
+        &["Front inboard", "Rear inboard", "Ball joint"][..],
+        &["Front", "Rear", "Ball joint"],
         &["Inner", "Outer"],
+        &["Centre"],
     ];
     let at = |index: usize| CORNER[index].1.map(|x| x.to_string()).join(",");
-    let wheel = format!("Wheel centre,,{}\n", at(8));
     let [mut columns, mut headed] = [String::new(), String::new()];
     for (part, points) in parts.into_iter().zip(points) {
         headed += &format!("{part},X (mm),Y (mm),Z (mm)\n");
@@ -123,9 +123,11 @@ fn a_part_and_its_point_may_be_apart() {
     }
     let plain = lines(0, |name, [x, y, z]| format!("{name}, {x}, {y}, {z}\n"));
     let plain = import(folder.path(), "a.csv", &plain, &[]);
-    for file in [columns + &wheel, headed + &wheel] {
+    for file in [columns + "Tyre,Radius,229\n", headed + "Radius,229\n"] {
         let imported = import(folder.path(), "a.csv", &file, &[]);
         assert_eq!(imported.points(), plain.points(), "{file}");
+        let radius = &imported.motion["vehicle"]["wheel_radius"];
+        assert_eq!(radius.as_float(), Some(229.0), "{file}");
     }
 }
 
