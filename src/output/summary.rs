@@ -4,8 +4,12 @@ use std::fmt::Write;
 
 use crate::mechanism::{Description, Unit};
 use crate::output::record::Outcome;
-use crate::output::text_table::{TextColumn, laid_out};
+use crate::output::text_table::{TextColumn, in_parts};
+
 use crate::quantities::{Shown, catalogue, columns};
+
+/// The most characters of a line of the table.
+const WIDTH: usize = 120;
 
 /// Returns the catalogue's quantities at the kept instants, and the totals.
 pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
@@ -20,12 +24,15 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     let kept = &outcome.kept;
     let columns = columns(catalogue(), names).into_iter();
     let columns = columns.filter(|column| column.quantity.shown != Shown::InTables);
-    let columns = columns.map(|column| {
+    let mut columns = columns.map(|column| {
         let values = kept.iter().map(|state| column.value(state));
-        let heading = format!("{:>9}", column.heading(unit));
-        TextColumn::values(values, column.dimension, unit).headed(heading)
+        let (_, symbol) = column.dimension.display_scale(unit);
+        let column_of_text = TextColumn::values(values, column.dimension, unit);
+        column_of_text.headed_with_unit(&column.heading(), &symbol)
     });
-    let table = laid_out(2, columns);
+    let time = columns.next();
+    let table = time.map(|time| in_parts(2, WIDTH, &time, columns.collect()));
+    let table = table.unwrap_or_default();
     let mut out = format!("Linkage {linkage}, axes of {}\n\n{table}", axes.in_words());
     if kept.len() < outcome.solved {
         let _ = writeln!(

@@ -4,7 +4,11 @@ use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::number::{aligned, fixed};
 
+/// The distance between columns.
+const GAP: usize = 2;
+
 /// A column: its heading and its cells.
+#[derive(Clone)]
 pub struct TextColumn {
     heading: String,
     cells: Vec<String>,
@@ -46,6 +50,17 @@ impl TextColumn {
         Self { heading, ..self }
     }
 
+    /// Sets the heading and, in a line of its own below it, the unit.
+    pub fn headed_with_unit(mut self, heading: &str, unit: &str) -> Self {
+        self.cells.insert(0, format!("({unit})"));
+        self.headed(heading)
+    }
+
+    fn width(&self) -> usize {
+        let texts = [&self.heading].into_iter().chain(&self.cells);
+        texts.map(|text| text.chars().count()).max().unwrap_or(0)
+    }
+
     /// Joins the cells of another column to this one's, for example units; the heading becomes left-aligned.
     pub fn joined(self, between: &str, next: Self) -> Self {
         let cells = self.cells.iter().zip(next.cells);
@@ -56,7 +71,7 @@ impl TextColumn {
     /// Returns the heading and the cells, padded to the same width.
     fn padded(&self) -> Vec<String> {
         let texts = || [&self.heading].into_iter().chain(&self.cells);
-        let width = texts().map(|text| text.chars().count()).max().unwrap_or(0);
+        let width = self.width();
         let padded = texts().map(|text| match self.is_at_right {
             true => format!("{text:>width$}"),
             false => format!("{text:width$}"),
@@ -73,11 +88,36 @@ pub fn laid_out(indent: usize, columns: impl IntoIterator<Item = TextColumn>) ->
     let lines = columns.iter().map(Vec::len).min().unwrap_or(0);
     let line = |line: usize| {
         let texts: Vec<&str> = columns.iter().map(|column| column[line].as_str()).collect();
-        let line = format!("{:indent$}{}", "", texts.join("  "));
+        let line = format!("{:indent$}{}", "", texts.join(&" ".repeat(GAP)));
         line.trim_end().to_owned() + "\n"
     };
     let lines = usize::from(is_without_headings)..lines;
     lines.map(line).collect()
+}
+
+/// Returns a table in parts side by side that are at most `width` characters wide where that is possible: each part has the
+/// first column and as many of the others as fit, and an empty line follows each but the last.
+pub fn in_parts(
+    indent: usize,
+    width: usize,
+    first: &TextColumn,
+    others: Vec<TextColumn>,
+) -> String {
+    let start = indent + first.width();
+    let mut parts: Vec<Vec<TextColumn>> = Vec::new();
+    let mut end = width;
+    for column in others {
+        end += GAP + column.width();
+        match parts.last_mut().filter(|_| end <= width) {
+            Some(part) => part.push(column),
+            None => {
+                end = start + GAP + column.width();
+                parts.push(vec![first.clone(), column]);
+            }
+        }
+    }
+    let parts = parts.into_iter().map(|part| laid_out(indent, part));
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -102,6 +142,22 @@ mod tests {
             TextColumn::right(NONE),
         ];
         assert_eq!(laid_out(2, headed), "  name\n");
+    }
+
+    #[test]
+    fn a_wide_table_has_parts_with_the_first_column() {
+        let column = |name: &str| numbers(&["1", "22"]).headed_with_unit(name, "mm");
+        let [t, x, y, z] = ["t", "x", "why", "zed"].map(column);
+        let expected = "\
+            \x20   t     x   why\n\
+            \x20(mm)  (mm)  (mm)\n\
+            \x20   1     1     1\n\
+            \x20  22    22    22\n\n\
+            \x20   t   zed\n\
+            \x20(mm)  (mm)\n\
+            \x20   1     1\n\
+            \x20  22    22\n";
+        assert_eq!(in_parts(1, 17, &t, vec![x, y, z]), expected);
     }
 
     #[test]

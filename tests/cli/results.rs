@@ -88,7 +88,7 @@ fn measures_of_the_linkage_are_in_table_and_summary() {
         assert_eq!(row[height], row[centre]);
     }
     let output = run(folder.path(), &["motion", "a.toml"]);
-    assert!(text(&output.stdout).contains("height (m)"));
+    assert!(text(&output.stdout).contains("  height\n"));
 }
 
 #[test]
@@ -144,16 +144,31 @@ fn motion_without_options_prints_a_summary() {
     let output = run(folder.path(), &["motion", "f.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let printed = text(&output.stdout);
-    for expected in [
-        "five_link",
-        "theta (deg)",
-        "camber (deg)",
-        "11 of 40 instants",
-    ] {
+    let expected = "\
+        \x20      t    theta  centre x  centre y  centre z  kingpin   caster   camber      toe  height\n\
+        \x20    (s)    (deg)      (mm)      (mm)      (mm)    (deg)    (deg)    (deg)    (deg)    (mm)\n";
+    assert!(printed.contains(expected), "{printed}");
+    for expected in ["five_link", "11 of 40 instants"] {
         assert!(printed.contains(expected), "{expected}\n{printed}");
     }
     let files = std::fs::read_dir(folder.path()).expect("a folder").count();
     assert_eq!(files, 1);
+}
+
+#[test]
+fn the_summary_of_an_axle_fits_into_a_terminal() {
+    let folder = folder();
+    let file = example("front_and_rear_axle.toml");
+    std::fs::write(folder.path().join("f.toml"), file).expect("written");
+    let output = run(folder.path(), &["motion", "f.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let printed = text(&output.stdout);
+    let widest = printed.lines().map(|line| line.chars().count()).max();
+    assert!(widest.is_some_and(|widest| widest <= 120), "{printed}");
+    let times = printed
+        .lines()
+        .filter(|line| line.starts_with("  0.0000  "));
+    assert!(times.count() > 3, "{printed}");
 }
 
 /// A user who copies the example moves a point by a centimetre, and it runs.

@@ -63,7 +63,9 @@ impl Report {
         };
         let wheel = self.wheel.iter().map(|column| {
             let values = each().map(|assembly| column.value(&assembly.state));
-            TextColumn::values(values, column.dimension, unit).headed(column.heading(unit))
+            let (_, symbol) = column.dimension.display_scale(unit);
+            let heading = format!("{} ({symbol})", column.heading());
+            TextColumn::values(values, column.dimension, unit).headed(heading)
         });
         let singular_values =
             each().map(|assembly| format!("{:.1e}", assembly.smallest_singular_value));

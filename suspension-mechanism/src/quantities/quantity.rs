@@ -130,13 +130,12 @@ impl<N: Compiled> Column<N> {
         }
     }
 
-    /// The heading of a column for people: `camber (deg)`, `centre x (m)`.
-    pub fn heading(&self, unit: Unit) -> String {
-        let (_, symbol) = self.dimension.display_scale(unit);
+    /// The heading of a column for people, without its unit: `camber`, `centre x`.
+    pub fn heading(&self) -> String {
         let axis = self
             .axis
             .map_or_else(String::new, |axis| format!(" {axis}"));
-        format!("{}{axis} ({symbol})", self.name)
+        format!("{}{axis}", self.name)
     }
 
     /// Whether it belongs to a quantity.
