@@ -54,6 +54,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) wanted: Option<End>,
     /// The corners of the rows that are read next; a row may say more about itself.
     pub(super) section: Section,
+    /// The corners of two groups of columns.
+    pub(super) groups: Option<[Section; 2]>,
     /// Whether the file's angles are in radians.
     pub(super) radians: bool,
     /// The usual axes of such files.
@@ -72,6 +74,7 @@ impl<'a> Hardpoints<'a> {
             ends: Vec::new(),
             wanted: None,
             section: Section::default(),
+            groups: None,
             radians: false,
             usual,
         }

@@ -1,6 +1,6 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
-use super::side::{End, Side, corner_of, end_of, side_of};
+use super::side::{End, Section, Side, corner_of, end_of, side_of};
 use crate::mechanism::Length;
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
@@ -20,6 +20,33 @@ pub(super) fn end_of_heading(words: &str) -> Option<End> {
     let end = end_of(words)?;
     let is_of_axle = words.split('_').any(|word| OF_AXLE.contains(&word));
     (is_of_axle || !words.contains('_')).then_some(end)
+}
+
+/// Words of a heading above groups of columns, beside those of corners, axes and units.
+const OF_COLUMNS: [&str; 7] = [
+    "point",
+    "name",
+    "hardpoint",
+    "hardpoints",
+    "side",
+    "wheel",
+    "corner",
+];
+
+/// Returns the corners of two groups of columns, such as `Left` and `Right`, or `Front x, y, z` and `Rear x, y, z`.
+pub(super) fn column_groups(words: &[&str]) -> Option<[Section; 2]> {
+    let is_other = |word: &&str| {
+        let is_axis = ["x", "y", "z"].contains(word);
+        is_axis || OF_COLUMNS.contains(word) || unit(word).is_some()
+    };
+    let (others, corners): (Vec<&str>, Vec<&str>) = words.iter().copied().partition(is_other);
+    let groups: Option<Vec<Section>> = corners.into_iter().map(Section::of_word).collect();
+    let mut groups = groups?;
+    groups.dedup();
+    groups
+        .try_into()
+        .ok()
+        .filter(|_| others.len() < words.len())
 }
 
 /// Returns the side of the vehicle in a heading that has no words but those of axles and sides, such as `FRONT LEFT` or `RL

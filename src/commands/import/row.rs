@@ -44,7 +44,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
 }
 
 impl<'a> Row<'a> {
-    /// Splits a line without its remark, at the separator that gives three coordinates, or else the most numbers.
+    /// Splits a line without its remark, at the separator that gives three coordinates, or else six.
     pub(super) fn parse(place: Range<usize>, line: &'a str) -> Self {
         let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
         let end = match line.starts_with(REMARK_LINE) {
@@ -64,25 +64,35 @@ impl<'a> Row<'a> {
         });
         let mut rows: Vec<Self> = rows.collect();
         let best = rows.iter().position(|row| row.coordinates().is_some());
+        let best = best.or_else(|| rows.iter().position(|row| !row.places().is_empty()));
         rows.swap_remove(best.unwrap_or_default())
     }
 
-    /// Returns exactly three consecutive numbers, and the index of their first field.
-    fn found(&self) -> Option<(usize, [f64; 3])> {
+    /// Returns exactly three or six consecutive numbers, in groups of three, and the index of their first field.
+    fn found(&self) -> Option<(usize, Vec<[f64; 3]>)> {
         let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();
         let mut first = 0;
         for run in numbers.chunk_by(|a, b| a.is_some() == b.is_some()) {
-            if let [Some(x), Some(y), Some(z)] = run {
-                return Some((first, [*x, *y, *z]));
+            let values: Vec<f64> = run.iter().flatten().copied().collect();
+            if let (places @ ([_] | [_, _]), []) = values.as_chunks() {
+                return Some((first, places.to_vec()));
             }
             first += run.len();
         }
         None
     }
 
+    /// Returns the coordinates of the point in each of two groups of columns, or those of the only one; none in other rows.
+    pub(super) fn places(&self) -> Vec<[f64; 3]> {
+        self.found().map(|(_, places)| places).unwrap_or_default()
+    }
+
     /// Returns the three coordinates of a point.
     pub(super) fn coordinates(&self) -> Option<[f64; 3]> {
-        self.found().map(|(_, at)| at)
+        match self.places()[..] {
+            [at] => Some(at),
+            _ => None,
+        }
     }
 
     pub(super) fn numbers(&self) -> Vec<f64> {

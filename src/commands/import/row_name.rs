@@ -8,7 +8,7 @@ use super::row::Row;
 /// if that is known, or else its own.
 pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
     let own = row.name();
-    let is_point = row.coordinates().is_some();
+    let is_point = !row.places().is_empty();
     let mut columns = row.columns_before_numbers();
     let last = columns.pop();
     // A column such as `Rear` is of the axle.

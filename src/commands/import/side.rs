@@ -67,14 +67,30 @@ impl End {
     }
 }
 
-/// The corners to which the rows below a heading belong, as far as the heading says.
-#[derive(Clone, Copy, Debug, Default)]
+/// The corners to which the rows below a heading or a group of columns belong, as far as the heading says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Section {
     pub(super) end: Option<End>,
     pub(super) side: Option<Side>,
 }
 
 impl Section {
+    /// Returns what a word in small letters says.
+    pub(super) fn of_word(word: &str) -> Option<Self> {
+        let (end, side) = (end_of(word), side_of(word));
+        let corner = corner_of(word).map(|(end, side)| (Some(end), Some(side)));
+        let (end, side) = corner.unwrap_or((end, side));
+        (end.is_some() || side.is_some()).then_some(Self { end, side })
+    }
+
+    /// Returns this section, with what it does not say from another one.
+    pub(super) fn or(self, other: Self) -> Self {
+        Self {
+            end: self.end.or(other.end),
+            side: self.side.or(other.side),
+        }
+    }
+
     /// Returns the section below another heading, which names an end, a side, both or neither.
     pub(super) fn below(self, end: Option<End>, side: Option<Side>) -> Self {
         match (end, side) {

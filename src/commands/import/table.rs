@@ -1,7 +1,9 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
 use super::hardpoints::Hardpoints;
-use super::heading::{check_columns, end_of_heading, side_of_heading, unit, unit_of_heading};
+use super::heading::{
+    check_columns, column_groups, end_of_heading, side_of_heading, unit, unit_of_heading,
+};
 use super::names::{Names, key_of, spelled};
 use super::row::{Row, is_unit_or_side, lines};
 use super::row_name::name_of;
@@ -35,6 +37,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             let words: Vec<&str> = words.split('_').collect();
             let side = side_of_heading(&words);
             section = section.below(end.or(row.end()), side);
+            stated.groups = column_groups(&words).or(stated.groups);
             heading = match (end, side) {
                 (None, None) => row.heading().unwrap_or(heading),
                 _ => String::new(),
@@ -99,8 +102,8 @@ pub(super) fn add(
     names: &Names,
 ) -> Result<(), Failure> {
     let (key, _) = key_of(name);
-    let coordinates = row.coordinates();
-    if coordinates.is_none()
+    let places = placed(row, stated.groups);
+    if places.is_empty()
         && let Some(name) = before_numbers(&row.spelled(), names)
     {
         return Err(misread(stated, name, row, names));
@@ -113,9 +116,14 @@ pub(super) fn add(
             return Err(stated.source.refuse(&row.place, IN_PARENTHESES));
         }
     }
-    match (coordinates, row.numbers().as_slice()) {
-        (Some(at), _) if !key.is_empty() => {
-            stated.add_point(name, row.sides(), at, row.place.clone());
+    match row.numbers()[..] {
+        _ if !places.is_empty() && !key.is_empty() => {
+            let section = stated.section;
+            for (group, at) in places {
+                stated.section = group.or(section);
+                stated.add_point(name, row.sides(), at, row.place.clone());
+            }
+            stated.section = section;
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
             [value] => stated.add_number(name, row.sides(), value, row.place.clone()),
@@ -124,7 +132,7 @@ pub(super) fn add(
         _ if names.is_point(&key) && row.begins_a_number() => {
             return Err(misread(stated, name, row, names));
         }
-        (None, [_]) => {
+        [_] => {
             let meant = names.number_meant(&key);
             let place = stated.line(&row.place);
             let said =
@@ -134,6 +142,15 @@ pub(super) fn add(
         _ => {}
     }
     Ok(())
+}
+
+/// Returns the coordinates of a row's points with their corners.
+fn placed(row: &Row<'_>, groups: Option<[Section; 2]>) -> Vec<(Section, [f64; 3])> {
+    match (&row.places()[..], groups) {
+        ([at], _) => vec![(Section::default(), *at)],
+        ([one, other], Some([of_one, of_other])) => vec![(of_one, *one), (of_other, *other)],
+        _ => Vec::new(),
+    }
 }
 
 const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
@@ -146,7 +163,8 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
         format!("`{name}` needs one number after it, with a decimal point and without a unit")
     } else if row.numbers_behind_name().len() == 6 {
         format!(
-            "point `{name}` has six numbers: give each side a row of its own, or keep the left one"
+            "point `{name}` has six numbers: say in a heading above the columns which are `Left` and which `Right` (or `Front`, \
+             `Rear`), or give each a row of its own"
         )
     } else {
         format!(

@@ -180,13 +180,44 @@ fn words_in_parentheses_state_the_side() {
     }
 }
 
+/// Two groups of columns: both sides, or both axles.
 #[test]
-fn both_sides_in_one_row_are_refused() {
-    let file = lines(0, |name, [x, y, z]| {
+fn two_points_in_a_row_are_those_of_the_groups_in_the_heading() {
+    let folder = folder();
+    let one = lines(0, |name, [x, y, z]| format!("{name}\t{x}\t{y}\t{z}\n"));
+    let plain = import(folder.path(), "a.csv", &one, &[]);
+    let both = lines(0, |name, [x, y, z]| {
         format!("{name}\t{x}\t{y}\t{z}\t{x}\t{}\t{z}\n", -y)
     });
-    let said = refusal("a.csv", &format!("\tLeft\t\t\tRight\t\t\n{file}"), &[]);
-    let expected = "a.csv:2:1: point `lca_front` has six numbers: give each side a row of its own, or keep the left one";
+    for heading in [
+        "\tLeft\t\t\tRight\t\t\n",
+        "Point\tLeft X\tLeft Y\tLeft Z\tRight X\tRight Y\tRight Z\n",
+        "\tFL\t\t\tFR\t\t\n\tx\ty\tz\tx\ty\tz\n",
+    ] {
+        let imported = import(folder.path(), "a.csv", &format!("{heading}{both}"), &[]);
+        assert_eq!(imported.points(), plain.points(), "{heading}");
+        let said = "the right corner is the mirror image of the left one";
+        assert!(imported.notes.contains(said), "{}", imported.notes);
+    }
+    let axles = lines(0, |name, [x, y, z]| {
+        format!("{name};{x};{y};{z};{};{y};{z}\n", x + 1600.0)
+    });
+    let file = format!("Name;Front;;;Rear;;\n{axles}");
+    let front = import(folder.path(), "a.csv", &file, &["--end", "front"]);
+    assert_eq!(front.points(), plain.points());
+    let rear = import(folder.path(), "a.csv", &file, &["--end", "rear"]);
+    let [x, y, z] = plain.points()["lower_ball"];
+    assert_eq!(rear.points()["lower_ball"], [x - 1600.0, y, z]);
+}
+
+#[test]
+fn two_points_in_a_row_without_a_heading_are_refused() {
+    let both = lines(0, |name, [x, y, z]| {
+        format!("{name}\t{x}\t{y}\t{z}\t{x}\t{}\t{z}\n", -y)
+    });
+    let said = refusal("a.csv", &both, &[]);
+    let expected = "a.csv:1:1: point `lca_front` has six numbers: say in a heading above the columns which are `Left` and which \
+                    `Right` (or `Front`, `Rear`), or give each a row of its own";
     assert_eq!(said.trim_end(), expected);
 }
 
