@@ -160,8 +160,9 @@ damper: springs and stated forces in the measure together. The forces of each bo
 and moments that act on it. A moment about an angle acts on the part that carries the angle's lines, which passes it on:
 `bar on arm` is the moment of a torsion bar, in N m, with all that acts in the measure bar; `cross on shaft` is the moment
 of a universal joint, or of another statement that drives or holds an angle. With rigid parts, only the sum of the axial
-forces of the two bushes of a hinge is determined: each bush is given half of it. The same holds for two points that two
-bodies share, such as the ends of a kingpin, along their line; if three bodies share both, the shares are arbitrary.
+forces of the two bushes of a hinge, or of a body with two chassis points, is determined: each bush is given half of it. The
+same holds for two points that two bodies share, such as the ends of a kingpin, along their line; if three bodies share
+both, the shares are arbitrary.
 
 Chassis points: the total force that links, joints, measures and driven lengths exert on a chassis point, as its bracket
 bears it, without the weight of a mass at the point itself. Chassis points that a drive moves, such as the end of a rack,

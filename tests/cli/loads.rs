@@ -58,14 +58,19 @@ const GRID: [&str; 4] = [
     "steer=-0.02:0.02:3",
 ];
 
-/// The shares of two bushes in the force along their line are not determined: each bears half, in any order of the points.
-/// An arm with its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
+/// The shares of two bushes in the force along their line are not determined: each bears half, in any order of the points,
+/// for a `hinge` as for a `body` with two chassis points. An arm with its bushes 0.3 m before and behind its tip and a force of 1000 N forwards there, 0.45 m outboard.
 #[test]
 fn bushes_of_a_hinge_share_the_axial_force_equally() {
-    for order in ["tip, hub", "hub, tip"] {
+    for arm in [
+        "hinge arm: front, rear -> tip, hub",
+        "hinge arm: front, rear -> hub, tip",
+        "body arm: front, rear, tip, hub",
+        "body arm: front, rear, hub, tip",
+    ] {
         let file = format!(
             "unit = \"m\"\nstatements = \"\"\"\nfixed: front at [0.3, 0.3, 0.2], rear at [-0.3, 0.3, 0.2];\n\
-             free: tip at [0.0, 0.75, 0.2], hub at [0.2, 0.5, 0.25];\nhinge arm: front, rear -> {order};\n\
+             free: tip at [0.0, 0.75, 0.2], hub at [0.2, 0.5, 0.25];\n{arm};\n\
              drive bump: tip.z;\n\"\"\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.2 }}\n\
              [loads.a]\ntip = [1000.0, 0.0, 0.0]\n"
         );
@@ -77,7 +82,7 @@ fn bushes_of_a_hinge_share_the_axial_force_equally() {
             let found = force(row, &format!("a_arm_{bush}"));
             assert!(
                 (found - Vector3::from(expected)).amax() < 1e-9,
-                "{order} {bush}: {found}"
+                "{arm}, {bush}: {found}"
             );
         }
     }

@@ -15,7 +15,7 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// The two bushes of each hinge, then the points of each two bodies that share two. `chassis` is the number of chassis
+    /// The two bushes of each hinge, or body with two chassis points, then the points of each two bodies that share two. `chassis` is the number of chassis
     /// points, which are the first of all points.
     pub(super) fn all(statements: &[Statement<'_>], chassis: usize) -> Vec<Self> {
         let bodies = || {
@@ -24,9 +24,9 @@ impl Shared {
         };
         let bushes = bodies().filter_map(|(number, part)| {
             let is_bush = |point: &usize| *point < chassis;
-            let parts = (number, None);
             let points = two(part.points.iter().copied().filter(is_bush))?;
-            (part.kind == Kind::HINGE).then_some(Self { parts, points })
+            let parts = (number, None);
+            Some(Self { parts, points })
         });
         let pairs = bodies().flat_map(|(number, part)| {
             bodies()
