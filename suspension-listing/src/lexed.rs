@@ -131,7 +131,12 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
         Some(control) if control.is_control() => {
             format!("the character {control:?} is not allowed; remove it")
         }
-        Some(other) => format!("unexpected `{other}`; remove it"),
+        Some(other) if other.is_ascii() => format!("unexpected `{other}`; remove it"),
+        Some(other) => {
+            let code = u32::from(other);
+            let remedy = meant(other).map_or("remove it".to_owned(), |it| format!("write `{it}`"));
+            format!("unexpected `{other}` (U+{code:04X}); {remedy}")
+        }
         None => "the text ends too early".to_owned(),
     };
     Mistake {
@@ -139,5 +144,18 @@ fn unreadable(text: &str, error: &LexError) -> Mistake {
         line: start.line.max(1),
         column: start.column + 1,
         length: usize::from(!rest.is_empty()),
+    }
+}
+
+/// The characters of a listing in whose place a word processor writes this one.
+fn meant(character: char) -> Option<&'static str> {
+    match character {
+        '\u{2010}'..='\u{2015}' | '\u{2212}' | '\u{ff0d}' => Some("-"),
+        '\u{2192}' | '\u{21d2}' | '\u{27f6}' => Some("->"),
+        '\u{201c}'..='\u{201f}' => Some("\""),
+        '\u{ff0c}' => Some(","),
+        '\u{ff1a}' => Some(":"),
+        '\u{ff1b}' => Some(";"),
+        _ => None,
     }
 }

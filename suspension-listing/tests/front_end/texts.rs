@@ -130,7 +130,26 @@ fn an_invalid_token_is_reported() {
     for (text, message) in [
         ("fixed: a at [0, 1, 2;", "`[` is not closed; close it"),
         ("fixed: a];", "`]` has no opening bracket; remove it"),
-        ("fixed: a; \u{a7}", "unexpected `\u{a7}`; remove it"),
+        (
+            "fixed: a; \u{a7}",
+            "unexpected `\u{a7}` (U+00A7); remove it",
+        ),
+        (
+            "fixed: a\u{200b};",
+            "unexpected `\u{200b}` (U+200B); remove it",
+        ),
+        (
+            "fixed: a at [0, \u{2212}1, 2];",
+            "unexpected `\u{2212}` (U+2212); write `-`",
+        ),
+        (
+            "link a: b \u{2192} c;",
+            "unexpected `\u{2192}` (U+2192); write `->`",
+        ),
+        (
+            "fixed\u{ff1a} a;",
+            "unexpected `\u{ff1a}` (U+FF1A); write `:`",
+        ),
         ("/* fixed: a;", "`/*` is not closed; close it with `*/`"),
         ("include b: \"b.linkage;", "`\"` is not closed; close it"),
         (
