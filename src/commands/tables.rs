@@ -168,9 +168,10 @@ are rotations about z, then x, then y, with the signs of rotations: rz is toe, a
 They are the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: at the design position rx and rz are
 static camber and toe, and ry is 0. Measured lengths with spring, damper or bar (also stabi or arb) in their names are
 lSpring, lDamp and lStabi. If no measure has spring in its name, lSpring is the length of a spring of [springs] that is not
-a bar. A bar along an angle has no lStabi, and a line says so. ValidSide is left+right, with the right wheel as mirror image
-of the left one, if the listing has one wheel or its wheels are mirror images; else it is the wheel's side. Rows begin with
-SuspR if [vehicle] has axle = \"rear\" or the wheel's name begins with rear, for example rear_left; else with SuspF.
+a bar. A bar along an angle has no lStabi, and a line says so. Measures of an axle that do not have the name of the wheel in
+theirs, such as that of a spring between both rockers, have no row. ValidSide is left+right, with the right wheel as mirror
+image of the left one, if the listing has one wheel or its wheels are mirror images; else it is the wheel's side. Rows begin
+with SuspR if [vehicle] has axle = \"rear\" or the wheel's name begins with rear, for example rear_left; else with SuspF.
 
 Neither form has compliance: bushings and forces are outside the model. A rigid axle would need both wheels as inputs, which
 neither form has: its tables are of heave, in which both wheel centres rise alike. If its drives are not heights, this holds
