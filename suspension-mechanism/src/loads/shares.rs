@@ -15,8 +15,8 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// The two bushes of each hinge, or body with two chassis points, then the points of each two bodies that share two. `chassis` is the number of chassis
-    /// points, which are the first of all points.
+    /// The two bushes of each hinge and of each body with two chassis points, then the points of each two bodies that share
+    /// two. `chassis` is the number of chassis points, which are the first of all points.
     pub(super) fn all(statements: &[Statement<'_>], chassis: usize) -> Vec<Self> {
         let bodies = || {
             let all = statements.iter().enumerate();
