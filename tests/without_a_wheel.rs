@@ -79,7 +79,7 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
     assert!(!table.contains("NaN"), "{table}");
     let text = summary::text(mechanism, &outcome);
     assert!(
-        text.contains("height (m)") && !text.contains("camber"),
+        text.contains("  height\n") && !text.contains("camber"),
         "{text}"
     );
     let files = (folder.path(), "a");
