@@ -22,6 +22,11 @@ pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
         true => names.is_point(key),
         false => names.is_number(key),
     };
-    let known = readings.find(|name| is_known(&key_of(name).0));
+    let own_form = names.normal(&key_of(&own).0);
+    let known = readings.find(|name| {
+        let (key, _) = key_of(name);
+        // A heading such as `Point` adds nothing.
+        is_known(&key) && names.normal(&key) != own_form
+    });
     known.unwrap_or(own)
 }

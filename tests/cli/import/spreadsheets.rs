@@ -131,6 +131,13 @@ fn a_part_and_its_point_may_be_apart() {
     }
 }
 
+#[test]
+fn a_heading_of_columns_is_no_part_of_the_names_below() {
+    let file = format!("Point, x, y, z\n{}", table(&CORNER));
+    let notes = import(folder().path(), "a.csv", &file, &[]).notes;
+    assert!(notes.contains(" at `lca_front` "), "{notes}");
+}
+
 /// `FL`, `RR` and the like stand before the name, behind it, or in a column.
 #[test]
 fn codes_of_corners_state_the_side_and_the_axle() {
