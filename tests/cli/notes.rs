@@ -162,7 +162,7 @@ fn points_far_from_their_equations_are_refused() {
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(
-            message.contains("more than a tenth of the suspension's size; correct a point of"),
+            message.contains("more than a tenth of the suspension's size; correct a point of the statement that has this equation"),
             "{message}"
         );
         assert!(text(&output.stdout).is_empty());

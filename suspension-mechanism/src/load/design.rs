@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;
-use suspension_core::listing::{DriveKind, Kind, Part, Parts};
+use suspension_core::listing::{DriveKind, Kind};
 use suspension_core::model::local::LocalOrigin;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Linkage, Newton, Signal, Values, assemble};
@@ -125,10 +125,9 @@ fn check_nearness(task: &Task<'_>, off: Option<Unsatisfied>, size: f64) -> Resul
     let Some(off) = off.filter(|off| off.by > MISTAKE * size) else {
         return Ok(());
     };
-    let statement = task.names.name(Part::Equation(off.equation));
     let message = format!(
         "the points do not satisfy {}, more than a tenth of the suspension's size; correct a point of the statement \
-         `{statement}`, or the statement",
+         that has this equation, or the statement",
         task.unsatisfied_in_words(off)
     );
     Err(task.source.refuse(&task.file.points.span(), message))
