@@ -57,7 +57,7 @@ pub struct Arguments {
     /// The file of hardpoints.
     #[arg(required_unless_present = "names")]
     file: Option<PathBuf>,
-    /// Print the point names that import knows for each layout of the catalogue.
+    /// Print the points of each layout of the catalogue, and the names and words that import knows for them.
     #[arg(long)]
     names: bool,
     /// The layout. Without it the layout of the catalogue that uses most of the points and lacks none.
