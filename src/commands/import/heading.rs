@@ -1,6 +1,6 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
-use super::side::{End, Section, Side, corner_of, end_of, side_of};
+use super::side::{End, Section, Side, end_of};
 use crate::mechanism::Length;
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
@@ -39,14 +39,11 @@ pub(super) fn column_groups(words: &[&str]) -> Option<[Section; 2]> {
         let is_axis = ["x", "y", "z"].contains(word);
         is_axis || OF_COLUMNS.contains(word) || unit(word).is_some()
     };
-    let (others, corners): (Vec<&str>, Vec<&str>) = words.iter().copied().partition(is_other);
-    let groups: Option<Vec<Section>> = corners.into_iter().map(Section::of_word).collect();
+    let corners = words.iter().filter(|word| !is_other(word));
+    let groups: Option<Vec<Section>> = corners.map(|word| Section::of_word(word)).collect();
     let mut groups = groups?;
     groups.dedup();
-    groups
-        .try_into()
-        .ok()
-        .filter(|_| others.len() < words.len())
+    groups.try_into().ok()
 }
 
 /// Returns the side of the vehicle in a heading that has no words but those of axles and sides, such as `FRONT LEFT` or `RL
@@ -54,14 +51,13 @@ pub(super) fn column_groups(words: &[&str]) -> Option<[Section; 2]> {
 pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
     let is_of_corner = |word: &&str| {
         let is_other = ["side", "wheel"].contains(word) || unit(word).is_some();
-        let is_of_end = OF_AXLE.contains(word) || end_of(word).is_some();
-        is_of_end || side_of(word).is_some() || corner_of(word).is_some() || is_other
+        OF_AXLE.contains(word) || Section::of_word(word).is_some() || is_other
     };
     if !words.iter().all(is_of_corner) {
         return None;
     }
-    let side = |word: &&str| side_of(word).or_else(|| corner_of(word).map(|(_, side)| side));
-    let mut sides: Vec<Side> = words.iter().filter_map(side).collect();
+    let sides = words.iter().filter_map(|word| Section::of_word(word)?.side);
+    let mut sides: Vec<Side> = sides.collect();
     sides.dedup();
     match sides[..] {
         [side] => Some(side),

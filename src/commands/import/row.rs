@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::fields::{fields, has_number_in_parentheses, without_axes};
 use super::heading::{end_of_heading, unit};
 use super::names::spelled;
-use super::side::{End, Side, Sides, corner_of, side_of};
+use super::side::{End, Section, Side, Sides, corner_of};
 
 /// The beginnings of a remark, and the end of a row in LaTeX.
 const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];
@@ -254,9 +254,6 @@ fn sides_of(field: &str) -> Option<Sides> {
         "r" => Some(Sides::One(Side::Right)),
         "left/right" => Some(Sides::Mirrored),
         "single" => Some(Sides::Unsaid),
-        word => {
-            let side = side_of(word).or_else(|| Some(corner_of(word)?.1));
-            side.map(Sides::One)
-        }
+        word => Section::of_word(word)?.side.map(Sides::One),
     }
 }

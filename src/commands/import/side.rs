@@ -77,9 +77,10 @@ pub(super) struct Section {
 impl Section {
     /// Returns what a word in small letters says.
     pub(super) fn of_word(word: &str) -> Option<Self> {
-        let (end, side) = (end_of(word), side_of(word));
-        let corner = corner_of(word).map(|(end, side)| (Some(end), Some(side)));
-        let (end, side) = corner.unwrap_or((end, side));
+        let (end, side) = match corner_of(word) {
+            Some((end, side)) => (Some(end), Some(side)),
+            None => (end_of(word), side_of(word)),
+        };
         (end.is_some() || side.is_some()).then_some(Self { end, side })
     }
 
