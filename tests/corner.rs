@@ -41,6 +41,27 @@ fn a_corner_at_the_design_is_at_rest_at_the_stated_points() {
 }
 
 #[test]
+fn a_negative_time_step_leads_back() {
+    let mut corner = moved(0.02, 0.005);
+    let (drives, before) = (corner.drives(), corner.points());
+    let signal = |time: f64| {
+        let rate = Drives {
+            bump: 0.7,
+            steer: -0.2,
+        };
+        Signal::line(drives, rate, time)
+    };
+    corner.step(0.02, signal(0.02)).expect("within reach");
+    corner.step(-0.02, signal(0.0)).expect("within reach");
+    let points = corner.points();
+    for (point, at) in points.value.values().zip(before.value.values()) {
+        assert!((point - at).norm() < 1e-15);
+    }
+    assert!((corner.time() - 0.1).abs() < 1e-15);
+    assert!((points.rate.wheel_centre.z - 0.7).abs() < 1e-12);
+}
+
+#[test]
 fn derivatives_per_drive_agree_with_differences() {
     const H: f64 = 1e-3;
     let corner = moved(0.03, 0.01);

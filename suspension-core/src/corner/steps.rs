@@ -20,7 +20,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// Velocities and accelerations follow from the given rates: with [`Signal::still`] the wheel is at rest at the
     /// end, wherever it came from. With `dt` zero, for example in a simulator that pauses, the drives must be near
-    /// the last ones.
+    /// the last ones. A negative `dt` leads back in time.
     ///
     /// ```
     /// use suspension_core::Signal;
