@@ -119,6 +119,8 @@ fn angle_chart(
     let columns = columns([angle], names);
     let curves = columns.iter().map(|column| {
         let name = with_points(column, names);
+        let is_title = name == angle.title;
+        let name = if is_title { String::new() } else { name };
         curve(name, column, unit, states)
     });
     Chart {

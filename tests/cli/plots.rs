@@ -1,4 +1,4 @@
-//! The plots: positions of their text.
+//! The plots: their texts and curves.
 
 use super::program::{edited, example, folder, run};
 
@@ -119,6 +119,32 @@ fn a_wheel_centre_called_wheel_centre_is_labelled_once() {
             labels(&svg).iter().any(|label| label.text == name),
             "{name}"
         );
+    }
+}
+
+/// The title names the only curve; curves of two wheels have a legend.
+#[test]
+fn the_legend_does_not_repeat_the_title() {
+    for (file, legend) in [
+        ("five_link.toml", &[][..]),
+        (
+            "front_and_rear_axle.toml",
+            &[
+                "front_left toe angle",
+                "front_right toe angle",
+                "rear_left toe angle",
+                "rear_right toe angle",
+            ],
+        ),
+    ] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), example(file)).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml", "--plots", "p"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let svg = std::fs::read_to_string(folder.path().join("p/a_toe.svg")).expect("a plot");
+        let texts = labels(&svg).into_iter().map(|label| label.text);
+        let named: Vec<String> = texts.filter(|text| text.contains("toe angle")).collect();
+        assert_eq!(named, legend, "{file}");
     }
 }
 
