@@ -7,6 +7,7 @@ mod ends;
 mod formats;
 mod frames;
 mod noted;
+mod random;
 mod rear;
 mod refused;
 mod rows;
