@@ -48,13 +48,13 @@ const WORDS: [(&str, &[&str]); 7] = [
 const SEPARATORS: [&str; 4] = [", ", ";", "\t", " | "];
 const AXES: [[f64; 3]; 3] = [[1.0, 1.0, 1.0], [-1.0, -1.0, 1.0], [1.0, -1.0, -1.0]];
 
-/// The ways in which a table states the corners of its points.
+/// The places in which a table states the corners of its points: groups are groups of columns.
 #[derive(Clone, Copy, Debug)]
-enum Stated {
-    InHeadings,
-    InNames,
-    InColumns,
-    InGroups,
+enum Place {
+    Headings,
+    Names,
+    Columns,
+    Groups,
 }
 
 fn any<'a, T: ?Sized>(rng: &mut Rng, choices: &[&'a T]) -> &'a T {
@@ -79,7 +79,7 @@ fn name_of(rng: &mut Rng, point: usize) -> String {
 type Corner = Vec<[f64; 3]>;
 
 /// A table of two corners of the vehicle, which are called by two words.
-fn table(rng: &mut Rng, stated: Stated, words: [&str; 2], corners: [&Corner; 2]) -> String {
+fn table(rng: &mut Rng, stated: Place, words: [&str; 2], corners: [&Corner; 2]) -> String {
     let (separator, signs) = (any(rng, &SEPARATORS), AXES[rng.usize(..AXES.len())]);
     let mut order: Vec<usize> = (0..NAMES.len()).collect();
     rng.shuffle(&mut order);
@@ -93,9 +93,9 @@ fn table(rng: &mut Rng, stated: Stated, words: [&str; 2], corners: [&Corner; 2])
     let rows = |word: &str, corner: &Corner| {
         let rows = order.iter().map(|point| {
             let before = match stated {
-                Stated::InNames => format!("{word} "),
-                Stated::InColumns => format!("{word}{separator}"),
-                Stated::InHeadings | Stated::InGroups => String::new(),
+                Place::Names => format!("{word} "),
+                Place::Columns => format!("{word}{separator}"),
+                Place::Headings | Place::Groups => String::new(),
             };
             format!(
                 "{before}{}{separator}{}\n",
@@ -107,7 +107,7 @@ fn table(rng: &mut Rng, stated: Stated, words: [&str; 2], corners: [&Corner; 2])
     };
     let [(one, first), (other, second)] = [(words[0], corners[0]), (words[1], corners[1])];
     match stated {
-        Stated::InGroups => {
+        Place::Groups => {
             let gap = separator.repeat(3);
             let heading = format!("Point{separator}{one}{gap}{other}{separator}{separator}\n");
             let both = order.iter().map(|point| {
@@ -116,12 +116,12 @@ fn table(rng: &mut Rng, stated: Stated, words: [&str; 2], corners: [&Corner; 2])
             });
             heading + &both.collect::<String>()
         }
-        Stated::InHeadings => format!(
+        Place::Headings => format!(
             "{one}\n{}{other}\n{}",
             rows(one, first),
             rows(other, second)
         ),
-        Stated::InNames | Stated::InColumns => rows(one, first) + &rows(other, second),
+        Place::Names | Place::Columns => rows(one, first) + &rows(other, second),
     }
 }
 
@@ -137,12 +137,7 @@ fn random_tables_give_the_points_that_they_state() {
         .map(|[x, y, z]| [x - 1600.0, y - 20.0, z + 10.0])
         .collect();
     let right = front.iter().map(|[x, y, z]| [*x, -y - 3.0, *z]).collect();
-    let ways = [
-        Stated::InHeadings,
-        Stated::InNames,
-        Stated::InColumns,
-        Stated::InGroups,
-    ];
+    let ways = [Place::Headings, Place::Names, Place::Columns, Place::Groups];
     for seed in 0..25 {
         let mut rng = Rng::with_seed(seed);
         let stated = ways[rng.usize(..ways.len())];
