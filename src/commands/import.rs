@@ -2,6 +2,8 @@
 
 mod axle;
 mod candidate;
+mod catalogue_points;
+mod checked;
 mod choice;
 mod corner;
 mod draft;
@@ -12,8 +14,7 @@ mod hardpoints;
 mod heading;
 mod help;
 mod imported;
-mod known;
-mod listed;
+mod known_names;
 mod names;
 mod orientation;
 mod rack;
@@ -27,7 +28,6 @@ mod subsystem;
 mod table;
 mod upper;
 mod words;
-mod written;
 
 use std::path::{Path, PathBuf};
 
@@ -39,6 +39,7 @@ use crate::file::Source;
 use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use axle::Axle;
+use checked::checked_text;
 use choice::choose;
 use corner::Corner;
 use draft::Draft;
@@ -48,7 +49,6 @@ use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
 use side::{End, Side};
-use written::written_out;
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]
@@ -109,7 +109,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let names = Names::read()?;
         let Some(file) = self.file.as_ref().filter(|_| !self.names) else {
-            let known = known::known_names(&names);
+            let known = known_names::known_names(&names);
             return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
         };
         let source = with_line_ends(Source::read(file)?);
@@ -187,7 +187,7 @@ impl Arguments {
             one.notes.extend(other.side_note(self.axle));
         }
         if !self.axle && !unlike {
-            let text = written_out(&Draft::for_corner(&one), out)?;
+            let text = checked_text(&Draft::for_corner(&one), out)?;
             write_file(out, &text)?;
             return Ok(vec![out.to_owned()]);
         }
@@ -195,7 +195,7 @@ impl Arguments {
         let axle = Axle::new(&one.choice, out);
         axle.check_corner(out)?;
         axle.written(out, |listing| {
-            written_out(&Draft::for_axle([&one, &other], &axle, listing), out)
+            checked_text(&Draft::for_axle([&one, &other], &axle, listing), out)
         })
     }
 

@@ -5,10 +5,10 @@ mod disc;
 mod forces;
 mod hull;
 mod labels;
+mod shared_labels;
 mod start;
 #[cfg(test)]
 mod tests;
-mod together;
 mod view;
 
 use nalgebra::Vector3;
@@ -181,7 +181,7 @@ impl Drawing {
                 area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
             }
         }
-        let labelled = together::labels(&self.names, &places, 2 * FINE as i32);
+        let labelled = shared_labels::labels(&self.names, &places, 2 * FINE as i32);
         let places: Vec<(i32, i32)> = labelled.iter().map(|(_, place)| *place).collect();
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
         for (name, place) in &labelled {

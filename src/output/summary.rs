@@ -6,10 +6,7 @@ use crate::mechanism::{Description, Unit};
 use crate::output::record::Outcome;
 use crate::output::text_table::{TextColumn, in_parts};
 
-use crate::quantities::{Shown, catalogue, columns};
-
-/// The most characters of a line of the table.
-const WIDTH: usize = 120;
+use crate::quantities::{Shown, WIDTH, catalogue, columns};
 
 /// Returns the catalogue's quantities at the kept instants, and the totals.
 pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
@@ -27,8 +24,8 @@ pub fn text(mechanism: &Description, outcome: &Outcome) -> String {
     let mut columns = columns.map(|column| {
         let values = kept.iter().map(|state| column.value(state));
         let (_, symbol) = column.dimension.display_scale(unit);
-        let column_of_text = TextColumn::values(values, column.dimension, unit);
-        column_of_text.headed_with_unit(&column.heading(), &symbol)
+        let cells = TextColumn::values(values, column.dimension, unit);
+        cells.headed_with_unit(&column.heading(), &symbol)
     });
     let time = columns.next();
     let table = time.map(|time| in_parts(2, WIDTH, &time, columns.collect()));

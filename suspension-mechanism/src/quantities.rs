@@ -26,4 +26,4 @@ pub use formulas::Compiled;
 pub use number::Number;
 pub use quantity::{Column, Quantity, Shown, columns, columns_in};
 pub use reader::Reader;
-pub use words::in_words;
+pub use words::{WIDTH, in_words};

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use suspension_runtime::Mistakes;
 
+use super::catalogue_points::points_of;
 use super::hardpoints::{Hardpoint, Hardpoints};
-use super::listed::points_of;
 use super::names::{MOST_NAMES, Names, and_more};
 use super::stand_in::has_stand_in;
 

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
 
-use super::listed::points_of;
+use super::catalogue_points::points_of;
 use super::side::{Side, Sides, corner_of};
 use super::words::Words;
 use crate::failure::Failure;

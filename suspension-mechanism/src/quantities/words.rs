@@ -27,8 +27,8 @@ pub fn in_words(
     text
 }
 
-/// The columns of a line.
-const WIDTH: usize = 120;
+/// The most characters of a line of text, which a terminal does not break.
+pub const WIDTH: usize = 120;
 
 /// The indent of all lines but the first.
 const INDENT: &str = "      ";

@@ -9,7 +9,7 @@ use crate::file::{Source, tell};
 use crate::load::load;
 
 /// Returns the text of the motion file at the path `out`.
-pub(super) fn written_out(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
+pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
     for remark in &draft.remarks {
         tell(format_args!("note: {}: {remark}", draft.source));
     }

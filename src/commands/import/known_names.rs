@@ -3,11 +3,9 @@
 use suspension_core::linkages::LISTINGS;
 use suspension_runtime::Mistakes;
 
-use super::listed::points_of;
+use super::catalogue_points::points_of;
 use super::names::Names;
-
-/// The most columns of a line.
-const WIDTH: usize = 120;
+use crate::quantities::WIDTH;
 
 /// Lists the names that import knows: the layouts with their points, the other names of points and of numbers, and the words
 /// that mean the same.
