@@ -1,5 +1,6 @@
 //! `suspension import`: from hardpoint files to motion files.
 
+mod ambiguous;
 mod axle;
 mod both_sides;
 mod designer;

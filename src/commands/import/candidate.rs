@@ -32,7 +32,7 @@ impl<'a> Candidate<'a> {
         names: &Names,
     ) -> Result<Self, Mistakes> {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        // Of points of one name the first is taken.
+        // Points of one name are in one place, or `named_twice` refuses them: the first is taken.
         let by_name = points.iter().rev();
         let by_name: BTreeMap<String, &Hardpoint> = by_name
             .map(|point| (names.normal(&point.key), *point))
@@ -108,6 +108,31 @@ impl<'a> Candidate<'a> {
         }
     }
 
+    /// Names two points of the file that have names of one point of the listing and are in different places.
+    fn named_twice(
+        &self,
+        stated: &Hardpoints<'_>,
+        points: &[&Hardpoint],
+        names: &Names,
+    ) -> Option<String> {
+        let is_used = |point: &Hardpoint| {
+            let mut used = self.found.iter().map(|(_, used)| *used);
+            used.any(|used| std::ptr::eq(used, point))
+        };
+        self.found.iter().find_map(|(name, taken)| {
+            let forms: Vec<String> = names.of_point(name).map(|name| names.normal(name)).collect();
+            let mut others = points.iter().filter(|point| !is_used(point) && point.at != taken.at);
+            let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
+            let [other, taken] = [*other, *taken].map(|point| {
+                format!("`{}` ({})", point.name, stated.line(&point.place))
+            });
+            Some(format!(
+                "{other} and {taken} are names of one point, {name}, in different places: leave one of them, or give the other a \
+                 name that import does not know"
+            ))
+        })
+    }
+
     /// Says why the points do not suit the listing; `None` if they do.
     pub(super) fn does_not_fit(
         &self,
@@ -130,7 +155,7 @@ impl<'a> Candidate<'a> {
             });
         }
         if self.missing.is_empty() {
-            return None;
+            return self.named_twice(stated, points, names);
         }
         let what = match wanted {
             Some(_) => format!("{linkage} lacks"),
