@@ -58,7 +58,12 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
         ..
     } = imported;
     let radius = number(stated, names, "wheel_radius", corner.stated_side)?;
-    Some([format!("{:?}", radius.value), stated.line(&radius.place)])
+    let (unit, _) = imported.unit();
+    let value = match radius.unit.filter(|stated| *stated != unit) {
+        Some(stated) => radius.value * (stated.metre() / unit.metre()),
+        None => radius.value,
+    };
+    Some([format!("{value:?}"), stated.line(&radius.place)])
 }
 
 /// Says which line replaces the spin axis if the spin axis is between two points of the hardpoint file.

@@ -1,11 +1,14 @@
 //! The fields of a line of a table.
 
+use super::heading::is_unit;
+
 /// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.
 pub(super) fn has_number_in_parentheses(line: &str) -> bool {
     let mut opened = line.match_indices('(');
     opened.any(|(at, _)| {
         let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
-        let inside = behind.split_once(')').map(|(inside, _)| inside.trim());
+        let inside = behind.split_once(')').map(|(inside, _)| inside);
+        let inside = inside.map(|inside| without_unit(inside.trim()).0);
         inside.is_some_and(|inside| inside.replace(',', ".").parse::<f64>().is_ok())
             && !before.to_lowercase().ends_with("point")
     })
@@ -28,6 +31,32 @@ pub(super) fn without_axes(fields: Vec<&str>) -> Vec<&str> {
         }
         None => fields,
     }
+}
+
+/// Splits a field such as `130 mm` into a number, or other text, and the word behind it.
+fn without_unit(field: &str) -> (&str, &str) {
+    let number = field.trim_end_matches(char::is_alphabetic).trim_end();
+    (number, field[number.len()..].trim_start())
+}
+
+/// Removes units, as in `130 mm`, and returns the first of them. Between blanks, `in` and `m` before the numbers are words.
+pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, Option<&str>) {
+    let (mut others, mut unit, mut has_number) = (Vec::new(), None, false);
+    for field in fields {
+        let (number, behind) = without_unit(field);
+        let is_number = number.ends_with(|c: char| c.is_ascii_digit() || c == '.')
+            && !number.contains(char::is_alphabetic);
+        let may_be_a_word = ["in", "m"].contains(&behind) && separator == ' ' && !has_number;
+        has_number |= is_number;
+        let is_alone = number.is_empty() && !may_be_a_word;
+        if is_unit(behind) && (is_number || is_alone) {
+            unit = unit.or(Some(behind));
+            others.extend(is_number.then_some(number));
+        } else {
+            others.push(field);
+        }
+    }
+    (others, unit)
 }
 
 /// Returns the fields of a line without quotes and empty fields.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::heading::length;
 use super::names::key_of;
 use super::side::{End, Section, Side, Sides, remedy};
 use crate::failure::Failure;
@@ -32,6 +33,8 @@ pub(super) struct Number {
     pub(super) side: Option<Side>,
     pub(super) end: Option<End>,
     pub(super) value: f64,
+    /// The unit that the row states; others are as the coordinates.
+    pub(super) unit: Option<Length>,
     pub(super) place: Range<usize>,
 }
 
@@ -112,8 +115,35 @@ impl<'a> Hardpoints<'a> {
             }));
     }
 
-    /// Adds a number.
-    pub(super) fn add_number(&mut self, name: &str, sides: Sides, value: f64, place: Range<usize>) {
+    /// States the unit of the coordinates.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] if motion files do not have the unit, or the file states another one already.
+    pub(super) fn state_unit(&mut self, word: &str, place: &Range<usize>) -> Result<(), Failure> {
+        let refuse = |message: String| self.source.refuse(place, message);
+        let unit = length(word).map_err(refuse)?;
+        match self.unit.filter(|before| *before != unit) {
+            Some(before) => Err(refuse(format!(
+                "lengths are in {} here, and in {} above: convert them to one unit",
+                unit.symbol(),
+                before.symbol()
+            ))),
+            None => {
+                self.unit = Some(unit);
+                Ok(())
+            }
+        }
+    }
+
+    /// Adds a number, which has a unit if it is a length whose unit its row states.
+    pub(super) fn add_number(
+        &mut self,
+        name: &str,
+        sides: Sides,
+        (value, unit): (f64, Option<Length>),
+        place: Range<usize>,
+    ) {
         let (key, prefixed) = key_of(name);
         self.numbers.push(Number {
             name: name.to_owned(),
@@ -121,6 +151,7 @@ impl<'a> Hardpoints<'a> {
             side: self.side_of_row(prefixed, sides),
             end: self.section.end,
             value,
+            unit,
             place,
         });
     }

@@ -93,34 +93,59 @@ pub(super) fn check_columns(words: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
+/// Words of a remark on the unit of lengths.
+const OF_LENGTHS: [&str; 13] = [
+    "unit",
+    "units",
+    "einheit",
+    "einheiten",
+    "length",
+    "lengths",
+    "dimensions",
+    "coordinates",
+    "values",
+    "point",
+    "points",
+    "hardpoint",
+    "hardpoints",
+];
+
 /// Returns the unit in the headings of columns, in a line of units, or in a remark on units.
+pub(super) fn unit_of_heading<'a>(words: &[&'a str]) -> Option<&'a str> {
+    let said = |word: &str| words.contains(&word);
+    let of_columns = said("x") && said("y") && said("z");
+    let of_units = words.iter().all(|word| is_unit(word));
+    let remarked = OF_LENGTHS.iter().any(|word| said(word));
+    if !(of_columns || of_units || remarked) {
+        return None;
+    }
+    let units = words.iter().enumerate().filter(|(place, word)| {
+        // `in` may be a word instead of the inch: `x, y, z in the frame of the vehicle`.
+        let behind = words.get(place + 1);
+        let is_inch = behind.is_none_or(|word| ["x", "y", "z", "in", "deg"].contains(word));
+        is_unit(word) && (**word != "in" || is_inch)
+    });
+    let mut units = units.map(|(_, word)| *word);
+    units.next()
+}
+
+/// Returns whether a word names a unit of length.
+pub(super) fn is_unit(word: &str) -> bool {
+    unit(word).is_some() || OTHER_UNITS.contains(&word)
+}
+
+/// Returns the unit of length that a word names.
 ///
 /// # Errors
 ///
 /// A sentence, if motion files do not have the unit.
-pub(super) fn unit_of_heading(words: &[&str]) -> Result<Option<Length>, String> {
-    let said = |word: &str| words.contains(&word);
-    let of_columns = said("x") && said("y") && said("z");
-    let other = words.iter().find(|word| OTHER_UNITS.contains(word));
-    let of_units = words
-        .iter()
-        .all(|word| unit(word).is_some() || other == Some(word));
-    let remarked = ["unit", "units", "length", "lengths", "dimensions"]
-        .iter()
-        .any(|word| said(word));
-    if let Some(other) = other.filter(|_| of_columns || of_units || remarked) {
-        return Err(format!(
-            "lengths are in {other}; convert them to mm, m or in, and say so here"
-        ));
-    }
-    let mut found = words.iter().filter_map(|word| unit(word));
-    // `in` may be a word instead of the inch: `x, y, z in mm`.
-    let other = found.clone().find(|unit| *unit != Length::Inch);
-    let found = other.or_else(|| found.next());
-    Ok(found.filter(|_| of_columns || of_units || remarked))
+pub(super) fn length(word: &str) -> Result<Length, String> {
+    unit(word).ok_or_else(|| {
+        format!("lengths are in {word}; convert them to mm, m or in, and say so here")
+    })
 }
 
-/// Returns the unit that a word names.
+/// Returns the unit of motion files that a word names.
 pub(super) fn unit(word: &str) -> Option<Length> {
     match word {
         "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::fields::{fields, has_number_in_parentheses, without_axes};
+use super::fields::{fields, has_number_in_parentheses, without_axes, without_units};
 use super::heading::{end_of_heading, unit};
 use super::names::spelled;
 use super::side::{End, Section, Side, Sides, corner_of};
@@ -25,6 +25,8 @@ const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 pub(super) struct Row<'a> {
     fields: Vec<&'a str>,
     separator: char,
+    /// The unit of length that the row states.
+    pub(super) unit: Option<&'a str>,
     /// Whether a single number stands in parentheses, which may mean that it is negative.
     pub(super) has_number_in_parentheses: bool,
     /// The place of the line in its file.
@@ -56,11 +58,15 @@ impl<'a> Row<'a> {
             .into_iter()
             .filter(|c| *c == ' ' || line.contains(*c));
         let has_number_in_parentheses = has_number_in_parentheses(line);
-        let rows = present.map(|separator| Self {
-            fields: without_axes(fields(line, separator)),
-            separator,
-            has_number_in_parentheses,
-            place: place.clone(),
+        let rows = present.map(|separator| {
+            let (fields, unit) = without_units(fields(line, separator), separator);
+            Self {
+                fields: without_axes(fields),
+                separator,
+                unit,
+                has_number_in_parentheses,
+                place: place.clone(),
+            }
         });
         let mut rows: Vec<Self> = rows.collect();
         let best = rows.iter().position(|row| row.coordinates().is_some());
@@ -105,6 +111,12 @@ impl<'a> Row<'a> {
         let fields = self.fields.iter();
         let behind = fields.skip_while(|field| self.number(field).is_some());
         behind.filter_map(|field| self.number(field)).collect()
+    }
+
+    /// Returns whether a field is this word, in small letters.
+    pub(super) fn has_field(&self, word: &str) -> bool {
+        let mut fields = self.fields.iter();
+        fields.any(|field| field.to_lowercase() == word)
     }
 
     /// Returns whether a minus stands alone before a number.

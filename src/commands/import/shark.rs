@@ -48,7 +48,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
         stated.add_point(name, Sides::Unsaid, at, place);
     }
     if let Some((place, radius)) = suspension.radius {
-        stated.add_number("rolling_radius", Sides::Unsaid, radius, place);
+        stated.add_number("rolling_radius", Sides::Unsaid, (radius, None), place);
     }
     Ok(stated)
 }

@@ -1,7 +1,6 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
 use super::hardpoints::Hardpoints;
-use super::heading::unit;
 use super::names::{Names, spelled};
 use super::row::{Row, lines};
 use super::side::end_of;
@@ -49,12 +48,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
                 let words = spelled(line);
                 match words.split_once('_') {
                     Some(("length", length)) => {
-                        let known = unit(length).ok_or_else(|| {
-                            let message =
-                                format!("lengths in `{length}`: convert them to mm, m or in");
-                            source.refuse(&place, message)
-                        })?;
-                        stated.unit = Some(known);
+                        stated.state_unit(length, &place)?;
                     }
                     Some(("angle", angle)) => stated.radians = angle.starts_with("rad"),
                     _ => {}

@@ -2,12 +2,13 @@
 
 use super::hardpoints::Hardpoints;
 use super::heading::{
-    check_columns, column_groups, end_of_heading, side_of_heading, unit, unit_of_heading,
+    check_columns, column_groups, end_of_heading, length, side_of_heading, unit, unit_of_heading,
 };
 use super::names::{Names, key_of, spelled};
 use super::row::{Row, is_unit_or_side, lines};
 use super::row_name::name_of;
 use super::side::Section;
+use super::unclear::{check_angle, check_group, check_row};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
@@ -28,7 +29,9 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             end: row.end().or(section.end),
             ..section
         };
-        add(&mut stated, &row, &name_of(&row, &heading, names), names)?;
+        let name = name_of(&row, &heading, names);
+        check_angle(&stated, (&row, line), &name, names)?;
+        add(&mut stated, &row, &name, names)?;
         stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
             let words = spelled(line);
@@ -43,8 +46,9 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
                 _ => String::new(),
             };
             check_columns(&words).map_err(|message| source.refuse(&place, message))?;
-            let unit = unit_of_heading(&words).map_err(|message| source.refuse(&place, message))?;
-            stated.unit = stated.unit.or(unit);
+            if let Some(unit) = unit_of_heading(&words) {
+                stated.state_unit(unit, &place)?;
+            }
         }
     }
     if stated
@@ -109,11 +113,14 @@ pub(super) fn add(
         return Err(misread(stated, name, row, names));
     }
     if names.is_point(&key) || names.is_number(&key) {
-        if row.has_lone_sign() {
-            return Err(stated.source.refuse(&row.place, LONE_SIGN));
+        check_row(stated, row)?;
+    }
+    if names.is_point(&key) && !places.is_empty() {
+        if let Some(unit) = row.unit {
+            stated.state_unit(unit, &row.place)?;
         }
-        if row.has_number_in_parentheses {
-            return Err(stated.source.refuse(&row.place, IN_PARENTHESES));
+        if let [(_, [_, y, _])] = places[..] {
+            check_group(stated, row, (name, y))?;
         }
     }
     match row.numbers()[..] {
@@ -126,7 +133,11 @@ pub(super) fn add(
             stated.section = section;
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
-            [value] => stated.add_number(name, row.sides(), value, row.place.clone()),
+            [value] => {
+                let unit = row.unit.map(length).transpose();
+                let unit = unit.map_err(|message| stated.source.refuse(&row.place, message))?;
+                stated.add_number(name, row.sides(), (value, unit), row.place.clone());
+            }
             _ => return Err(misread(stated, name, row, names)),
         },
         _ if names.is_point(&key) && row.begins_a_number() => {
@@ -153,23 +164,17 @@ fn placed(row: &Row<'_>, groups: Option<[Section; 2]>) -> Vec<(Section, [f64; 3]
     }
 }
 
-const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
-
-const IN_PARENTHESES: &str = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
-
 /// Returns the mistake of a row with a known name: what the row should have.
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
     let message = if names.is_number(&key_of(name).0) {
-        format!("`{name}` needs one number after it, with a decimal point and without a unit")
+        format!("`{name}` needs one number after it, with a decimal point")
     } else if row.numbers_behind_name().len() == 6 {
         format!(
             "point `{name}` has six numbers: say in a heading above the columns which are `Left` and which `Right` (or `Front`, \
              `Rear`), or give each a row of its own"
         )
     } else {
-        format!(
-            "point `{name}` needs three numbers in a row: x, y, z, with decimal points and without units"
-        )
+        format!("point `{name}` needs three numbers in a row: x, y, z, with decimal points")
     };
     stated.source.refuse(&row.place, message)
 }

@@ -33,3 +33,88 @@ fn two_names_of_one_point_in_the_same_place_are_one_point() {
     let [once, twice] = [corner, twice].map(|file| import(folder.path(), "a.csv", &file, &[]));
     assert_eq!(twice.points(), once.points());
 }
+
+/// Tables of the corner with a line before them and one behind them, and a part of the message.
+#[test]
+fn a_unit_that_is_not_that_of_the_table_is_refused() {
+    let corner = table(&CORNER);
+    let in_rows = corner.replace('\n', ", cm\n");
+    let two = format!("x, y, z [mm]\n{corner}Rear suspension\nx, y, z [in]\n{corner}");
+    let cases = [
+        (
+            format!("Coordinates in cm\n{corner}"),
+            "a.csv:1:1: lengths are in cm; convert them",
+        ),
+        (
+            format!("Point [cm]\n{corner}"),
+            "a.csv:1:1: lengths are in cm; convert them",
+        ),
+        (in_rows, "a.csv:1:1: lengths are in cm; convert them"),
+        (
+            two,
+            "a.csv:18:1: lengths are in in here, and in mm above: convert them to one unit",
+        ),
+        (
+            format!("{corner}tire_radius, 22.9, cm\n"),
+            "a.csv:16:1: lengths are in cm; convert them",
+        ),
+    ];
+    for (file, expected) in cases {
+        let said = refusal("a.csv", &file, &[]);
+        assert!(said.contains(expected), "{file}: {said}");
+    }
+}
+
+#[test]
+fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
+    let corner = table(&CORNER);
+    for row in [
+        "Toe (mm), 2",
+        "Toe [min], 12",
+        "Toe (total), 0.4",
+        "Toe, total, 0.4",
+        "Camber [rad], -0.02",
+    ] {
+        let said = refusal("a.csv", &format!("{corner}{row}\n"), &[]);
+        assert!(said.starts_with("a.csv:16:1: `"), "{row}: {said}");
+        assert!(
+            said.ends_with(": write the angle of one wheel, in degrees"),
+            "{row}: {said}"
+        );
+    }
+}
+
+#[test]
+fn one_point_under_two_groups_of_columns_is_refused_unless_its_row_says_which_it_is() {
+    let pairs =
+        CORNER.map(|(name, [x, y, z])| format!("{name}, {x}, {y}, {z}, {x}, {}, {z}\n", -y));
+    let file = format!(", Left, , , Right, ,\n{}", pairs.concat());
+    let [both, one] = [
+        "tierod_inner, -72, -190, 152, -72, 190, 152",
+        "tierod_inner, , , , -72, 190, 152",
+    ];
+    assert!(file.contains(both));
+    let said = refusal("a.csv", &file.replace(both, one), &[]);
+    let expected = "a.csv:8:1: `tierod_inner` has the coordinates of one point under two groups of columns: say in the row which it \
+                    is, for example `right`";
+    assert_eq!(said, expected);
+    let folder = folder();
+    let whole = import(folder.path(), "a.csv", &file, &["--side", "right"]);
+    let one = file.replace(both, &one.replace("inner,", "inner, right,"));
+    let one = import(folder.path(), "a.csv", &one, &["--side", "right"]);
+    assert_eq!(one.points(), whole.points());
+}
+
+#[test]
+fn the_letters_f_and_r_in_a_column_are_refused() {
+    let corner = table(&CORNER);
+    let said = refusal(
+        "a.csv",
+        &corner.replace("lca_front,", "F, L, lca_front,"),
+        &[],
+    );
+    assert!(
+        said.starts_with("a.csv:1:1: beside `F`, an `R` may be rear or right: write "),
+        "{said}"
+    );
+}

@@ -2,7 +2,7 @@
 
 use super::super::program::folder;
 use super::refused::refusal;
-use super::{CORNER, import, table};
+use super::{CORNER, IN_OUR_AXES, import, table};
 
 /// Part of a row, and its replacement.
 #[test]
@@ -12,16 +12,11 @@ fn a_point_row_without_three_numbers_is_refused() {
         ["150, -175, 120", "150, -175, 120, 7"],
         ["-175", "-l75"],
         ["-175", "inf"],
-        ["150, -175, 120", "150 mm, -175 mm, 120 mm"],
-        [
-            "150, -175, 120",
-            "\u{2212}150 mm, \u{2212}175 mm, \u{2212}120 mm",
-        ],
         ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
         ["150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""],
     ] {
         let message = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
-        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and without units";
+        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points";
         assert!(message.starts_with(expected), "{other}: {message}");
     }
 }
@@ -51,6 +46,7 @@ fn a_number_in_parentheses_is_refused() {
     let german = file.replace(',', ";").replace('.', ",");
     for (file, row, other) in [
         (&file, "-175", "(175)"),
+        (&file, "-175", "(175 mm)"),
         (&file, "-1.5", "( 1.5 )"),
         (&german, "-175", "(175,5)"),
         (&german, "-1,5", "(1,5)"),
@@ -148,17 +144,11 @@ fn centimetres_are_refused_as_the_unit_of_a_table() {
 
 #[test]
 fn an_unreadable_number_is_refused() {
-    for line in [
-        "toe_angle, 0,15",
-        "camber_angle, -0.026 rad",
-        "tire_radius, 12 x 30",
-        "toe_angle 0,15",
-    ] {
+    for line in ["toe_angle, 0,15", "tire_radius, 12 x 30", "toe_angle 0,15"] {
         let message = refusal("a.csv", &format!("{line}\n{}", table(&CORNER)), &[]);
         assert!(message.starts_with("a.csv:1:1: `"), "{message}");
         assert!(
-            message
-                .ends_with("` needs one number after it, with a decimal point and without a unit"),
+            message.ends_with("` needs one number after it, with a decimal point"),
             "{message}"
         );
     }
@@ -246,4 +236,28 @@ fn a_mistyped_optional_point_is_noted_with_a_suggestion() {
     let imported = import(folder.path(), "a.csv", &file, &[]);
     let expected = "shock_to_chasis (did you mean shock_to_chassis?)";
     assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
+
+#[test]
+fn units_behind_numbers_are_units() {
+    let folder = folder();
+    let of_row = |[x, y, z]: [f64; 3], unit: &str| format!("{x}{unit}, {y}{unit}, {z}{unit}");
+    for unit in ["mm", " mm", ", mm"] {
+        let rows = CORNER.map(|(name, at)| format!("{name}, {}\n", of_row(at, unit)));
+        let imported = import(folder.path(), "a.csv", &rows.concat(), &[]);
+        let expected = IN_OUR_AXES.map(|(name, at)| (name.to_owned(), at));
+        assert_eq!(imported.points(), expected.into(), "{unit}");
+        assert!(
+            imported.notes.contains("lengths is mm, as the file says"),
+            "{unit}"
+        );
+    }
+}
+
+/// The radius of the tyre is often in inches beside points in millimetres.
+#[test]
+fn a_radius_in_another_unit_is_converted() {
+    let file = format!("x, y, z [mm]\n{}tire_radius [in], 9\n", table(&CORNER));
+    let motion = import(folder().path(), "a.csv", &file, &[]).motion;
+    assert_eq!(motion["vehicle"]["wheel_radius"].as_float(), Some(228.6));
 }

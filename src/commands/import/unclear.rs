@@ -1,0 +1,101 @@
+//! Rows with known names whose numbers can be read in several ways: they are refused.
+
+use super::hardpoints::Hardpoints;
+use super::names::{Names, key_of, spelled};
+use super::row::Row;
+use super::side::{Section, Sides};
+use crate::failure::Failure;
+
+const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
+
+const IN_PARENTHESES: &str = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
+
+const FRONT_OR_RIGHT: &str = "beside `F`, an `R` may be rear or right: write `Front` and `Rear`, or the corners as FL, FR, RL, RR";
+
+/// Checks a row with a known name.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, and a letter that names an axle.
+pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Failure> {
+    let refuse = |message: &str| Err(stated.source.refuse(&row.place, message));
+    if row.has_lone_sign() {
+        return refuse(LONE_SIGN);
+    }
+    if row.has_number_in_parentheses {
+        return refuse(IN_PARENTHESES);
+    }
+    if row.has_field("f") {
+        return refuse(FRONT_OR_RIGHT);
+    }
+    Ok(())
+}
+
+/// Checks that a row with a single point says to which of two groups of columns, such as `Front` and `Rear`, it belongs. A
+/// point in the middle of the vehicle is of both sides.
+///
+/// # Errors
+///
+/// [`Failure::Input`] if the row does not say it.
+pub(super) fn check_group(
+    stated: &Hardpoints<'_>,
+    row: &Row<'_>,
+    (name, y): (&str, f64),
+) -> Result<(), Failure> {
+    let Some([one, other]) = stated.groups else {
+        return Ok(());
+    };
+    let has_side = row.sides() != Sides::Unsaid || key_of(name).1 != Sides::Unsaid;
+    let has_side = has_side || stated.section.side.is_some() || y == 0.0;
+    let is_clear = (one.end == other.end || stated.section.end.is_some())
+        && (one.side == other.side || has_side);
+    if is_clear {
+        return Ok(());
+    }
+    let message = format!(
+        "`{name}` has the coordinates of one point under two groups of columns: say in the row which it is, for example `{}`",
+        in_words(other)
+    );
+    Err(stated.source.refuse(&row.place, &message))
+}
+
+fn in_words(section: Section) -> String {
+    let (end, side) = (
+        section.end.map(|end| end.name()),
+        section.side.map(|side| side.name()),
+    );
+    let words: Vec<&str> = end.into_iter().chain(side).collect();
+    words.join(" ")
+}
+
+/// Words of an angle that is not that of one wheel in degrees.
+const NOT_DEGREES: [&str; 11] = [
+    "min", "minutes", "arcmin", "rad", "mrad", "radians", "total", "mm", "cm", "inch", "inches",
+];
+
+/// Checks that toe and camber are those of one wheel, in degrees.
+///
+/// # Errors
+///
+/// [`Failure::Input`] if the line of the number says otherwise.
+pub(super) fn check_angle(
+    stated: &Hardpoints<'_>,
+    (row, line): (&Row<'_>, &str),
+    name: &str,
+    names: &Names,
+) -> Result<(), Failure> {
+    let (key, _) = key_of(name);
+    let is_angle = ["toe", "camber"]
+        .iter()
+        .any(|angle| names.is_of_number(angle, &key));
+    let words = spelled(line);
+    let mut words = words.split('_').filter(|word| NOT_DEGREES.contains(word));
+    match words.next().filter(|_| is_angle && row.has_digits()) {
+        Some(word) => {
+            let message =
+                format!("`{name}` says `{word}`: write the angle of one wheel, in degrees");
+            Err(stated.source.refuse(&row.place, &message))
+        }
+        None => Ok(()),
+    }
+}
