@@ -26,6 +26,7 @@ mod side;
 mod stand_in;
 mod subsystem;
 mod table;
+mod thousands;
 mod unclear;
 mod upper;
 mod words;

@@ -60,7 +60,7 @@ fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
     let radius = number(stated, names, "wheel_radius", corner.stated_side)?;
     let (unit, _) = imported.unit();
     let value = match radius.unit.filter(|stated| *stated != unit) {
-        Some(stated) => radius.value * (stated.metre() / unit.metre()),
+        Some(stated) => radius.value * (unit.metre() / stated.metre()),
         None => radius.value,
     };
     Some([format!("{value:?}"), stated.line(&radius.place)])

@@ -106,6 +106,12 @@ impl<'a> Row<'a> {
         fields.filter_map(|field| self.number(field)).collect()
     }
 
+    /// Returns the numbers as the line writes them.
+    pub(super) fn written_numbers(&self) -> impl Iterator<Item = &'a str> {
+        let fields = self.fields.iter().copied();
+        fields.filter(|field| self.number(field).is_some())
+    }
+
     /// Returns the numbers after the first word: numbers before it count rows.
     pub(super) fn numbers_behind_name(&self) -> Vec<f64> {
         let fields = self.fields.iter();
@@ -243,7 +249,8 @@ impl<'a> Row<'a> {
     }
 
     fn number(&self, field: &str) -> Option<f64> {
-        let with_comma = !matches!(self.separator, ',' | ' ');
+        // Between commas only a field in quotes has a comma.
+        let with_comma = self.separator != ' ';
         let field = field.replacen(MINUS, "-", 1);
         let number: f64 = if with_comma {
             field.replace(',', ".").parse().ok()?

@@ -8,6 +8,7 @@ use super::names::{Names, key_of, spelled};
 use super::row::{Row, is_unit_or_side, lines};
 use super::row_name::name_of;
 use super::side::Section;
+use super::thousands::Thousands;
 use super::unclear::{check_angle, check_group, check_row};
 use crate::failure::Failure;
 use crate::file::Source;
@@ -22,6 +23,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     let mut stated = Hardpoints::new(source, Axes::Iso);
     let mut section = Section::default();
     let mut heading = String::new();
+    let mut thousands = Thousands::default();
     for (place, line) in lines(source.text()) {
         let named = with_whole_name(line, names);
         let row = Row::parse(place.clone(), &named);
@@ -32,6 +34,9 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         let name = name_of(&row, &heading, names);
         check_angle(&stated, (&row, line), &name, names)?;
         add(&mut stated, &row, &name, names)?;
+        if names.is_point(&key_of(&name).0) {
+            thousands.add(&row);
+        }
         stated.add_end(row.end(), place.clone());
         if row.numbers().is_empty() {
             let words = spelled(line);
@@ -51,6 +56,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
             }
         }
     }
+    thousands.check(source)?;
     if stated
         .points
         .iter()
@@ -174,7 +180,9 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
              `Rear`), or give each a row of its own"
         )
     } else {
-        format!("point `{name}` needs three numbers in a row: x, y, z, with decimal points")
+        format!(
+            "point `{name}` needs three numbers in a row: x, y, z, with decimal points and no sign for thousands"
+        )
     };
     stated.source.refuse(&row.place, message)
 }

@@ -118,3 +118,21 @@ fn the_letters_f_and_r_in_a_column_are_refused() {
         "{said}"
     );
 }
+
+#[test]
+fn a_number_that_may_have_a_sign_for_thousands_is_refused() {
+    let moved = CORNER.map(|(name, [x, y, z])| (name, [x + 1400.0, y, z]));
+    let file = table(&moved).replace(',', "\t");
+    for written in ["1,260", "1.260"] {
+        let file = file.replace("1260", written);
+        let said = refusal("a.csv", &file, &[]);
+        let expected = format!(
+            "a.csv:1:1: `{written}` may be 1260, or a number with decimals: write 1260, or {written}0 for decimals"
+        );
+        assert_eq!(said, expected);
+        // Other decimals show what the sign is.
+        let file = file.replace("-170", "-170,5");
+        let points = import(folder().path(), "a.csv", &file, &[]).points();
+        assert_eq!(points["lower_front"], [-1.26, 170.5, 125.0]);
+    }
+}

@@ -13,10 +13,9 @@ fn a_point_row_without_three_numbers_is_refused() {
         ["-175", "-l75"],
         ["-175", "inf"],
         ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
-        ["150, -175, 120", "\"150,0\", \"-175,0\", \"120,0\""],
     ] {
         let message = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
-        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points";
+        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and no sign for thousands";
         assert!(message.starts_with(expected), "{other}: {message}");
     }
 }
@@ -252,6 +251,15 @@ fn units_behind_numbers_are_units() {
             "{unit}"
         );
     }
+}
+
+/// As spreadsheets in the web write it where numbers have decimal commas.
+#[test]
+fn numbers_in_quotes_between_commas_may_have_decimal_commas() {
+    let rows = CORNER.map(|(name, [x, y, z])| format!("{name},\"{x},0\",\"{y},0\",\"{z},0\"\n"));
+    let imported = import(folder().path(), "a.csv", &rows.concat(), &[]);
+    let expected = IN_OUR_AXES.map(|(name, at)| (name.to_owned(), at));
+    assert_eq!(imported.points(), expected.into());
 }
 
 /// The radius of the tyre is often in inches beside points in millimetres.
