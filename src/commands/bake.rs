@@ -259,8 +259,8 @@ most one derivative is continuous across patches.
   C     a header (C99) with a function, no library
   TOML  the numbers
 
-Names in the file derive from the file's own name, so that a program can have several: out/my_wheel_by_theta.h has the
-function my_wheel_by_theta.
+Names in the file derive from the file's own name and from what is baked, so that a program can have several:
+out/my_wheel_by_theta.h and out/my.h have the function my_wheel_by_theta.
 
 Exit codes: 0 done, 1 the file cannot be written, 2 wrong input, such as the name of no drive or an empty range, 3 part of
 the range is out of the mechanism's reach, or the tolerance is not met (nothing is written), 130 interrupted.
