@@ -29,6 +29,7 @@ mod table;
 mod thousands;
 mod unclear;
 mod upper;
+mod vehicle;
 mod words;
 
 use std::path::{Path, PathBuf};
@@ -220,7 +221,7 @@ impl Arguments {
         let found = orientation(&choice, &names.arrangement, self.axes, stated.usual);
         let orientation = found.map_err(refuse)?;
         let corner = Corner::new(&choice, orientation.axes, side).map_err(refuse)?;
-        Ok(Imported {
+        let imported = Imported {
             stated,
             names,
             points,
@@ -229,7 +230,9 @@ impl Arguments {
             corner,
             unit: self.unit,
             notes: Vec::new(),
-        })
+        };
+        imported.check_unit().map_err(refuse)?;
+        Ok(imported)
     }
 
     /// Returns the right corner, in the layout, axes and unit of the left one.

@@ -7,7 +7,7 @@ use suspension_runtime::Listing;
 
 use super::axle::Axle;
 use super::imported::Imported;
-use super::stand_in::number;
+use super::vehicle::Vehicle;
 use super::{rack, remarks};
 use crate::mechanism::Length;
 use crate::number::rounded;
@@ -25,8 +25,7 @@ pub(super) struct Draft<'a> {
     pub(super) remarks: Vec<String>,
     /// Name, position and origin of each point.
     points: Vec<[String; 3]>,
-    /// The wheel radius as the motion file states it, with its origin.
-    wheel_radius: Option<[String; 2]>,
+    vehicle: Vehicle,
 }
 
 /// The change of the drive of travel in the example motion, m or degrees.
@@ -47,23 +46,6 @@ fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<Strin
     let remarks = imported.corner_remarks(!before.is_empty()).into_iter();
     let remarks = remarks.chain(placed).collect();
     (points, remarks)
-}
-
-/// Returns the wheel's radius and its origin.
-fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
-    let Imported {
-        stated,
-        names,
-        corner,
-        ..
-    } = imported;
-    let radius = number(stated, names, "wheel_radius", corner.stated_side)?;
-    let (unit, _) = imported.unit();
-    let value = match radius.unit.filter(|stated| *stated != unit) {
-        Some(stated) => radius.value * (unit.metre() / stated.metre()),
-        None => radius.value,
-    };
-    Some([format!("{value:?}"), stated.line(&radius.place)])
 }
 
 /// Says which line replaces the spin axis if the spin axis is between two points of the hardpoint file.
@@ -88,8 +70,8 @@ impl<'a> Draft<'a> {
             format!("linkage = \"{}\"", choice.linkage)
         };
         let corner = corner(imported, "");
-        let radius = wheel_radius(imported);
-        Self::new(imported, &choice.listing, stated, corner, radius)
+        let vehicle = Vehicle::of_corner(imported);
+        Self::new(imported, &choice.listing, stated, corner, vehicle)
     }
 
     /// Drafts the motion file of an axle, the left corner first.
@@ -110,14 +92,8 @@ impl<'a> Draft<'a> {
             remarks.extend(new.collect::<Vec<_>>());
         }
         let stated = format!("statements = '''\n{}'''", axle.statements);
-        let radius = match sides.map(wheel_radius) {
-            [Some([left, line]), Some([right, other])] if left != right => Some([
-                format!("{{ left = {left}, right = {right} }}"),
-                format!("{line}, {other}"),
-            ]),
-            [left, right] => left.or(right),
-        };
-        Self::new(sides[0], listing, stated, (points, remarks), radius)
+        let vehicle = Vehicle::of_axle(sides);
+        Self::new(sides[0], listing, stated, (points, remarks), vehicle)
     }
 
     fn new(
@@ -125,13 +101,13 @@ impl<'a> Draft<'a> {
         listing: &'a Listing,
         stated: String,
         (points, of_corners): (Vec<[String; 3]>, Vec<String>),
-        wheel_radius: Option<[String; 2]>,
+        vehicle: Vehicle,
     ) -> Self {
         let (unit, _) = imported.unit();
         let mut remarks = imported.file_remarks();
         remarks.extend(of_corners);
         remarks.extend(spin_axis_between_hardpoints(listing));
-        if wheel_radius.is_none() {
+        if vehicle.wheel_radius.is_none() {
             remarks.push("the file has no tire_radius; wheel_radius under [vehicle] gives what needs the ground".to_owned());
         }
         let mut draft = Self {
@@ -141,7 +117,7 @@ impl<'a> Draft<'a> {
             unit,
             remarks,
             points,
-            wheel_radius,
+            vehicle,
         };
         draft.remarks.push(draft.motion_remark());
         draft
@@ -181,17 +157,8 @@ impl<'a> Draft<'a> {
             line(&mut text, format_args!("{name} = {position}  # {remark}"));
         }
         line(&mut text, format_args!("\n[vehicle]"));
-        match &self.wheel_radius {
-            Some([radius, remark]) => {
-                line(
-                    &mut text,
-                    format_args!("wheel_radius = {radius}  # {remark}"),
-                );
-            }
-            None => line(&mut text, format_args!("# wheel_radius = ")),
-        }
-        if self.wheels() > 1 {
-            text += "# wheelbase =   # gives Ackermann and the turning circle\n";
+        for stated in self.vehicle.lines(self.wheels()) {
+            line(&mut text, format_args!("{stated}"));
         }
         if let Some(travel) = self.stated_travel() {
             line(&mut text, format_args!("{travel}"));

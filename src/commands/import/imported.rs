@@ -11,6 +11,7 @@ use super::side::Side;
 use super::stand_in::{Spin, stand_in};
 use crate::load;
 use crate::mechanism::Length;
+use crate::number::rounded;
 
 /// The data that the file has for a corner.
 pub(super) struct Imported<'a> {
@@ -38,6 +39,9 @@ pub(super) enum Other {
     Unlike(String),
 }
 
+/// The largest plausible distance of a wheel's centre from the middle of a vehicle, m: half the track of a wide lorry.
+const WIDEST: f64 = 1.2;
+
 /// The largest deviation from a mirror image, as a part of the suspension's size: files round their numbers.
 const ROUNDING: f64 = 1e-6;
 
@@ -60,6 +64,31 @@ impl Other {
 }
 
 impl Imported<'_> {
+    /// Checks a unit that is deduced from the size of the suspension against the distance of the wheel from the middle of the
+    /// vehicle.
+    ///
+    /// # Errors
+    ///
+    /// A sentence if the wheel is too far away, as where lengths in cm are taken for inches.
+    pub(super) fn check_unit(&self) -> Result<(), String> {
+        let is_stated = self.unit.or(self.stated.unit).is_some();
+        let centre = self.position("wheel_centre").filter(|_| !is_stated);
+        let Some([_, y, _]) = centre else {
+            return Ok(());
+        };
+        let (unit, why) = self.unit();
+        let metres = y.abs() / unit.metre();
+        if metres <= WIDEST {
+            return Ok(());
+        }
+        let unit = unit.symbol();
+        Err(format!(
+            "the unit of lengths would be {unit}, {why}, but then the wheel centre is {} m from the middle of the vehicle: state \
+             the unit with --unit; convert lengths in cm to mm",
+            rounded(metres, 3)
+        ))
+    }
+
     /// Compares the points of the layout with those of the other side.
     pub(super) fn other_side(&self) -> Other {
         let found = self.choice.found.iter().map(|(_, point)| *point);

@@ -65,6 +65,16 @@ fn a_unit_that_is_not_that_of_the_table_is_refused() {
     }
 }
 
+/// A suspension of usual size would be in inches if its numbers were as large.
+#[test]
+fn a_table_in_centimetres_that_does_not_say_so_is_refused() {
+    let corner = table(&CORNER.map(|(name, at)| (name, at.map(|coordinate| coordinate / 10.0))));
+    let said = refusal("a.csv", &corner, &[]);
+    let expected = "a.csv: the unit of lengths would be in, as the points are up to 59 apart, but then the wheel centre is 1.55 m from \
+                    the middle of the vehicle: state the unit with --unit; convert lengths in cm to mm";
+    assert_eq!(said, expected);
+}
+
 #[test]
 fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
     let corner = table(&CORNER);

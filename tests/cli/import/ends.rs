@@ -143,6 +143,24 @@ fn each_axle_has_a_motion_file_of_its_own_name() {
 }
 
 #[test]
+fn the_motion_file_states_the_axle_if_the_table_does() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    let of = |file: &str, content: &str, options: &[&str]| {
+        let imported = import(folder.path(), file, content, options);
+        let axle = imported.motion["vehicle"].get("axle");
+        axle.map(|axle| axle.as_str().expect("text").to_owned())
+    };
+    assert_eq!(of("a.csv", &corner, &[]), None);
+    let rear = format!("Rear suspension\n{corner}");
+    assert_eq!(of("a.csv", &rear, &[]).as_deref(), Some("rear"));
+    assert_eq!(of("a.csv", &rear, &["--axle"]).as_deref(), Some("rear"));
+    assert_eq!(of("front.csv", &corner, &[]).as_deref(), Some("front"));
+    let option = of("a.csv", &corner, &["--end", "rear"]);
+    assert_eq!(option.as_deref(), Some("rear"));
+}
+
+#[test]
 fn headings_name_the_sides_of_unlike_corners() {
     let folder = folder();
     let left = CORNER.as_slice();
