@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::size::{LARGEST, Points, Room, Size};
 
 /// Why there is no model of a listing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ModelError {
     /// Models of this size have no room for the listing: it has `count` of one kind of part, of which there may be at
     /// most `most`.
@@ -30,8 +30,13 @@ pub enum ModelError {
         /// The number required.
         wanted: usize,
     },
-    /// The hardpoints make no linkage; `error.named(&listing)` prints the names of the parts concerned.
-    Geometry(GeometryError),
+    /// The hardpoints make no linkage.
+    Geometry {
+        /// The mistake, with the numbers of the parts concerned.
+        error: GeometryError,
+        /// The mistake in words, with their names.
+        message: String,
+    },
 }
 
 impl Listing {
@@ -59,7 +64,10 @@ impl Listing {
         let small = |error| {
             matches!(
                 error,
-                ModelError::Geometry(GeometryError::SmallPivot { .. })
+                ModelError::Geometry {
+                    error: GeometryError::SmallPivot { .. },
+                    ..
+                }
             )
         };
         !model.is_err_and(small)
@@ -104,8 +112,12 @@ impl Listing {
             return Err(ModelError::TooSmall { count, most, what });
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        let model = Model::of(listing, &points).map_err(ModelError::Geometry)?;
-        model.check_pivots(&points).map_err(ModelError::Geometry)?;
+        let refused = |error: GeometryError| ModelError::Geometry {
+            error,
+            message: error.named(self).to_string(),
+        };
+        let model = Model::of(listing, &points).map_err(refused)?;
+        model.check_pivots(&points).map_err(refused)?;
         Ok(model)
     }
 
@@ -139,7 +151,7 @@ impl fmt::Display for ModelError {
                 "the listing has {wanted} chassis points, free points and markers, and {given} hardpoints are given; give one for \
                  each, in the order of the listing"
             ),
-            Self::Geometry(error) => error.fmt(f),
+            Self::Geometry { message, .. } => f.write_str(message),
         }
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::linkages::{LISTINGS, attia2003};
 use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Build, Corner, Inputs, Motion, Signal, Still, Values};
-use suspension_runtime::{Listing, ModelError};
+use suspension_runtime::Listing;
 
 type Model = attia2003::Model<f64>;
 type Points = attia2003::Points<f64>;
@@ -43,10 +43,9 @@ fn building_a_model_names_a_zero_pivot_at_the_design() {
         let design = square(&listing, link);
         let points: Vec<Vector3<f64>> = design.values().collect();
         let written = Corner::<Model, 15>::new(&design).map_err(|error| error.to_string());
-        let walked = listing.model::<15>(&points).map_err(|error| match error {
-            ModelError::Geometry(error) => error.named(&listing).to_string(),
-            ModelError::TooSmall { .. } | ModelError::Hardpoints { .. } => error.to_string(),
-        });
+        let walked = listing
+            .model::<15>(&points)
+            .map_err(|error| error.to_string());
         let model = Model::of(attia2003::Listing, &design).expect("a geometry");
         let attempted = attempt(&model, &design);
         let ordered = listing.clone().ordered_at(&points);

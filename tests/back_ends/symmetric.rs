@@ -144,7 +144,10 @@ fn found(name: &str) -> Found {
         found.designs += 1;
         match listing.model(&points) {
             Ok(model) => found.steps += attempts(&model, &points),
-            Err(ModelError::Geometry(GeometryError::SmallPivot { .. })) => found.refused += 1,
+            Err(ModelError::Geometry {
+                error: GeometryError::SmallPivot { .. },
+                ..
+            }) => found.refused += 1,
             Err(error) => panic!("{error}"),
         }
     }

@@ -77,7 +77,7 @@ impl<'a> Work for Place<'a> {
                 corner,
                 counts: parsed.counts(),
             })),
-            Err(ModelError::Geometry(error)) => Err(error.into()),
+            Err(ModelError::Geometry { error, .. }) => Err(error.into()),
             Err(ModelError::TooSmall { .. } | ModelError::Hardpoints { .. }) => {
                 Err(Status::Size.into())
             }

@@ -47,3 +47,14 @@ fn a_kingpin_may_begin_at_a_marker_without_position() {
     );
     assert_eq!(listing.expect("a listing").drive("bump"), Some(0));
 }
+
+#[test]
+fn hardpoints_that_make_no_linkage_are_refused_by_name() {
+    let text = catalogue::listing("double_wishbone").expect("a layout");
+    let listing = Listing::parse(text).expect("a listing");
+    let mut hardpoints = listing.design().expect("of all points");
+    hardpoints[3].y = f64::NAN;
+    let error = listing.model::<15>(&hardpoints).expect_err("not finite");
+    let message = error.to_string();
+    assert!(message.contains("`upper_rear`"), "{message}");
+}

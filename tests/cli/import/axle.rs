@@ -162,7 +162,8 @@ fn an_anti_roll_bar_of_both_sides_is_halved() {
         bar.map(|(name, [x, at, z])| format!("{prefix}{name}, {x}, {}, {z}\n", y * at))
             .concat()
     };
-    let file = symmetric() + &of("hpl_", 1.0) + &of("hpr_", -1.0) + "hps_arb_bar_centre, 120, 0, 130\n";
+    let file =
+        symmetric() + &of("hpl_", 1.0) + &of("hpr_", -1.0) + "hps_arb_bar_centre, 120, 0, 130\n";
     let imported = import(folder.path(), "front.csv", &file, &["--axle"]);
     let points = imported.points();
     assert_eq!(points["left_bar_inner"], [-120.0, 100.0, 130.0]);
