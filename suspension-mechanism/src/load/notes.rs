@@ -19,8 +19,8 @@ use crate::load::task::Task;
 use crate::load::unsatisfied::{Unsatisfied, largest};
 use crate::mechanism::{Length, Suspension};
 use crate::number::rounded;
-use of_numbers::lengths;
 pub(super) use of_numbers::{length, short_of_stop};
+use of_numbers::{lengths, rates};
 use wheels::{named_side, notes_on_wheel};
 
 /// The limits of a suspension's size, in metres: the largest, and after it the smallest.
@@ -55,7 +55,8 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
     let of_points = of_points.into_iter().flatten();
     let notes = of_points.chain(of_side).chain(of_wheels);
-    notes.chain(lengths(task)).collect()
+    let of_numbers = lengths(task).chain(rates(task));
+    notes.chain(of_numbers).collect()
 }
 
 /// Notes on markers that do not belong to a body.

@@ -1,6 +1,6 @@
 //! Notes on values that a file states or leaves to its listing, and that are probably mistakes.
 
-use super::super::program::{CORNER, folder, run, text};
+use super::super::program::{CORNER, example, folder, run, text};
 use super::notes;
 
 /// Points that the file does not state keep their positions in the listing: a note says so if the points around them are
@@ -189,4 +189,19 @@ fn drive_values_in_another_unit_or_from_another_zero_are_noted() {
         let message = notes_with("[0.3, 0.05]", arguments);
         assert!(!message.contains("note:"), "{message}");
     }
+}
+
+#[test]
+fn a_rate_of_a_spring_in_another_unit_is_noted() {
+    let noted = |rate: &str| {
+        let spring = format!("\n[springs.main]\nalong = \"damper\"\nrate = {rate}\n");
+        notes(&(example("double_wishbone_pushrod.toml") + &spring))
+    };
+    for rate in ["28000.0", "0.0"] {
+        assert_eq!(noted(rate), "", "{rate}");
+    }
+    let expected = "the rate of spring `main` is 28 N per m; it is usually from 500 to 5e6 N per m: rates are per unit of length of \
+                    the file\n";
+    let message = noted("28.0");
+    assert!(message.ends_with(expected), "{message}");
 }

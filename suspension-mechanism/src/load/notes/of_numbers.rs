@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use suspension_core::listing::MeasureKind;
+
 use crate::load::task::Task;
 use crate::mechanism::{Instants, Length};
 use crate::number::{number, rounded};
@@ -34,6 +36,30 @@ pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
         .into_iter()
         .filter_map(|(name, stated, usual)| length(task.file.length, name, stated?, usual));
     radius.flatten().take(1).chain(of_car)
+}
+
+/// Notes on rates of springs along lengths that seem to be in another unit.
+pub(super) fn rates(task: &Task<'_>) -> impl Iterator<Item = String> {
+    /// The rates of springs of vehicles, from models in a tenth of the size to lorries, N/m.
+    const USUAL: Range<f64> = 500.0..5e6;
+    let unit = task.file.length;
+    let springs = task.file.springs.iter().flat_map(|table| table.get_ref());
+    springs.filter_map(move |(name, stated)| {
+        let along = stated.get_ref().along.get_ref();
+        let mut measures = task.names.measures.iter();
+        let measure = measures.find(|measure| measure.name == *along)?;
+        let rate = *stated.get_ref().rate.get_ref();
+        let is_usual = rate == 0.0 || USUAL.contains(&(rate * unit.metre()));
+        if matches!(measure.kind, MeasureKind::Angle) || is_usual {
+            return None;
+        }
+        let [from, to] = [USUAL.start, USUAL.end].map(|end| rounded(end / unit.metre(), 5));
+        let (name, rate, symbol) = (name.get_ref(), number(rate), unit.symbol());
+        Some(format!(
+            "the rate of spring `{name}` is {rate} N per {symbol}; it is usually from {from} to {to} N per {symbol}: rates are per \
+             unit of length of the file"
+        ))
+    })
 }
 
 /// A note on a length that is outside the usual range, in metres.
