@@ -3,15 +3,23 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::hardpoints::Hardpoints;
+use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::{Names, spelled};
-use super::side::{End, end_of, side_of};
+use super::side::{End, Section, Side, end_of};
 use crate::failure::Failure;
 
 impl Hardpoints<'_> {
     /// Notes that a line names an end of the vehicle.
     pub(super) fn add_end(&mut self, end: Option<End>, place: Range<usize>) {
         self.ends.extend(end.map(|end| (end, place)));
+    }
+
+    /// Removes the ends that lines below the last point name: headings are above their points.
+    pub(super) fn forget_ends_behind_points(&mut self) {
+        if let Some(last) = self.points.last() {
+            self.ends
+                .retain(|(_, place)| place.start <= last.place.start);
+        }
     }
 
     /// Returns the end of the vehicle to which the suspension belongs, and the reason; `None` if the file does not say or names
@@ -35,17 +43,23 @@ impl Hardpoints<'_> {
     pub(super) fn with_corners_apart(&self, names: &Names) -> Self {
         let mut apart = self.clone();
         let is_known = |key: &str| names.is_point(key);
+        let is_f =
+            |point: &Hardpoint| without(&point.key, |word| (word == "f").then_some(()), is_known);
+        let has_f = self.points.iter().any(|point| is_f(point).is_some());
+        let meaning = |word: &str| Section::of_word(word).or_else(|| of_letter(word, has_f));
+        let is_known_of_corner =
+            |key: &str| is_known(key) || without(key, meaning, is_known).is_some();
         for point in &mut apart.points {
-            let is_known_of_side =
-                |key: &str| is_known(key) || without(key, side_of, is_known).is_some();
-            if let Some((end, own)) = without(&point.key, end_of, is_known_of_side) {
-                apart.ends.push((end, point.place.clone()));
-                point.end = Some(end);
-                point.key = own;
-            }
-            if let Some((side, own)) = without(&point.key, side_of, is_known) {
-                point.side = Some(side);
-                point.key = own;
+            // An end and a side, in any order.
+            for _ in 0..2 {
+                if let Some((said, own)) = without(&point.key, meaning, is_known_of_corner) {
+                    apart
+                        .ends
+                        .extend(said.end.map(|end| (end, point.place.clone())));
+                    point.end = said.end.or(point.end);
+                    point.side = said.side.or(point.side);
+                    point.key = own;
+                }
             }
         }
         apart
@@ -83,6 +97,18 @@ impl Hardpoints<'_> {
         self.check_numbers()?;
         Ok(self)
     }
+}
+
+/// Returns what a letter at an end of a name says; `r` is rear where other names have an `f`.
+fn of_letter(word: &str, has_f: bool) -> Option<Section> {
+    let (end, side) = match word {
+        "l" => (None, Some(Side::Left)),
+        "r" if !has_f => (None, Some(Side::Right)),
+        "r" => (Some(End::Rear), None),
+        "f" => (Some(End::Front), None),
+        _ => return None,
+    };
+    Some(Section { end, side })
 }
 
 /// Returns the meaning of the first or the last word of a name, and the known name without it.

@@ -4,7 +4,7 @@ use super::side::{End, Section, Side, end_of};
 use crate::mechanism::Length;
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
-const OF_AXLE: [&str; 7] = [
+const OF_AXLE: [&str; 11] = [
     "suspension",
     "axle",
     "corner",
@@ -12,25 +12,46 @@ const OF_AXLE: [&str; 7] = [
     "geometry",
     "left",
     "right",
+    "lh",
+    "rh",
+    "lhs",
+    "rhs",
+];
+
+/// Words of a remark on where coordinates are measured from, such as `x from the rear axle`.
+const OF_ORIGIN: [&str; 8] = [
+    "origin",
+    "from",
+    "datum",
+    "reference",
+    "relative",
+    "behind",
+    "ahead",
+    "zero",
 ];
 
 /// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
 /// `Front lower wishbone` is of a part.
 pub(super) fn end_of_heading(words: &str) -> Option<End> {
     let end = end_of(words)?;
-    let is_of_axle = words.split('_').any(|word| OF_AXLE.contains(&word));
+    let has_any = |of: &[&str]| words.split('_').any(|word| of.contains(&word));
+    let is_of_axle = has_any(&OF_AXLE) && !has_any(&OF_ORIGIN);
     (is_of_axle || !words.contains('_')).then_some(end)
 }
 
 /// Words of a heading above groups of columns, beside those of corners, axes and units.
-const OF_COLUMNS: [&str; 7] = [
+const OF_COLUMNS: [&str; 11] = [
     "point",
+    "points",
     "name",
     "hardpoint",
     "hardpoints",
     "side",
+    "hand",
     "wheel",
     "corner",
+    "axle",
+    "suspension",
 ];
 
 /// Returns the corners of two groups of columns, such as `Left` and `Right`, or `Front x, y, z` and `Rear x, y, z`.
@@ -50,7 +71,8 @@ pub(super) fn column_groups(words: &[&str]) -> Option<[Section; 2]> {
 /// corner`.
 pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
     let is_of_corner = |word: &&str| {
-        let is_other = ["side", "wheel"].contains(word) || unit(word).is_some();
+        let is_other = ["side", "hand", "wheel", "points", "coordinates"].contains(word)
+            || unit(word).is_some();
         OF_AXLE.contains(word) || Section::of_word(word).is_some() || is_other
     };
     if !words.iter().all(is_of_corner) {
@@ -62,6 +84,15 @@ pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
     match sides[..] {
         [side] => Some(side),
         _ => None,
+    }
+}
+
+/// Returns the corner that a heading or remark states.
+pub(super) fn section_of_heading(words: &str) -> Section {
+    let each: Vec<&str> = words.split('_').collect();
+    Section {
+        end: end_of_heading(words),
+        side: side_of_heading(&each),
     }
 }
 

@@ -74,6 +74,20 @@ impl<'a> Row<'a> {
         rows.swap_remove(best.unwrap_or_default())
     }
 
+    /// Returns the rows of two tables side by side, in each of which a name stands before three coordinates; `None` for other rows.
+    pub(super) fn apart(&self) -> Option<[Self; 2]> {
+        let of = |fields: &[&'a str]| Self {
+            fields: fields.to_vec(),
+            place: self.place.clone(),
+            ..*self
+        };
+        let (first, places) = self.found()?;
+        let (one, other) = self.fields.split_at(first + 3 * places.len());
+        let rows = [of(one), of(other)];
+        let is_named = |row: &Self| row.found().is_some_and(|(first, _)| first > 0);
+        rows.iter().all(is_named).then_some(rows)
+    }
+
     /// Returns exactly three or six consecutive numbers, in groups of three, and the index of their first field.
     fn found(&self) -> Option<(usize, Vec<[f64; 3]>)> {
         let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();

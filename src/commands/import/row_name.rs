@@ -1,8 +1,9 @@
-//! The name of a row of which a column before it, or the heading above it, has a part.
+//! The name of a row, of which parentheses, a column before it, or the heading above it may have a part.
 
-use super::heading::end_of_heading;
+use super::heading::{end_of_heading, section_of_heading};
 use super::names::{Names, key_of, spelled};
-use super::row::Row;
+use super::row::{Row, is_unit_or_side};
+use super::side::Section;
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,
 /// if that is known, or else its own.
@@ -29,4 +30,46 @@ pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
         is_known(&key) && names.normal(&key) != own_form
     });
     known.unwrap_or(own)
+}
+
+/// Returns a line without parentheses around words. The words are part of the name if it is then known, as in `Tie rod
+/// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself. A remark may state a corner.
+pub(super) fn with_whole_name(line: &str, names: &Names) -> (String, Section) {
+    let joined = replace_words_in_parentheses(line, |words| format!(" {words}"));
+    let mut section = Section::default();
+    let remarked = replace_words_in_parentheses(line, |words| {
+        section = section_of_heading(&spelled(words)).or(section);
+        String::new()
+    });
+    let unsaid = Section::default();
+    let readings = [
+        (&joined, unsaid),
+        (&remarked, section),
+        (&line.to_owned(), unsaid),
+    ];
+    let is_known = |(line, _): &(&String, Section)| {
+        let (key, _) = key_of(&Row::parse(0..0, line).name());
+        names.is_point(&key) || names.is_number(&key)
+    };
+    let known = readings.into_iter().find(is_known);
+    let (line, section) = known.unwrap_or((&joined, unsaid));
+    (line.clone(), section)
+}
+
+/// Replaces words in parentheses, with the parentheses. Numbers, units and sides in parentheses stay as they are.
+fn replace_words_in_parentheses(line: &str, mut by: impl FnMut(&str) -> String) -> String {
+    let (mut text, mut rest) = (String::new(), line);
+    while let Some((before, (inside, behind))) = rest
+        .split_once('(')
+        .and_then(|(before, behind)| Some((before, behind.split_once(')')?)))
+    {
+        if inside.starts_with(char::is_alphabetic) && !is_unit_or_side(inside) {
+            text += before.trim_end_matches(' ');
+            text += &by(inside);
+        } else {
+            text += &format!("{before}({inside})");
+        }
+        rest = behind;
+    }
+    text + rest
 }

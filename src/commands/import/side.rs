@@ -31,8 +31,8 @@ impl Side {
 /// Returns the side of the vehicle that a word in small letters names.
 pub(super) fn side_of(word: &str) -> Option<Side> {
     match word {
-        "left" | "lh" => Some(Side::Left),
-        "right" | "rh" => Some(Side::Right),
+        "left" | "lh" | "lhs" => Some(Side::Left),
+        "right" | "rh" | "rhs" => Some(Side::Right),
         _ => None,
     }
 }

@@ -1,12 +1,15 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
+use std::mem::take;
+use std::ops::Range;
+
 use super::hardpoints::Hardpoints;
 use super::heading::{
     check_columns, column_groups, end_of_heading, length, side_of_heading, unit, unit_of_heading,
 };
 use super::names::{Names, key_of, spelled};
-use super::row::{Row, is_unit_or_side, lines};
-use super::row_name::name_of;
+use super::row::{Row, lines};
+use super::row_name::{name_of, with_whole_name};
 use super::side::Section;
 use super::thousands::Thousands;
 use super::unclear::{check_angle, check_group, check_row};
@@ -20,84 +23,102 @@ use crate::mechanism::Axes;
 ///
 /// [`Failure::Input`] at a known point without three numbers, and at columns in another order.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
-    let mut stated = Hardpoints::new(source, Axes::Iso);
-    let mut section = Section::default();
-    let mut heading = String::new();
-    let mut thousands = Thousands::default();
+    let mut table = Table {
+        stated: Hardpoints::new(source, Axes::Iso),
+        names,
+        section: Section::default(),
+        heading: String::new(),
+        thousands: Thousands::default(),
+    };
     for (place, line) in lines(source.text()) {
-        let named = with_whole_name(line, names);
-        let row = Row::parse(place.clone(), &named);
-        stated.section = Section {
-            end: row.end().or(section.end),
-            ..section
-        };
-        let name = name_of(&row, &heading, names);
-        check_angle(&stated, (&row, line), &name, names)?;
-        add(&mut stated, &row, &name, names)?;
-        if names.is_point(&key_of(&name).0) {
-            thousands.add(&row);
-        }
-        stated.add_end(row.end(), place.clone());
-        if row.numbers().is_empty() {
-            let words = spelled(line);
-            let end = end_of_heading(&words);
-            stated.add_end(end, place.clone());
-            let words: Vec<&str> = words.split('_').collect();
-            let side = side_of_heading(&words);
-            section = section.below(end.or(row.end()), side);
-            stated.groups = column_groups(&words).or(stated.groups);
-            heading = match (end, side) {
-                (None, None) => row.heading().unwrap_or(heading),
-                _ => String::new(),
-            };
-            check_columns(&words).map_err(|message| source.refuse(&place, message))?;
-            if let Some(unit) = unit_of_heading(&words) {
-                stated.state_unit(unit, &place)?;
-            }
-        }
+        table.read_line(place, line)?;
     }
-    thousands.check(source)?;
-    if stated
-        .points
-        .iter()
-        .any(|point| point.name.to_lowercase().starts_with("hp"))
-    {
+    table.thousands.check(source)?;
+    let mut stated = table.stated;
+    stated.forget_ends_behind_points();
+    let mut points = stated.points.iter();
+    if points.any(|point| point.name.to_lowercase().starts_with("hp")) {
         stated.usual = Axes::Adams;
     }
     Ok(stated)
 }
 
-/// Returns a line without parentheses around words. The words are part of the name if it is then known, as in `Tie rod
-/// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself.
-fn with_whole_name(line: &str, names: &Names) -> String {
-    let joined = replace_words_in_parentheses(line, |words| format!(" {words}"));
-    let remarked = replace_words_in_parentheses(line, |_| String::new());
-    let mut readings = vec![joined, remarked, line.to_owned()];
-    let is_known = |line: &String| {
-        let (key, _) = key_of(&Row::parse(0..0, line).name());
-        names.is_point(&key) || names.is_number(&key)
-    };
-    let known = readings.iter().position(is_known);
-    readings.swap_remove(known.unwrap_or_default())
+/// A table that is read line by line.
+struct Table<'a, 'n> {
+    stated: Hardpoints<'a>,
+    names: &'n Names,
+    /// The corner that the headings above the line state.
+    section: Section,
+    /// The last heading that may be a part of names.
+    heading: String,
+    thousands: Thousands,
 }
 
-/// Replaces words in parentheses, with the parentheses. Numbers, units and sides in parentheses stay as they are.
-fn replace_words_in_parentheses(line: &str, by: impl Fn(&str) -> String) -> String {
-    let (mut text, mut rest) = (String::new(), line);
-    while let Some((before, (inside, behind))) = rest
-        .split_once('(')
-        .and_then(|(before, behind)| Some((before, behind.split_once(')')?)))
-    {
-        if inside.starts_with(char::is_alphabetic) && !is_unit_or_side(inside) {
-            text += before.trim_end_matches(' ');
-            text += &by(inside);
-        } else {
-            text += &format!("{before}({inside})");
+impl Table<'_, '_> {
+    fn read_line(&mut self, place: Range<usize>, line: &str) -> Result<(), Failure> {
+        let (named, remarked) = with_whole_name(line, self.names);
+        let row = Row::parse(place.clone(), &named);
+        let section = remarked.or(self.section);
+        if let (Some(rows), Some(groups)) = (self.side_by_side(&row)?, self.stated.groups) {
+            for (row, group) in rows.iter().zip(groups) {
+                self.read_row(row, line, group.or(section))?;
+            }
+            return Ok(());
         }
-        rest = behind;
+        self.read_row(&row, line, section)?;
+        if row.numbers().is_empty() {
+            self.read_heading(&row, &spelled(line))?;
+        }
+        Ok(())
     }
-    text + rest
+
+    /// Returns the rows of two tables side by side that a line has; `None` for other lines.
+    fn side_by_side<'r>(&self, row: &Row<'r>) -> Result<Option<[Row<'r>; 2]>, Failure> {
+        let is_point = |row: &Row<'_>| self.names.is_point(&key_of(&row.name()).0);
+        let rows = row.apart().filter(|[_, other]| is_point(other));
+        match (&rows, self.stated.groups) {
+            (Some(_), None) => Err(self.stated.source.refuse(&row.place, SIDE_BY_SIDE)),
+            _ => Ok(rows),
+        }
+    }
+
+    fn read_row(&mut self, row: &Row<'_>, line: &str, section: Section) -> Result<(), Failure> {
+        self.stated.section = Section {
+            end: row.end().or(section.end),
+            ..section
+        };
+        let name = name_of(row, &self.heading, self.names);
+        check_angle(&self.stated, (row, line), &name, self.names)?;
+        add(&mut self.stated, row, &name, self.names)?;
+        if self.names.is_point(&key_of(&name).0) {
+            self.thousands.add(row);
+        }
+        self.stated.add_end(row.end(), row.place.clone());
+        Ok(())
+    }
+
+    fn read_heading(&mut self, row: &Row<'_>, words: &str) -> Result<(), Failure> {
+        let stated = &mut self.stated;
+        let end = end_of_heading(words);
+        stated.add_end(end, row.place.clone());
+        let words: Vec<&str> = words.split('_').collect();
+        let side = side_of_heading(&words);
+        self.section = self.section.below(end.or(row.end()), side);
+        stated.groups = column_groups(&words).or(stated.groups);
+        match (end, side) {
+            (None, None) => self.heading = row.heading().unwrap_or(take(&mut self.heading)),
+            _ => self.heading.clear(),
+        }
+        check_columns(&words).map_err(|message| stated.source.refuse(&row.place, message))?;
+        match unit_of_heading(&words) {
+            Some(unit) => stated.state_unit(unit, &row.place),
+            None => Ok(()),
+        }
+    }
 }
+
+const SIDE_BY_SIDE: &str = "two points stand side by side: write `Left` and `Right`, or `Front` and `Rear`, in a heading above the \
+                            tables, or one table below the other";
 
 /// Adds the point or the number of a row under a name; skips other rows.
 ///

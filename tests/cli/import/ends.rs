@@ -25,8 +25,24 @@ fn each_with(before: &str, points: &[(&str, [f64; 3])]) -> String {
     lines.map(|line| format!("{before}{line}\n")).collect()
 }
 
+/// The lines of a table with something behind each name.
+fn each_behind(behind: &str, points: &[(&str, [f64; 3])]) -> String {
+    let table = table(points);
+    let lines = table.lines();
+    let named = lines.map(|line| line.replacen(',', &format!("{behind},"), 1) + "\n");
+    named.collect()
+}
+
+/// The lines of two tables side by side, with an empty column between them.
+fn side_by_side(one: &str, other: &str) -> String {
+    let lines = one.lines().zip(other.lines());
+    lines
+        .map(|(one, other)| format!("{one}, , {other}\n"))
+        .collect()
+}
+
 /// Tables of both axles.
-fn cars() -> [String; 7] {
+fn cars() -> [String; 11] {
     let (front, rear) = (CORNER.as_slice(), rear());
     let front_right = mirrored(front);
     let rear_right = mirrored(&rear);
@@ -53,6 +69,16 @@ fn cars() -> [String; 7] {
             table(&front_right),
             table(&rear),
             table(&rear_right)
+        ),
+        each_behind("_F", front) + &each_behind("_R", &rear),
+        each_behind(" (front axle)", front) + &each_behind(" (rear axle)", &rear),
+        each_behind(" (front left)", front)
+            + &each_behind(" (front right)", &front_right)
+            + &each_behind(" (rear left)", &rear)
+            + &each_behind(" (rear right)", &rear_right),
+        format!(
+            "Front suspension, , , , , Rear suspension\n{}",
+            side_by_side(&table(front), &table(&rear))
         ),
     ]
 }
@@ -165,17 +191,53 @@ fn headings_name_the_sides_of_unlike_corners() {
     let folder = folder();
     let left = CORNER.as_slice();
     let right = mirrored(&rear());
-    let file = format!("Left side\n{}Right side\n{}", table(left), table(&right));
-    let axle = import(folder.path(), "axle.csv", &file, &[]);
-    for (side, points) in [("left", left), ("right", &right)] {
-        let alone = format!("{side}\n{}", table(points));
-        let alone = import(folder.path(), "alone.csv", &alone, &[]).points();
-        for (name, at) in alone {
-            assert_eq!(
-                axle.points()[&format!("{side}_{name}")],
-                at,
-                "{side} {name}"
-            );
+    let one_below_the_other =
+        |one: &str, other: &str| format!("{one}\n{}{other}\n{}", table(left), table(&right));
+    let files = [
+        one_below_the_other("Left side", "Right side"),
+        one_below_the_other("Left-hand side", "Right-hand side"),
+        one_below_the_other("LHS", "RHS"),
+        one_below_the_other(
+            "LEFT FRONT SUSPENSION POINTS",
+            "RIGHT FRONT SUSPENSION POINTS",
+        ),
+        each_behind("_L", left) + &each_behind("_R", &right),
+        each_with("L ", left) + &each_with("R ", &right),
+        "Left, , , , , Right\n".to_owned() + &side_by_side(&table(left), &table(&right)),
+    ];
+    for file in files {
+        let axle = import(folder.path(), "axle.csv", &file, &[]).points();
+        for (side, points) in [("left", left), ("right", &right)] {
+            let alone = format!("{side}\n{}", table(points));
+            let alone = import(folder.path(), "alone.csv", &alone, &[]).points();
+            for (name, at) in alone {
+                assert_eq!(axle[&format!("{side}_{name}")], at, "{side} {name}: {file}");
+            }
         }
+    }
+}
+
+#[test]
+fn tables_side_by_side_without_a_heading_are_refused() {
+    let corner = table(&CORNER);
+    let said = refusal("a.csv", &side_by_side(&corner, &corner), &[]);
+    let expected = "a.csv:1:1: two points stand side by side: write `Left` and `Right`, or `Front` and `Rear`, in a heading above \
+                    the tables, or one table below the other";
+    assert_eq!(said, expected);
+}
+
+/// A tie rod whose table is of a rear axle is fixed on the chassis.
+#[test]
+fn remarks_on_the_other_axle_are_no_headings() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    for file in [
+        format!("Origin: rear axle centre\n{corner}"),
+        format!("# x from the rear axle\n{corner}"),
+        format!("{corner}Rear\n"),
+        format!("{corner}The rear suspension is in a file of its own\n"),
+    ] {
+        let motion = import(folder.path(), "a.csv", &file, &[]).motion;
+        assert!(motion["drives"].get("steer").is_some(), "{file}");
     }
 }
