@@ -20,6 +20,7 @@ mod orientation;
 mod rack;
 mod remarks;
 mod row;
+mod row_corner;
 mod row_name;
 mod shark;
 mod side;

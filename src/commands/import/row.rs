@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use super::fields::{fields, has_number_in_parentheses, without_axes, without_units};
-use super::heading::{end_of_heading, unit};
+use super::heading::unit;
 use super::names::spelled;
-use super::side::{End, Section, Side, Sides, corner_of};
+use super::row_corner::sides_of;
 
 /// The beginnings of a remark, and the end of a row in LaTeX.
 const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];
@@ -23,8 +23,8 @@ const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 /// A line that has been split into fields.
 #[derive(Debug)]
 pub(super) struct Row<'a> {
-    fields: Vec<&'a str>,
-    separator: char,
+    pub(super) fields: Vec<&'a str>,
+    pub(super) separator: char,
     /// The unit of length that the row states.
     pub(super) unit: Option<&'a str>,
     /// Whether a single number stands in parentheses, which may mean that it is negative.
@@ -89,7 +89,7 @@ impl<'a> Row<'a> {
     }
 
     /// Returns exactly three or six consecutive numbers, in groups of three, and the index of their first field.
-    fn found(&self) -> Option<(usize, Vec<[f64; 3]>)> {
+    pub(super) fn found(&self) -> Option<(usize, Vec<[f64; 3]>)> {
         let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();
         let mut first = 0;
         for run in numbers.chunk_by(|a, b| a.is_some() == b.is_some()) {
@@ -212,34 +212,6 @@ impl<'a> Row<'a> {
         Some(words.join(" ")).filter(|words| !words.is_empty())
     }
 
-    /// Returns the sides that the row states.
-    pub(super) fn sides(&self) -> Sides {
-        let said = self.fields.iter().find_map(|field| sides_of(field));
-        said.unwrap_or(Sides::Unsaid)
-    }
-
-    /// Returns the end of the vehicle that the row states: by a code such as `RL`, in a field of its own or at an end of the
-    /// name, or by a field such as `Rear` beside the name.
-    pub(super) fn end(&self) -> Option<End> {
-        let words = self.fields.iter().flat_map(|field| {
-            let (first, last) = (
-                field.split([' ', '_']).next(),
-                field.rsplit([' ', '_']).next(),
-            );
-            [first, last].into_iter().flatten()
-        });
-        let mut codes = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));
-        let by_code = codes.next().map(|(end, _)| end);
-        by_code.or_else(|| self.end_beside_name())
-    }
-
-    fn end_beside_name(&self) -> Option<End> {
-        let (first, _) = self.found().filter(|_| self.separator != ' ')?;
-        let name = self.name();
-        let mut others = self.fields[..first].iter().filter(|field| **field != name);
-        others.find_map(|field| end_of_heading(&spelled(field)))
-    }
-
     /// Returns the words of all fields, as names are compared, with 0 for each number that can be read.
     pub(super) fn spelled(&self) -> String {
         let words = self.fields.iter().map(|field| match self.number(field) {
@@ -273,20 +245,5 @@ impl<'a> Row<'a> {
         };
         // `inf` and `nan` would parse as numbers too.
         number.is_finite().then_some(number)
-    }
-}
-
-/// Returns whether a word states a unit or a side.
-pub(super) fn is_unit_or_side(word: &str) -> bool {
-    unit(word).is_some() || sides_of(word).is_some()
-}
-
-fn sides_of(field: &str) -> Option<Sides> {
-    match field.to_ascii_lowercase().as_str() {
-        "l" => Some(Sides::One(Side::Left)),
-        "r" => Some(Sides::One(Side::Right)),
-        "left/right" => Some(Sides::Mirrored),
-        "single" => Some(Sides::Unsaid),
-        word => Section::of_word(word)?.side.map(Sides::One),
     }
 }

@@ -2,7 +2,8 @@
 
 use super::heading::{end_of_heading, section_of_heading};
 use super::names::{Names, key_of, spelled};
-use super::row::{Row, is_unit_or_side};
+use super::row::Row;
+use super::row_corner::is_unit_or_side;
 use super::side::Section;
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,

@@ -1,0 +1,52 @@
+//! The corner that a row of a table states: in a field of its own, or by a code at an end of its name.
+
+use super::heading::{end_of_heading, unit};
+use super::names::spelled;
+use super::row::Row;
+use super::side::{End, Section, Side, Sides, corner_of};
+
+impl Row<'_> {
+    /// Returns the sides that the row states.
+    pub(super) fn sides(&self) -> Sides {
+        let said = self.fields.iter().find_map(|field| sides_of(field));
+        said.unwrap_or(Sides::Unsaid)
+    }
+
+    /// Returns the end of the vehicle that the row states: by a code such as `RL`, in a field of its own or at an end of the
+    /// name, or by a field such as `Rear` beside the name.
+    pub(super) fn end(&self) -> Option<End> {
+        let words = self.fields.iter().flat_map(|field| {
+            let (first, last) = (
+                field.split([' ', '_']).next(),
+                field.rsplit([' ', '_']).next(),
+            );
+            [first, last].into_iter().flatten()
+        });
+        let mut codes = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));
+        let by_code = codes.next().map(|(end, _)| end);
+        by_code.or_else(|| self.end_beside_name())
+    }
+
+    fn end_beside_name(&self) -> Option<End> {
+        let (first, _) = self.found().filter(|_| self.separator != ' ')?;
+        let name = self.name();
+        let mut others = self.fields[..first].iter().filter(|field| **field != name);
+        others.find_map(|field| end_of_heading(&spelled(field)))
+    }
+}
+
+/// Returns whether a word states a unit or a side.
+pub(super) fn is_unit_or_side(word: &str) -> bool {
+    unit(word).is_some() || sides_of(word).is_some()
+}
+
+/// Returns the sides that a field states.
+pub(super) fn sides_of(field: &str) -> Option<Sides> {
+    match field.to_ascii_lowercase().as_str() {
+        "l" => Some(Sides::One(Side::Left)),
+        "r" => Some(Sides::One(Side::Right)),
+        "left/right" => Some(Sides::Mirrored),
+        "single" => Some(Sides::Unsaid),
+        word => Section::of_word(word)?.side.map(Sides::One),
+    }
+}
