@@ -5,6 +5,7 @@ mod candidate;
 mod catalogue_points;
 mod checked;
 mod choice;
+mod columns;
 mod corner;
 mod draft;
 mod ends;

@@ -14,6 +14,23 @@ pub(super) fn has_number_in_parentheses(line: &str) -> bool {
     })
 }
 
+/// Returns whether a cell between the coordinates of a point is empty, so that a number behind them may take the place of one.
+pub(super) fn has_empty_coordinate(line: &str, separator: char) -> bool {
+    let (mut numbers, mut is_open) = (0, false);
+    line.split(separator).any(|cell| {
+        let cell = cell.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c));
+        if cell.is_empty() {
+            is_open |= numbers % 3 != 0;
+        } else if cell.replace(',', ".").parse::<f64>().is_ok() {
+            numbers += 1;
+            return is_open;
+        } else {
+            (numbers, is_open) = (0, false);
+        }
+        false
+    })
+}
+
 /// Removes the names of the axes from `x = 1, y = 2, z = 3`.
 pub(super) fn without_axes(fields: Vec<&str>) -> Vec<&str> {
     let is_axes = |labels: &[&str]| {

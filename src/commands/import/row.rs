@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use super::fields::{fields, has_number_in_parentheses, without_axes, without_units};
+use super::fields::{
+    fields, has_empty_coordinate, has_number_in_parentheses, without_axes, without_units,
+};
 use super::heading::unit;
 use super::names::spelled;
 use super::row_corner::sides_of;
@@ -29,6 +31,8 @@ pub(super) struct Row<'a> {
     pub(super) unit: Option<&'a str>,
     /// Whether a single number stands in parentheses, which may mean that it is negative.
     pub(super) has_number_in_parentheses: bool,
+    /// Whether a cell between coordinates is empty.
+    pub(super) has_empty_coordinate: bool,
     /// The place of the line in its file.
     pub(super) place: Range<usize>,
 }
@@ -65,6 +69,7 @@ impl<'a> Row<'a> {
                 separator,
                 unit,
                 has_number_in_parentheses,
+                has_empty_coordinate: separator != ' ' && has_empty_coordinate(line, separator),
                 place: place.clone(),
             }
         });
@@ -225,7 +230,7 @@ impl<'a> Row<'a> {
     fn words(&self, fields: &[&'a str]) -> Vec<&'a str> {
         let is_word = |field: &&str| {
             let is_sign = !field.contains(char::is_alphanumeric);
-            let is_type = ["real", "deg", "rad"]
+            let is_type = ["real", "deg", "rad", "array", "np.array", "numpy.array"]
                 .iter()
                 .any(|name| field.eq_ignore_ascii_case(name));
             let is_type = is_type || unit(field).is_some();

@@ -3,6 +3,7 @@
 use std::mem::take;
 use std::ops::Range;
 
+use super::columns::Columns;
 use super::hardpoints::Hardpoints;
 use super::heading::{
     check_columns, column_groups, end_of_heading, length, side_of_heading, unit, unit_of_heading,
@@ -28,6 +29,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         names,
         section: Section::default(),
         heading: String::new(),
+        columns: None,
         thousands: Thousands::default(),
     };
     for (place, line) in lines(source.text()) {
@@ -51,11 +53,15 @@ struct Table<'a, 'n> {
     section: Section,
     /// The last heading that may be a part of names.
     heading: String,
+    /// The columns of coordinates, if a heading names them.
+    columns: Option<Columns>,
     thousands: Thousands,
 }
 
 impl Table<'_, '_> {
     fn read_line(&mut self, place: Range<usize>, line: &str) -> Result<(), Failure> {
+        let columns = self.columns.as_ref();
+        let line = &*columns.map_or(line.into(), |columns| columns.without_others(line));
         let (named, remarked) = with_whole_name(line, self.names);
         let row = Row::parse(place.clone(), &named);
         let section = remarked.or(self.section);
@@ -68,6 +74,7 @@ impl Table<'_, '_> {
         self.read_row(&row, line, section)?;
         if row.numbers().is_empty() {
             self.read_heading(&row, &spelled(line))?;
+            self.columns = Columns::of_heading(line).or(take(&mut self.columns));
         }
         Ok(())
     }
@@ -133,14 +140,14 @@ pub(super) fn add(
     names: &Names,
 ) -> Result<(), Failure> {
     let (key, _) = key_of(name);
+    if names.is_point(&key) || names.is_number(&key) {
+        check_row(stated, row)?;
+    }
     let places = placed(row, stated.groups);
     if places.is_empty()
         && let Some(name) = before_numbers(&row.spelled(), names)
     {
         return Err(misread(stated, name, row, names));
-    }
-    if names.is_point(&key) || names.is_number(&key) {
-        check_row(stated, row)?;
     }
     if names.is_point(&key) && !places.is_empty() {
         if let Some(unit) = row.unit {

@@ -10,13 +10,15 @@ const LONE_SIGN: &str = "the sign before the number stands alone: write it at th
 
 const IN_PARENTHESES: &str = "a number stands in parentheses: write it with a minus if that is meant, or without parentheses";
 
+const EMPTY: &str = "a cell between the numbers is empty: write the coordinate there, or take the empty column out of the table";
+
 const FRONT_OR_RIGHT: &str = "beside `F`, an `R` may be rear or right: write `Front` and `Rear`, or the corners as FL, FR, RL, RR";
 
 /// Checks a row with a known name.
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, and a letter that names an axle.
+/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between coordinates, and a letter that names an axle.
 pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Failure> {
     let refuse = |message: &str| Err(stated.source.refuse(&row.place, message));
     if row.has_lone_sign() {
@@ -24,6 +26,9 @@ pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Fa
     }
     if row.has_number_in_parentheses {
         return refuse(IN_PARENTHESES);
+    }
+    if row.has_empty_coordinate {
+        return refuse(EMPTY);
     }
     if row.has_field("f") {
         return refuse(FRONT_OR_RIGHT);

@@ -115,6 +115,23 @@ fn one_point_under_two_groups_of_columns_is_refused_unless_its_row_says_which_it
     assert_eq!(one.points(), whole.points());
 }
 
+/// The mass behind the coordinates would be the third one.
+#[test]
+fn an_empty_cell_between_coordinates_is_refused() {
+    let row = "tierod_inner, -72, -190, 152";
+    for empty in [
+        "tierod_inner, -72, , 152, 5",
+        "tierod_inner, -72, -190, , 5",
+        "tierod_inner, \"-72\", \"\", \"152\", \"5\"",
+    ] {
+        let said = refusal("a.csv", &table(&CORNER).replace(row, empty), &[]);
+        assert!(
+            said.starts_with("a.csv:7:1: a cell between the numbers is empty: "),
+            "{said}"
+        );
+    }
+}
+
 #[test]
 fn the_letters_f_and_r_in_a_column_are_refused() {
     let corner = table(&CORNER);

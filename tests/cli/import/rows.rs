@@ -262,6 +262,48 @@ fn numbers_in_quotes_between_commas_may_have_decimal_commas() {
     assert_eq!(imported.points(), expected.into());
 }
 
+/// Heading, and a row with `name` and the coordinates between its other columns.
+#[test]
+fn a_heading_says_which_columns_are_coordinates() {
+    let folder = folder();
+    let expected = IN_OUR_AXES.map(|(name, at)| (name.to_owned(), at)).into();
+    for [heading, row] in [
+        ["Name, x, y, z, Mass [kg]", "name, at, 0.25"],
+        [
+            "No., Name, x [mm], y [mm], z [mm], dx, dy, dz",
+            "7, name, at, 1, 1, 1",
+        ],
+        ["Name, Part, x, y, z", "name, 3, at"],
+        ["x, y, z, Name, Mass", "at, name, 0.25"],
+    ] {
+        let row = |(name, [x, y, z]): (&str, [f64; 3])| {
+            row.replace("name", name)
+                .replace("at", &format!("{x}, {y}, {z}"))
+                + "\n"
+        };
+        let file = format!("{heading}\n{}", CORNER.map(row).concat());
+        let commas = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(commas.points(), expected, "{heading}");
+        let file = file.replace(',', ";");
+        let semicolons = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(semicolons.points(), expected, "{heading}");
+        // The mass does not take the place of a coordinate.
+        let said = refusal("a.csv", &file.replace("; -190;", "; ;"), &[]);
+        assert!(
+            said.contains("a cell between the numbers is empty"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn a_heading_with_two_columns_of_an_axis_does_not_say_which_are_coordinates() {
+    let rows = CORNER.map(|(name, [x, y, z])| format!("{name}, {x}, {y}, {z}, {x}, {y}, {z}\n"));
+    let file = format!("Name, x, y, z, new x, new y, new z\n{}", rows.concat());
+    let said = refusal("a.csv", &file, &[]);
+    assert!(said.contains("`lca_front` has six numbers"), "{said}");
+}
+
 /// The radius of the tyre is often in inches beside points in millimetres.
 #[test]
 fn a_radius_in_another_unit_is_converted() {
