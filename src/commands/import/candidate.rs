@@ -12,6 +12,10 @@ use super::stand_in::has_stand_in;
 /// The most names that a message gives for a missing point.
 const FEW_NAMES: usize = 4;
 
+/// The points of a rocker's axis, and the outer end of a damper in layouts without a rocker.
+const ROCKER: [&str; 2] = ["rocker_front", "rocker_rear"];
+const DAMPER: &str = "damper_lower";
+
 /// A listing that may be chosen, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Candidate<'a> {
@@ -133,6 +137,30 @@ impl<'a> Candidate<'a> {
         })
     }
 
+    /// Names a point of a rocker, if the listing has a damper but no rocker: the damper of such a file ends at the rocker.
+    fn unused_rocker(
+        &self,
+        stated: &Hardpoints<'_>,
+        points: &[&Hardpoint],
+        names: &Names,
+    ) -> Option<String> {
+        let has = |name: &str| self.found.iter().any(|(found, _)| found == name);
+        let is_rocker = |point: &&&Hardpoint| {
+            let form = names.normal(&point.key);
+            let mut of_rocker = ROCKER.iter().flat_map(|name| names.of_point(name));
+            of_rocker.any(|name| names.normal(name) == form)
+        };
+        let rocker = points.iter().find(is_rocker)?;
+        (has(DAMPER) && !has(ROCKER[0])).then(|| {
+            format!(
+                "the damper would end at a wishbone, but `{}` ({}) is of a rocker: --linkage double_wishbone_rocker says which \
+                 points are missing; without the rocker's points the damper ends at the wishbone",
+                rocker.name,
+                stated.line(&rocker.place)
+            )
+        })
+    }
+
     /// Says why the points do not suit the listing; `None` if they do.
     pub(super) fn does_not_fit(
         &self,
@@ -155,7 +183,8 @@ impl<'a> Candidate<'a> {
             });
         }
         if self.missing.is_empty() {
-            return self.named_twice(stated, points, names);
+            let twice = self.named_twice(stated, points, names);
+            return twice.or_else(|| self.unused_rocker(stated, points, names));
         }
         let what = match wanted {
             Some(_) => format!("{linkage} lacks"),

@@ -52,7 +52,10 @@ impl Hardpoints<'_> {
         for point in &mut apart.points {
             // An end and a side, in any order.
             for _ in 0..2 {
-                if let Some((said, own)) = without(&point.key, meaning, is_known_of_corner) {
+                let found = without(&point.key, meaning, is_known_of_corner);
+                // `Front axle` is no point of the spin axis.
+                let found = found.filter(|(said, own)| said.end.is_none() || own != "axle");
+                if let Some((said, own)) = found {
                     apart
                         .ends
                         .extend(said.end.map(|end| (end, point.place.clone())));

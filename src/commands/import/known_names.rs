@@ -91,7 +91,7 @@ mod tests {
     }
 
     /// Names of the templates of other programs, of theses and of racing teams, by the point of the listing.
-    const TEMPLATES: [(&str, &[&str]); 17] = [
+    const TEMPLATES: [(&str, &[&str]); 18] = [
         (
             "lower_front",
             &[
@@ -181,7 +181,12 @@ mod tests {
         ("axle", &["wheel_spindle_point"]),
         (
             "pushrod_lower",
-            &["prod_outboard", "push_rod_wishbone_end", "pullrod_outer"],
+            &[
+                "prod_outboard",
+                "push_rod_wishbone_end",
+                "pullrod_outer",
+                "pushrod_to_uca",
+            ],
         ),
         (
             "pushrod_upper",
@@ -204,6 +209,7 @@ mod tests {
             "damper_outer",
             &["shock_to_bellcrank", "damper_to_rocker_point"],
         ),
+        ("damper_lower", &["damper_to_lca", "shock_lower"]),
         ("bar_outer", &["arb_bushing_mount", "arb_pivot"]),
         ("drop_upper", &["arblink_to_bellcrank", "droplink_upper"]),
         ("drop_lower", &["droplink_to_arb", "arblink_to_arb"]),

@@ -96,6 +96,9 @@ fn turned(clues: &[Clue]) -> String {
     names.collect::<Vec<_>>().join(" and ")
 }
 
+/// The largest camber that a wheel may have, degrees.
+const MOST_CAMBER: f64 = 15.0;
+
 /// Checks that the columns are not exchanged: in every suspension the wheel centre is further from the middle of the vehicle
 /// than all chassis points, and the spin axis lies across the vehicle.
 fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
@@ -128,11 +131,18 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     }
     match choice.point("axle") {
         Some(axle) => {
-            let [x, y, _] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
+            let [x, y, z] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
+            let (name, of) = (&axle.name, &centre.name);
+            let camber = z.atan2(y).to_degrees();
+            if x <= y && camber > MOST_CAMBER {
+                return Err(format!(
+                    "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
+                     no point of the spin axis, give it a name that import does not know"
+                ));
+            }
             if x <= y {
                 return Ok(());
             }
-            let (name, of) = (&axle.name, &centre.name);
             is_swapped(format!("from `{name}` to `{of}` it changes less than x"))
         }
         None => Ok(()),

@@ -1,5 +1,7 @@
 //! Assumptions about hardpoints and doubts about them, one sentence each.
 
+use std::ops::RangeInclusive;
+
 use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
@@ -27,6 +29,17 @@ impl Imported<'_> {
         }
     }
 
+    /// Says that a suspension is hardly of the size that it has in a unit.
+    fn doubtful_size(&self, unit: Length) -> Option<String> {
+        /// The sizes of suspensions, those of models among them, m.
+        const SIZES: RangeInclusive<f64> = 0.03..=5.0;
+        let size = self.corner.apart() / unit.metre();
+        (!SIZES.contains(&size)).then(|| {
+            let size = rounded(size, 4);
+            format!("; that is doubtful, as the points are then up to {size} m apart")
+        })
+    }
+
     /// Returns the assumptions about the file.
     pub(super) fn file_remarks(&self) -> Vec<String> {
         let choice = &self.choice;
@@ -39,7 +52,11 @@ impl Imported<'_> {
                 choice.linkage,
                 self.layout_in_words()
             ),
-            format!("the unit of lengths is {}, {why_unit}", unit.symbol()),
+            format!(
+                "the unit of lengths is {}, {why_unit}{}",
+                unit.symbol(),
+                self.doubtful_size(unit).unwrap_or_default()
+            ),
             format!(
                 "axes are {} ({}), {why}; {}",
                 axes.name(),

@@ -163,3 +163,49 @@ fn a_number_that_may_have_a_sign_for_thousands_is_refused() {
         assert_eq!(points["lower_front"], [-1.26, 170.5, 125.0]);
     }
 }
+
+/// `PR` is not known for a pushrod, so the points of a layout with a rocker are incomplete.
+#[test]
+fn a_damper_of_a_table_with_a_rocker_does_not_end_at_a_wishbone() {
+    let pushrods = ["PR outboard", "PR inboard"];
+    let file = table(&CORNER)
+        .replace("prod_outboard", pushrods[0])
+        .replace("prod_inboard", pushrods[1]);
+    let file = file.replace("shock_to_bellcrank", "shock_outboard");
+    let said = refusal("a.csv", &file, &[]);
+    let expected = "a.csv: the damper would end at a wishbone, but `bellcrank_pivot` (a.csv:12) is of a rocker: --linkage \
+                    double_wishbone_rocker says which points are missing; without the rocker's points the damper ends at the \
+                    wishbone";
+    assert_eq!(said, expected);
+}
+
+#[test]
+fn an_axle_that_is_no_spin_axis_is_refused() {
+    let corner = table(&CORNER);
+    let said = refusal("a.csv", &format!("Axle, 0, 0, 0\n{corner}"), &[]);
+    let expected = "a.csv: the spin axis, from `Axle` to `wheel_center`, has a camber of 21 degrees: correct these points or, if \
+                    `Axle` is no point of the spin axis, give it a name that import does not know";
+    assert_eq!(said, expected);
+    // `Front axle` is not even a point of it.
+    let front = CORNER.map(|(name, at)| (format!("Front {name}"), at));
+    let front: Vec<_> = front
+        .iter()
+        .map(|(name, at)| (name.as_str(), *at))
+        .collect();
+    let notes = import(
+        folder().path(),
+        "a.csv",
+        &format!("Front axle, 0, 0, 0\n{}", table(&front)),
+        &[],
+    )
+    .notes;
+    assert!(notes.contains("not used: Front axle"), "{notes}");
+}
+
+#[test]
+fn a_unit_in_which_the_suspension_has_a_strange_size_is_doubtful() {
+    let file = format!("Lengths in inches\n{}", table(&CORNER));
+    let notes = import(folder().path(), "a.csv", &file, &[]).notes;
+    let expected = "the unit of lengths is in, as the file says; that is doubtful, as the points are then up to 14.99 m apart";
+    assert!(notes.contains(expected), "{notes}");
+}
