@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::hardpoints::{Hardpoint, Hardpoints};
+use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
 use super::side::{End, Section, Side, end_of};
 use crate::failure::Failure;
@@ -43,9 +43,12 @@ impl Hardpoints<'_> {
     pub(super) fn with_corners_apart(&self, names: &Names) -> Self {
         let mut apart = self.clone();
         let is_known = |key: &str| names.is_point(key);
-        let is_f =
-            |point: &Hardpoint| without(&point.key, |word| (word == "f").then_some(()), is_known);
-        let has_f = self.points.iter().any(|point| is_f(point).is_some());
+        let is_known_of_side = |key: &str| {
+            is_known(key) || without(key, |word| of_letter(word, false), is_known).is_some()
+        };
+        let is_f = |word: &str| (word == "f").then_some(());
+        let mut points = self.points.iter();
+        let has_f = points.any(|point| without(&point.key, is_f, is_known_of_side).is_some());
         let meaning = |word: &str| Section::of_word(word).or_else(|| of_letter(word, has_f));
         let is_known_of_corner =
             |key: &str| is_known(key) || without(key, meaning, is_known).is_some();

@@ -19,8 +19,9 @@ const OF_AXLE: [&str; 11] = [
 ];
 
 /// Words of a remark on where coordinates are measured from, such as `x from the rear axle`.
-const OF_ORIGIN: [&str; 8] = [
+const OF_ORIGIN: [&str; 9] = [
     "origin",
+    "at",
     "from",
     "datum",
     "reference",

@@ -6,6 +6,14 @@ use super::row::Row;
 use super::side::{End, Section, Side, Sides, corner_of};
 
 impl Row<'_> {
+    /// Returns whether the line is a title with a number in it, such as `FS 2024 - rear suspension`.
+    pub(super) fn is_title(&self) -> bool {
+        let words = self.spelled();
+        let mut words_of_title = ["suspension", "hardpoints", "geometry"].iter();
+        let is_named = words_of_title.any(|title| words.split('_').any(|word| word == *title));
+        self.separator == ' ' && self.places().is_empty() && is_named
+    }
+
     /// Returns the sides that the row states.
     pub(super) fn sides(&self) -> Sides {
         let said = self.fields.iter().find_map(|field| sides_of(field));
@@ -16,10 +24,8 @@ impl Row<'_> {
     /// name, or by a field such as `Rear` beside the name.
     pub(super) fn end(&self) -> Option<End> {
         let words = self.fields.iter().flat_map(|field| {
-            let (first, last) = (
-                field.split([' ', '_']).next(),
-                field.rsplit([' ', '_']).next(),
-            );
+            let is_apart = |c: char| !c.is_alphanumeric();
+            let (first, last) = (field.split(is_apart).next(), field.rsplit(is_apart).next());
             [first, last].into_iter().flatten()
         });
         let mut codes = words.filter_map(|word| corner_of(&word.to_ascii_lowercase()));

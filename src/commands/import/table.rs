@@ -72,7 +72,7 @@ impl Table<'_, '_> {
             return Ok(());
         }
         self.read_row(&row, line, section)?;
-        if row.numbers().is_empty() {
+        if row.numbers().is_empty() || row.is_title() {
             self.read_heading(&row, &spelled(line))?;
             self.columns = Columns::of_heading(line).or(take(&mut self.columns));
         }

@@ -42,7 +42,7 @@ fn side_by_side(one: &str, other: &str) -> String {
 }
 
 /// Tables of both axles.
-fn cars() -> [String; 11] {
+fn cars() -> [String; 13] {
     let (front, rear) = (CORNER.as_slice(), rear());
     let front_right = mirrored(front);
     let rear_right = mirrored(&rear);
@@ -71,6 +71,8 @@ fn cars() -> [String; 11] {
             table(&rear_right)
         ),
         each_behind("_F", front) + &each_behind("_R", &rear),
+        each_behind("-FL", front) + &each_behind("-RL", &rear),
+        each_with("F_L_", front) + &each_with("R_L_", &rear),
         each_behind(" (front axle)", front) + &each_behind(" (rear axle)", &rear),
         each_behind(" (front left)", front)
             + &each_behind(" (front right)", &front_right)
@@ -234,6 +236,7 @@ fn remarks_on_the_other_axle_are_no_headings() {
     for file in [
         format!("Origin: rear axle centre\n{corner}"),
         format!("# x from the rear axle\n{corner}"),
+        format!("x = 0 at the rear axle\n{corner}"),
         format!("{corner}Rear\n"),
         format!("{corner}The rear suspension is in a file of its own\n"),
     ] {
