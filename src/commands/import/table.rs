@@ -100,7 +100,8 @@ impl Table<'_, '_> {
         if self.names.is_point(&key_of(&name).0) {
             self.thousands.add(row);
         }
-        self.stated.add_end(row.end(), row.place.clone());
+        self.stated
+            .add_end(self.stated.section.end, row.place.clone());
         Ok(())
     }
 

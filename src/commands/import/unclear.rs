@@ -18,7 +18,8 @@ const FRONT_OR_RIGHT: &str = "beside `F`, an `R` may be rear or right: write `Fr
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between coordinates, and a letter that names an axle.
+/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between coordinates, and a letter
+/// that names an axle.
 pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Failure> {
     let refuse = |message: &str| Err(stated.source.refuse(&row.place, message));
     if row.has_lone_sign() {

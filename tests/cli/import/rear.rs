@@ -58,6 +58,14 @@ fn a_toe_link_is_fixed_where_the_table_is_of_a_rear_suspension() {
     }
 }
 
+/// A corner in parentheses behind each name is that of the table.
+#[test]
+fn a_tie_rod_is_fixed_where_the_names_say_rear_in_parentheses() {
+    let rows = CORNER.map(|(name, [x, y, z])| format!("{name} (rear axle), {x}, {y}, {z}\n"));
+    let imported = import(folder().path(), "a.csv", &rows.concat(), &[]);
+    assert!(!steers(&imported), "{}", imported.notes);
+}
+
 #[test]
 fn a_note_says_why_a_toe_link_is_fixed_and_how_to_make_it_steer() {
     let folder = folder();
