@@ -1,9 +1,9 @@
 //! The corner that a row of a table states: in a field of its own, or by a code at an end of its name.
 
-use super::heading::{end_of_heading, unit};
+use super::heading::end_of_heading;
 use super::names::spelled;
 use super::row::Row;
-use super::side::{End, Section, Side, Sides, corner_of};
+use super::side::{End, Sides, corner_of, sides_of};
 
 impl Row<'_> {
     /// Returns whether the line is a title with a number in it, such as `FS 2024 - rear suspension`.
@@ -38,21 +38,5 @@ impl Row<'_> {
         let name = self.name();
         let mut others = self.fields[..first].iter().filter(|field| **field != name);
         others.find_map(|field| end_of_heading(&spelled(field)))
-    }
-}
-
-/// Returns whether a word states a unit or a side.
-pub(super) fn is_unit_or_side(word: &str) -> bool {
-    unit(word).is_some() || sides_of(word).is_some()
-}
-
-/// Returns the sides that a field states.
-pub(super) fn sides_of(field: &str) -> Option<Sides> {
-    match field.to_ascii_lowercase().as_str() {
-        "l" => Some(Sides::One(Side::Left)),
-        "r" => Some(Sides::One(Side::Right)),
-        "left/right" => Some(Sides::Mirrored),
-        "single" => Some(Sides::Unsaid),
-        word => Section::of_word(word)?.side.map(Sides::One),
     }
 }

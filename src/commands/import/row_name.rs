@@ -1,10 +1,9 @@
 //! The name of a row, of which parentheses, a column before it, or the heading above it may have a part.
 
-use super::heading::{end_of_heading, section_of_heading};
+use super::heading::{end_of_heading, section_of_heading, unit};
 use super::names::{Names, key_of, spelled};
 use super::row::Row;
-use super::row_corner::is_unit_or_side;
-use super::side::Section;
+use super::side::{Section, sides_of};
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,
 /// if that is known, or else its own.
@@ -73,4 +72,9 @@ fn replace_words_in_parentheses(line: &str, mut by: impl FnMut(&str) -> String) 
         rest = behind;
     }
     text + rest
+}
+
+/// Returns whether a word states a unit or a side.
+fn is_unit_or_side(word: &str) -> bool {
+    unit(word).is_some() || sides_of(word).is_some()
 }

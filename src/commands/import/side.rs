@@ -143,3 +143,14 @@ pub(super) fn corner_of(code: &str) -> Option<(End, Side)> {
     let mut corners = CORNERS.into_iter();
     corners.find_map(|(known, end, side)| (known == code).then_some((end, side)))
 }
+
+/// Returns the sides that a field states.
+pub(super) fn sides_of(field: &str) -> Option<Sides> {
+    match field.to_ascii_lowercase().as_str() {
+        "l" => Some(Sides::One(Side::Left)),
+        "r" => Some(Sides::One(Side::Right)),
+        "left/right" => Some(Sides::Mirrored),
+        "single" => Some(Sides::Unsaid),
+        word => Section::of_word(word)?.side.map(Sides::One),
+    }
+}
