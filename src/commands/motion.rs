@@ -33,8 +33,8 @@ pub struct Arguments {
     /// names.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     json: Option<PathBuf>,
-    /// Write the rows as Parquet to PATH, with units and axes as metadata. The program must be built with the feature
-    /// `parquet`.
+    /// Write the rows as Parquet to PATH, or to standard output for `-`, with units and axes as metadata. The program must be
+    /// built with the feature `parquet`.
     #[arg(long, value_name = "PATH", help_heading = TABLES)]
     parquet: Option<PathBuf>,
     /// Draw wheel-centre height, toe, camber, caster and kingpin angles, and the steer angles of a steered axle, over time as

@@ -50,8 +50,8 @@ pub struct Arguments {
     /// names.
     #[arg(long, value_name = "PATH")]
     json: Option<PathBuf>,
-    /// Write the rows as Parquet to PATH, with units and axes as metadata. The program must be built with the feature
-    /// `parquet`.
+    /// Write the rows as Parquet to PATH, or to standard output for `-`, with units and axes as metadata. The program must be
+    /// built with the feature `parquet`.
     #[arg(long, value_name = "PATH")]
     parquet: Option<PathBuf>,
 }

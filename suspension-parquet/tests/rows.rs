@@ -1,5 +1,7 @@
 //! A table in several groups, read by the reader of the library that wrote it.
 
+use std::io;
+
 use parquet::file::metadata::KeyValue;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
@@ -62,4 +64,29 @@ fn parquet_has_no_group_without_rows() {
         assert_eq!(rows, vec![GROUP as i64; count / GROUP]);
         assert_eq!(reader.get_row_iter(None).expect("rows").count(), count);
     }
+}
+
+/// A writer whose reader has gone.
+struct Closed;
+
+impl io::Write for Closed {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(io::ErrorKind::BrokenPipe.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// For example `suspension sweep corner.toml --parquet - | head`.
+#[test]
+fn a_failure_of_the_writer_is_its_own_error() {
+    let table = Table::create(Closed, ["bump_m"], []);
+    let error = table.and_then(Table::finish).err().expect("an error");
+    assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
+    assert_eq!(
+        error.to_string(),
+        io::Error::from(io::ErrorKind::BrokenPipe).to_string()
+    );
 }

@@ -1,6 +1,6 @@
 //! Rows as Parquet: one column per quantity, with units and axes as metadata.
 
-use suspension_parquet::{ParquetError, Table};
+use suspension_parquet::Table;
 
 use crate::heading::{Header, Heading};
 use crate::target::{Sink, Target};
@@ -38,7 +38,7 @@ impl ParquetFile {
         let columns = headings.iter().map(|heading| heading.name.as_str());
         match Table::create(sink, columns, header.entries()) {
             Ok(table) => Ok(Self { name, table }),
-            Err(error) => Err(failed(&name, &error)),
+            Err(error) => Err(Failure::writing(&name, &error)),
         }
     }
 
@@ -49,7 +49,7 @@ impl ParquetFile {
     /// See [`Failure::writing`].
     pub(crate) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
         let added = self.table.row(values);
-        added.map_err(|error| failed(&self.name, &error))
+        added.map_err(|error| Failure::writing(&self.name, &error))
     }
 
     /// Ends the table; a file takes its name.
@@ -59,11 +59,8 @@ impl ParquetFile {
     /// See [`Failure::writing`].
     pub(crate) fn finish(self) -> Result<(), Failure> {
         let Self { name, table } = self;
-        let sink = table.finish().map_err(|error| failed(&name, &error))?;
+        let finished = table.finish();
+        let sink = finished.map_err(|error| Failure::writing(&name, &error))?;
         sink.finish()
     }
-}
-
-fn failed(name: &str, error: &ParquetError) -> Failure {
-    Failure::Output(format!("{name}: cannot be written: {error}"))
 }
