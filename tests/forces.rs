@@ -15,7 +15,7 @@ fn steer_under(forces: &Points) -> [Result<f64, Part>; 2] {
     let (model, position) = (corner.model(), &corner.motion().position);
     let statics = corner.statics().expect("no lock at the design");
     let loaded = [
-        statics.under(forces),
+        statics.under(forces).map_err(|failure| failure.error),
         Loads::new(model, corner.drives(), position, forces),
     ];
     loaded.map(|loads| match loads {
@@ -25,42 +25,61 @@ fn steer_under(forces: &Points) -> [Result<f64, Part>; 2] {
     })
 }
 
-/// A force on a free point is borne by the equations; the first that has no finite number is the first link here.
+/// What bears such a force, an equation, a drive or the body of a marker, says less than the point at which it acts.
 #[test]
-fn a_non_finite_force_at_a_free_point_is_refused_at_an_equation() {
+fn a_force_that_is_not_finite_is_refused_at_its_point() {
     let corner: Corner = Corner::design().expect("a regular design");
-    let lower_ball = Vector3::new(0.0, 0.0, f64::NAN);
-    for refused in steer_under(&Points {
-        lower_ball,
-        ..Points::default()
-    }) {
-        let part = refused.expect_err("no force");
-        assert_eq!(part, Part::Equation(0));
-        let message = SolveError::<f64>::Overflow { part }
-            .named(corner.model())
-            .to_string();
-        assert_eq!(
-            message,
-            "a correction, velocity, acceleration or force is not a finite number: equation `lower_fore`; \
-             look at the inputs and their rates, or at the forces"
-        );
+    for force in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let force = Vector3::new(0.0, force, 0.0);
+        let (none, at) = (Points::default(), corner.model());
+        for (forces, point) in [
+            (
+                Points {
+                    lower_ball: force,
+                    ..none
+                },
+                "lower_ball",
+            ),
+            (
+                Points {
+                    rack: force,
+                    ..none
+                },
+                "rack",
+            ),
+            (
+                Points {
+                    axle: force,
+                    ..none
+                },
+                "axle",
+            ),
+        ] {
+            for refused in steer_under(&forces) {
+                assert_eq!(at.name(refused.expect_err("no force")), point);
+            }
+        }
     }
+}
+
+/// The lever of the rocker multiplies the force on the damper.
+#[test]
+fn a_force_that_is_too_large_is_refused_by_the_name_of_what_bears_it() {
+    let corner: double_wishbone_pushrod::Corner =
+        double_wishbone_pushrod::Corner::design().expect("a regular design");
+    let forces = double_wishbone_pushrod::Points {
+        damper_outer: Vector3::new(f64::MAX, f64::MAX, f64::MAX),
+        ..Default::default()
+    };
+    let refused = corner.statics().expect("no lock").under(&forces);
+    let message = refused.err().expect("too large").to_string();
+    let expected = "force is not a finite number: equation `";
+    assert!(message.contains(expected), "{message}");
 }
 
 /// The force on the rack is in no equation: its drive alone bears it.
 #[test]
-fn a_non_finite_force_at_a_driven_chassis_point_names_its_drive() {
-    let corner: Corner = Corner::design().expect("a regular design");
-    for force in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let rack = Vector3::new(0.0, force, 0.0);
-        for refused in steer_under(&Points {
-            rack,
-            ..Points::default()
-        }) {
-            let part = refused.expect_err("no force");
-            assert_eq!(corner.model().name(part), "steer", "{part:?}");
-        }
-    }
+fn the_drive_of_a_chassis_point_bears_a_force_there() {
     let rack = Vector3::new(0.0, 300.0, 0.0);
     assert_eq!(
         steer_under(&Points {
@@ -97,7 +116,8 @@ where
         .statics()
         .map_err(drop)
         .expect("no lock")
-        .under(&forces);
+        .under(&forces)
+        .map_err(|failure| failure.error);
     let loads = Loads::new(model, corner.drives(), position, &forces);
     for loads in [by_statics, loads] {
         let on_drives = loads.expect("finite forces").on_drives();

@@ -42,7 +42,7 @@ use nalgebra::{SVector, Vector3};
 use crate::arithmetic::magnitude::magnitude;
 use crate::arithmetic::pivot::least_pivot;
 use crate::arithmetic::scalar::Real;
-use crate::error::SolveError;
+use crate::error::{Failure, SolveError};
 use crate::linkage::Linkage;
 use crate::listing::{Kind, Part, Parts};
 use crate::solve::factored::{Factored, with_factors};
@@ -97,13 +97,18 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Statics<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] if a force that the equations or a drive must bear, or a force that results from it, is
-    /// not finite.
-    pub fn under(&self, forces: &L::Points) -> Result<Loads<'a, L, N>, SolveError<T>> {
-        let forces = self.at.carried(forces);
-        let on_unknowns = on_unknowns(self.at.linkage, &forces);
+    /// [`SolveError::Overflow`] of the point at which a force is not finite, if the equations or a drive must bear it, or of
+    /// the equation or drive that bears a force too large for the number type.
+    pub fn under(
+        &self,
+        forces: &L::Points,
+    ) -> Result<Loads<'a, L, N>, Failure<SolveError<T>, L::Listing>> {
+        let linkage = self.at.linkage;
+        let carried = self.at.carried(forces);
+        let on_unknowns = on_unknowns(linkage, &carried);
         let multipliers = self.factored.factors().solve_transposed(&on_unknowns);
-        Loads::checked(self.at, multipliers, &forces)
+        let loads = Loads::checked(self.at, multipliers, &carried);
+        loads.map_err(|error| at_point(forces, error).named(linkage.listing()))
     }
 }
 
@@ -130,13 +135,14 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         forces: &L::Points,
     ) -> Result<Self, SolveError<T>> {
         let at = Configuration::new(linkage, drives, position);
-        let forces = at.carried(forces);
-        let on_unknowns = on_unknowns(linkage, &forces);
+        let carried = at.carried(forces);
+        let on_unknowns = on_unknowns(linkage, &carried);
         let fixed = &at.fixed;
         let multipliers = with_factors(linkage, position, fixed, least_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
-        Self::checked(at, multipliers, &forces)
+        let loads = Self::checked(at, multipliers, &carried);
+        loads.map_err(|error| at_point(forces, error))
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -215,6 +221,17 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
             sum + *multiplier * *term
         })
     }
+}
+
+/// The error of the first given force that is not finite, or else that of what bears the forces.
+#[cold]
+#[inline(never)]
+fn at_point<T: Real, P: Values<Vector3<T>>>(forces: &P, error: SolveError<T>) -> SolveError<T> {
+    let is_finite = |force: Vector3<T>| force.iter().all(|number| number.is_finite());
+    let point = forces.values().position(|force| !is_finite(force));
+    point.map_or(error, |point| SolveError::Overflow {
+        part: Part::Point(point),
+    })
 }
 
 /// The forces on the coordinates of the free points. Unknowns that are not coordinates, such as a place along a line,

@@ -69,7 +69,7 @@ where
     let (forces, _) = forces.as_chunks();
     let forces = Values::from_values(forces.iter().copied().map(Vector3::from));
     let loads = statics.under(&forces);
-    let loads = loads.map_err(|error| error.facts())?;
+    let loads = loads.map_err(|failure| failure.error.facts())?;
     write(loads.on_drives().values(), wanted.drives);
     let tensions = structure.parts.iter().map(|part| part.tension(&loads, &at));
     write(tensions, wanted.tensions);
