@@ -162,5 +162,5 @@ fn wrong_counts_and_numbers_are_refused_and_change_no_output() {
         6,
         None.into(),
     );
-    assert_eq!((status, measures), (Status::Overflow, [7.0; 6]));
+    assert_eq!((status, measures), (Status::NotFinite, [7.0; 6]));
 }

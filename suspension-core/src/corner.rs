@@ -134,14 +134,16 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] if the drives lock.
+    /// [`SolveError::Singular`] if the drives lock, [`SolveError::NotFinite`] if a change is NaN or infinite.
     pub fn per(
         &self,
         change: L::Drives,
     ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
         let position = &self.motion.position;
-        let derived = Directions::at(&self.model, self.drives.value, position, |directions| {
-            directions.points(change)
+        let derived = drives::check_change(&change).and_then(|()| {
+            Directions::at(&self.model, self.drives.value, position, |directions| {
+                directions.points(change)
+            })
         });
         let points = derived.map_err(|error| error.named(self.model.listing()))?;
         Ok(Derivatives {

@@ -43,6 +43,17 @@ fn a_non_finite_drive_read_by_a_measure_alone_is_refused() {
     assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
 }
 
+/// The change is in no equation either: its derivatives would be NaN.
+#[test]
+fn a_change_of_drives_that_is_not_finite_has_no_derivatives() {
+    let corner: measured::Corner = measured::Corner::design().expect("a design");
+    for slide in [f64::NAN, f64::INFINITY] {
+        let change = measured::Drives { slide, height: 1.0 };
+        let refused = corner.per(change).err().expect("not finite").to_string();
+        assert!(refused.contains("drive `slide`"), "{refused}");
+    }
+}
+
 linkage! {
     /// A crank that an angle about its axis drives, and one that an angle from a chassis axis does.
     mod cranks {

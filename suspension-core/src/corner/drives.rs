@@ -1,4 +1,4 @@
-//! Wrong drives that a step would not detect.
+//! Wrong drives that the equations would not detect.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
@@ -38,4 +38,13 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         }
     }
     Ok(())
+}
+
+/// Refuses a change of drives that is NaN or infinite.
+pub(super) fn check_change<T: Real, D: Values<T>>(change: &D) -> Result<(), SolveError<T>> {
+    let not_finite = change.values().position(|change| !change.is_finite());
+    not_finite.map_or(Ok(()), |drive| {
+        let part = Part::Drive(drive);
+        Err(SolveError::NotFinite { part })
+    })
 }

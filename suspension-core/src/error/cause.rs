@@ -24,7 +24,7 @@ macro_rules! causes {
             SmallPivot = 26: "the fixed order of elimination has too small a pivot at these hardpoints",
                 "state hardpoints near these in the listing, or step with partial pivoting";
 
-            NotFinite = 40: "a residual is not a finite number",
+            NotFinite = 40: "an input or a residual is not a finite number",
                 "look at inputs, start and time step";
             Overflow = 41: "a correction, velocity, acceleration or force is not a finite number",
                 "look at the inputs and their rates, or at the forces";

@@ -13,7 +13,7 @@ pub enum SolveError<T> {
     /// A residual, or a derivative of it, is NaN or infinite. Either an input, the start or the time step is so too,
     /// or the number is too large for the number type.
     NotFinite {
-        /// The equation of the residual.
+        /// The equation of the residual, or the drive that is NaN or infinite.
         part: Part,
     },
     /// A correction, velocity or acceleration is NaN or infinite, or a force of [`statics`](crate::statics). Either a
