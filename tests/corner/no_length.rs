@@ -49,11 +49,20 @@ fn a_step_of_zero_length_to_distant_drives_is_refused() {
 }
 
 #[test]
-fn a_step_of_nan_length_is_refused() {
-    let mut corner = moved(0.02, 0.0);
-    let before = (corner.time(), corner.drives(), *corner.motion());
-    let stopped = corner.step(f64::NAN, Signal::still(before.1));
-    let stopped = stopped.expect_err("no length");
-    assert!(stopped.to_string().contains("not a finite number"));
-    assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
+fn a_step_of_a_length_that_is_not_finite_is_refused() {
+    for length in [f64::NAN, f64::INFINITY] {
+        let mut corner = moved(0.02, 0.0);
+        let before = (corner.time(), corner.drives(), *corner.motion());
+        let drives = Signal::still(before.1);
+        for stopped in [
+            corner.step(length, drives),
+            corner.step_towards(length, drives),
+            corner.advance(length, |_| drives),
+        ] {
+            let message = stopped.expect_err("no length").to_string();
+            let expected = "the time step is not a finite number; look at the times";
+            assert!(message.ends_with(expected), "{message}");
+        }
+        assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);
+    }
 }
