@@ -177,10 +177,10 @@ pub fn points(
     for (name, position) in in_order(&file.points) {
         let name = name.get_ref();
         let refuse = |message: String| Err(source.refuse(&position.span(), message));
-        let (Position::At(numbers)
-        | Position::Off(Offset {
-            offset: numbers, ..
-        })) = position.get_ref();
+        let numbers = match position.get_ref() {
+            Position::At(at) => at,
+            Position::Off(Offset { offset, .. }) => offset.get_ref(),
+        };
         if numbers.iter().any(|number| !number.is_finite()) {
             return refuse(format!(
                 "point `{name}` has a coordinate that is not a finite number"

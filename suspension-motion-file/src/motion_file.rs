@@ -132,7 +132,10 @@ impl MotionFile {
         let from = self.axes;
         let turned = |vector: Vector3<f64>| axes.turned(from.turned(vector));
         for position in self.points.get_mut().values_mut() {
-            let (Position::At(at) | Position::Off(Offset { offset: at, .. })) = position.get_mut();
+            let at = match position.get_mut() {
+                Position::At(at) => at,
+                Position::Off(Offset { offset, .. }) => offset.get_mut(),
+            };
             *at = turned((*at).into()).into();
         }
         for mass in self

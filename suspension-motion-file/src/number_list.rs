@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+use toml::Spanned;
 
 /// A list of exactly `N` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +22,17 @@ where
     D: Deserializer<'de>,
 {
     deserializer.deserialize_seq(List)
+}
+
+/// As [`number_list`], with the list's place in the file.
+pub(crate) fn spanned_number_list<'de, D, const N: usize>(
+    deserializer: D,
+) -> Result<Spanned<[f64; N]>, D::Error>
+where
+    D: Deserializer<'de>,
+{
+    let list = Spanned::<NumberList<N>>::deserialize(deserializer)?;
+    Ok(Spanned::new(list.span(), list.into_inner().0))
 }
 
 struct List<const N: usize>;

@@ -9,7 +9,7 @@ use serde::de::{
 };
 use toml::Spanned;
 
-use crate::number_list::number_list;
+use crate::number_list::{number_list, spanned_number_list};
 
 /// The position of a point.
 #[derive(Clone, Debug)]
@@ -27,8 +27,8 @@ pub struct Offset {
     /// The other point.
     pub from: Spanned<String>,
     /// The vector from there to the marker, along x, y, z.
-    #[serde(deserialize_with = "number_list")]
-    pub offset: [f64; 3],
+    #[serde(deserialize_with = "spanned_number_list")]
+    pub offset: Spanned<[f64; 3]>,
 }
 
 impl<'de> Deserialize<'de> for Position {

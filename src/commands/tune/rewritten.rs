@@ -3,8 +3,9 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
+use toml::Spanned;
 
-use crate::file::{Coefficients, Dimension, MotionFile, Source};
+use crate::file::{Coefficients, Dimension, MotionFile, Offset, Position, Source};
 use crate::load::Loaded;
 use crate::mechanism::Description;
 use crate::number::exact;
@@ -16,8 +17,8 @@ pub(super) const ROUNDING: f64 = 1e-9;
 /// Decimals of written coordinates.
 const DECIMALS: usize = 9;
 
-/// Returns the text with the points and drives that were found. It also writes a point whose stated coordinates differ from
-/// its assembled ones: from another start the others might assemble elsewhere.
+/// Returns the text with the points and drives that were found, a marker with an offset with its new one. It also writes a
+/// point whose stated coordinates differ from its assembled ones: from another start the others might assemble elsewhere.
 pub(super) fn rewritten(
     source: &Source,
     file: &MotionFile,
@@ -27,15 +28,23 @@ pub(super) fn rewritten(
 ) -> String {
     let mut edits = Vec::new();
     let mut added = Vec::new();
-    for (name, point) in mechanism.names.points.iter().zip(&tuned.points) {
-        // A marker with an offset moves with its point.
-        let stated = loaded.stated_coordinates(name);
-        if stated.is_none_or(|stated| (point - stated).amax() < ROUNDING) {
+    let names = &mechanism.names.points;
+    let found = |name: &str| names.iter().position(|other| other == name);
+    for (name, point) in names.iter().zip(&tuned.points) {
+        let (before, after) = match loaded.stated_position(name) {
+            Some(Position::At(at)) => (at, *point),
+            Some(Position::Off(Offset { from, offset })) => {
+                let from = found(from.get_ref()).map(|from| tuned.points[from]);
+                (offset.get_ref(), point - from.unwrap_or_default())
+            }
+            None => continue,
+        };
+        if (after - Vector3::from(*before)).amax() < ROUNDING {
             continue;
         }
         match file.points.get_ref().get(name.as_str()) {
-            Some(stated) => edits.push((stated.span(), coordinates(point))),
-            None => added.push(format!("{name} = {}", coordinates(point))),
+            Some(stated) => edits.push((place(stated), coordinates(&after))),
+            None => added.push(format!("{name} = {}", coordinates(&after))),
         }
     }
     edits.extend(drives(source, file, mechanism, &tuned.drives));
@@ -43,6 +52,14 @@ pub(super) fn rewritten(
         edits.push(addition(source.text(), file, &added));
     }
     edited(source.text(), edits)
+}
+
+/// Returns the place of the three numbers of a point's position.
+fn place(stated: &Spanned<Position>) -> Range<usize> {
+    match stated.get_ref() {
+        Position::At(_) => stated.span(),
+        Position::Off(Offset { offset, .. }) => offset.span(),
+    }
 }
 
 fn coordinates(point: &Vector3<f64>) -> String {

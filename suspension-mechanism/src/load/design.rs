@@ -190,7 +190,7 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     P::from_values(each.map(
         |(point, name)| match file.points.get_ref()[name.as_str()].get_ref() {
             Position::Off(Offset { from, offset }) => {
-                position(from.get_ref()) + Vector3::from(*offset)
+                position(from.get_ref()) + Vector3::from(*offset.get_ref())
             }
             Position::At(_) => placed[point],
         },

@@ -1,7 +1,7 @@
 //! A motion file that was read, and the mechanism that it describes.
 
-use nalgebra::Vector3;
 use suspension_runtime::Listing;
+use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source, check, tell};
@@ -135,13 +135,9 @@ impl Loaded<'_> {
         self.file.axes
     }
 
-    /// The coordinates of a point that the file states, or otherwise its listing; `None` for a marker off another
-    /// point.
-    pub fn stated_coordinates(&self, point: &str) -> Option<Vector3<f64>> {
-        match self.file.points.get_ref().get(point)?.get_ref() {
-            Position::At(at) => Some(Vector3::from(*at)),
-            Position::Off(_) => None,
-        }
+    /// The position of a point that the file states, or otherwise its listing.
+    pub fn stated_position(&self, point: &str) -> Option<&Position> {
+        self.file.points.get_ref().get(point).map(Spanned::get_ref)
     }
 
     /// The listing.

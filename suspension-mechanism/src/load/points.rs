@@ -23,7 +23,7 @@ pub(super) fn stated_at(points: &Table<Position>, name: &str) -> Vector3<f64> {
     };
     match stated(name) {
         Some(Position::Off(Offset { from, offset })) => {
-            coordinates(stated(from.get_ref())) + Vector3::from(*offset)
+            coordinates(stated(from.get_ref())) + Vector3::from(*offset.get_ref())
         }
         position => coordinates(position),
     }

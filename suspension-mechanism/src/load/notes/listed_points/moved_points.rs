@@ -47,7 +47,7 @@ impl<'a> Points<'a> {
             let at = match stated.get(*name)?.get_ref() {
                 Position::At(at) => Vector3::from(*at),
                 Position::Off(Offset { from, offset }) => {
-                    place(from.get_ref())? + Vector3::from(*offset)
+                    place(from.get_ref())? + Vector3::from(*offset.get_ref())
                 }
             };
             ((at - (*listed)?).norm() > same).then_some(at)
