@@ -64,15 +64,6 @@ impl FromStr for Swept {
 }
 
 impl Swept {
-    /// Returns the drives that move together, each with the factor 1, or -1 after a minus.
-    fn drives(&self) -> impl Iterator<Item = (&str, f64)> {
-        let names = self.name.split(',').map(str::trim);
-        names.map(|name| match name.strip_prefix('-') {
-            Some(name) => (name.trim(), -1.0),
-            None => (name, 1.0),
-        })
-    }
-
     fn values(&self) -> Vec<f64> {
         evenly_spaced([self.from, self.to], self.count)
     }
@@ -89,51 +80,43 @@ pub fn grid(
     swept: &[Swept],
     absolute: bool,
 ) -> Result<Grid, Failure> {
-    let grid = stated(mechanism, swept, absolute).map_err(Failure::Input)?;
-    for doubt in doubts(mechanism, swept, absolute) {
-        tell(format_args!("note: {source}: {doubt}"));
-    }
-    Ok(grid)
-}
-
-fn stated(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Grid, String> {
-    let mut axes: Vec<Axis> = Vec::new();
-    for of_one in swept {
-        let mut drives = Vec::new();
-        for (name, part) in of_one.drives() {
-            let drive = mechanism.names.chosen_drive(Some(name))?;
-            if absolute && part < 0.0 {
-                return Err(format!(
-                    "-{name} moves the opposite way from the design position, but --absolute states the drives' own values; leave --absolute out"
-                ));
-            }
-            let mut given = axes.iter().flat_map(|axis| &axis.drives).chain(&drives);
-            if given.any(|(other, _)| *other == drive) {
-                return Err(format!("--drive {name} is given twice"));
-            }
-            drives.push((drive, part));
-        }
-        let first = drives
-            .first()
-            .map(|(drive, _)| mechanism.names.drives[*drive].kind);
-        let scale = first.map_or(1.0, |kind| {
-            Dimension::from(kind).file_factor(mechanism.unit)
-        });
-        axes.push(Axis {
-            drives,
-            values: of_one.values().iter().map(|value| value / scale).collect(),
-        });
-    }
+    let axes = axes(mechanism, swept, absolute).map_err(Failure::Input)?;
+    let doubts = doubts(mechanism, (swept, &axes), absolute);
     let from = if absolute {
         CountedFrom::Zero
     } else {
         CountedFrom::Start
     };
-    Grid::new(mechanism, axes, from)
+    let grid = Grid::new(mechanism, axes, from).map_err(Failure::Input)?;
+    for doubt in doubts {
+        tell(format_args!("note: {source}: {doubt}"));
+    }
+    Ok(grid)
 }
 
-/// Returns sentences on doubtful values of drives in options.
-fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<String> {
+fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<Axis>, String> {
+    let mut axes: Vec<Axis> = Vec::new();
+    for of_one in swept {
+        let axis = Axis::named(mechanism, &of_one.name, &of_one.values(), &axes)
+            .map_err(|message| format!("--drive: {message}"))?;
+        let opposite = axis.drives.iter().find(|(_, part)| *part < 0.0);
+        if let Some((drive, _)) = opposite.filter(|_| absolute) {
+            let name = &mechanism.names.drives[*drive].name;
+            return Err(format!(
+                "-{name} moves the opposite way from the design position, but --absolute states the drives' own values; leave --absolute out"
+            ));
+        }
+        axes.push(axis);
+    }
+    Ok(axes)
+}
+
+/// Returns sentences on doubtful values of drives in options, each with its axis.
+fn doubts(
+    mechanism: &dyn Kinematics,
+    (swept, axes): (&[Swept], &[Axis]),
+    absolute: bool,
+) -> Vec<String> {
     let (from, way) = if absolute {
         (CountedFrom::Zero, "; leave out --absolute to state changes")
     } else {
@@ -142,13 +125,12 @@ fn doubts(mechanism: &dyn Kinematics, swept: &[Swept], absolute: bool) -> Vec<St
             "; use --absolute to state its own values",
         )
     };
-    let of_one = |of_one: &Swept| {
-        let (name, _) = of_one.drives().next()?;
-        let drive = mechanism.names.chosen_drive(Some(name)).ok()?;
+    let of_one = |(of_one, axis): (&Swept, &Axis)| {
+        let (drive, _) = axis.drives.first()?;
         let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
-        doubt(mechanism, drive, ends, from, way)
+        doubt(mechanism, *drive, ends, from, way)
     };
-    let doubts = swept.iter().filter_map(of_one);
+    let doubts = swept.iter().zip(axes).filter_map(of_one);
     doubts.map(|doubt| format!("--drive: {doubt}")).collect()
 }
 

@@ -13,7 +13,7 @@ use crate::file::{Dimension, MotionFile, Source, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Axis, CountedFrom, Drive};
+use crate::mechanism::{Axis, CountedFrom};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
@@ -95,14 +95,16 @@ impl Arguments {
 /// Returns sentences on doubtful values of drives in the targets.
 fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String> {
     let of_axis = |target: &Target, axis: &Axis| {
-        let [(drive, _)] = *axis.drives else {
-            return None;
-        };
-        let Drive { name, kind } = &mechanism.names.drives[drive];
-        let scale = Dimension::from(*kind).file_factor(mechanism.unit);
+        let (drive, _) = *axis.drives.iter().find(|(_, part)| *part > 0.0)?;
+        let kind = mechanism.names.drives[drive].kind;
+        let scale = Dimension::from(kind).file_factor(mechanism.unit);
         let ends = [*axis.values.first()?, *axis.values.last()?];
         let [from, to] = ends.map(|end| number((end - mechanism.design[drive]) * scale));
-        let way = format!("; write {name} = [{from}, {to}]");
+        let key = match axis.drives_in_words(mechanism) {
+            one if axis.drives.len() == 1 => one,
+            joined => format!("\"{joined}\""),
+        };
+        let way = format!("; write {key} = [{from}, {to}]");
         let ends = ends.map(|end| end * scale);
         let doubt = doubt(mechanism, drive, ends, CountedFrom::Start, &way)?;
         Some(format!("[tune.targets.{}]: {doubt}", target.name))
@@ -172,7 +174,8 @@ The motion file states what may be moved and what is to be reached, in its units
 
   [tune.targets.bump_steer]
   of = \"toe\"                        # a measure, or a quantity by its name in tables without the unit
-  over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position
+  over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position. Drives that move
+                                    # together as for sweep: { \"bump_left,bump_right\" = ... }, with a minus the opposite way
   change = 0.0                      # from the design position; or value = ...; for one drive also a list, whose length
                                     # is the number of evenly spaced places: change = [0.1, 0.0, 0.2]
   within = 0.00035                  # the allowed error, in the unit of the quantity: rad, 0.02 deg

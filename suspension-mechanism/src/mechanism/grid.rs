@@ -1,5 +1,6 @@
 //! The places of a grid of drives.
 
+use crate::file::Dimension;
 use crate::mechanism::description::Description;
 
 /// The largest number of places of a grid.
@@ -33,6 +34,51 @@ impl Axis {
             drives: vec![(drive, 1.0)],
             values,
         }
+    }
+
+    /// The axis of the drives in `words`, beside other axes, with `values` in the file's unit. Drives joined by commas move
+    /// together, one with a minus the opposite way: `left_bump,-right_bump` is roll.
+    ///
+    /// # Errors
+    ///
+    /// A sentence about a name that is not a drive, and about a drive that is already there.
+    pub fn named(
+        mechanism: &Description,
+        words: &str,
+        values: &[f64],
+        others: &[Self],
+    ) -> Result<Self, String> {
+        let mut drives = Vec::new();
+        for name in words.split(',').map(str::trim) {
+            let (name, part) = match name.strip_prefix('-') {
+                Some(name) => (name.trim(), -1.0),
+                None => (name, 1.0),
+            };
+            let drive = mechanism.names.chosen_drive(Some(name))?;
+            let mut given = others.iter().flat_map(|axis| &axis.drives).chain(&drives);
+            if given.any(|(other, _)| *other == drive) {
+                return Err(format!("the drive `{name}` is given twice"));
+            }
+            drives.push((drive, part));
+        }
+        let first = drives.first();
+        let scale = first.map_or(1.0, |(drive, _)| {
+            let kind = mechanism.names.drives[*drive].kind;
+            Dimension::from(kind).file_factor(mechanism.unit)
+        });
+        Ok(Self {
+            drives,
+            values: values.iter().map(|value| value / scale).collect(),
+        })
+    }
+
+    /// The drives in words, as [`named`](Self::named) takes them.
+    pub fn drives_in_words(&self, mechanism: &Description) -> String {
+        let each = self.drives.iter().map(|(drive, part)| {
+            let minus = if *part < 0.0 { "-" } else { "" };
+            format!("{minus}{}", mechanism.names.drives[*drive].name)
+        });
+        each.collect::<Vec<_>>().join(",")
     }
 }
 

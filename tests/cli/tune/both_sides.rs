@@ -80,3 +80,78 @@ fn a_mirrored_point_of_the_same_side_is_refused() {
         "{messages}"
     );
 }
+
+/// The drives of `steered_axle` at its design position.
+const AXLE: &str = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.34";
+
+/// In heave both wheels of a symmetric axle are alike, in roll one is as the other with the opposite travel: a move of both
+/// sides meets a target that a known design has.
+#[test]
+fn targets_are_stated_over_heave_and_roll_as_for_sweep() {
+    let lower = |z: f64| {
+        let at = |side: &str, y: f64| format!("{side}_tie_ball = [0.12, {y:?}, {z:?}]\n");
+        format!("[points]\n{}{}", at("left", 0.68), at("right", -0.68))
+    };
+    for (over, sweep) in [
+        ("\"bump_left,bump_right\"", "bump_left,bump_right"),
+        ("\"bump_left, -bump_right\"", "bump_left,-bump_right"),
+    ] {
+        let folder = folder();
+        let points = lower(0.22);
+        std::fs::write(
+            folder.path().join("known.toml"),
+            file("steered_axle", AXLE, &points),
+        )
+        .expect("written");
+        let known = |name: &str| {
+            let drive = format!("{sweep}=-0.04:0.04:5");
+            let output = run(
+                folder.path(),
+                &["sweep", name, "--drive", &drive, "--csv", "-"],
+            );
+            assert_eq!(output.status.code(), Some(0), "{output:?}");
+            let rows = rows(&output.stdout);
+            rows.iter()
+                .map(|row| row["left_toe_deg"])
+                .collect::<Vec<f64>>()
+        };
+        let wanted = known("known.toml");
+        let tune = format!(
+            "[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nmirrored = [\"right_tie_ball\"]\nalong = \"z\"\nby = [-0.02, 0.02]\n\
+             [tune.targets.toe]\nof = \"left_toe\"\nover = {{ {over} = [-0.04, 0.04] }}\nvalue = {wanted:?}\nwithin = 1e-4\n"
+        );
+        met(folder.path(), &file("steered_axle", AXLE, &tune));
+        for (found, wanted) in known("a_tuned.toml").iter().zip(&wanted) {
+            assert!((found - wanted).abs() <= 1e-4, "{over}: {found} {wanted}");
+        }
+    }
+}
+
+#[test]
+fn a_drive_that_is_named_twice_by_a_target_is_refused() {
+    let folder = folder();
+    for (over, place, expected) in [
+        (
+            "bump_left = [-0.04, 0.04], \"bump_left,bump_right\" = [-0.04, 0.04]",
+            "16:37",
+            "the drive `bump_left` is given twice",
+        ),
+        (
+            "\"bump_left,heave\" = [-0.04, 0.04]",
+            "16:10",
+            "unknown drive `heave`; known are steer, bump_left, bump_right",
+        ),
+    ] {
+        let tune = format!(
+            "[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nalong = \"z\"\nby = [-0.02, 0.02]\n\
+             [tune.targets.toe]\nof = \"left_toe\"\nover = {{ {over} }}\nvalue = 0.0\nwithin = 1e-4\n"
+        );
+        let output = tuned(folder.path(), &file("steered_axle", AXLE, &tune));
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(&format!("a.toml:{place}: {expected}")),
+            "{message}"
+        );
+    }
+}

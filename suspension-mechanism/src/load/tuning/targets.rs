@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::characteristics::{columns, not_of_this, suggest_for_wheels, zero_at_design};
 use crate::failure::Failure;
-use crate::file::{Dimension, NumberList, TargetTable, Wanted, in_order};
+use crate::file::{NumberList, TargetTable, Wanted, in_order};
 use crate::load::tuning::naming::Naming;
 use crate::mechanism::{Axis, CountedFrom, Grid, evenly_spaced};
 use crate::quantities::Column;
@@ -120,8 +120,10 @@ impl Naming<'_> {
             let message = "the target is not finite";
             return Err(self.source.refuse(&stated.span(), message));
         }
-        let axes = drives.into_iter().map(|along| self.axis(along, places));
-        let axes = axes.collect::<Result<Vec<_>, _>>()?;
+        let mut axes = Vec::new();
+        for along in drives {
+            axes.push(self.axis(along, places, &axes)?);
+        }
         if let Err(too_many) = Grid::new(self.mechanism, axes.clone(), CountedFrom::Start) {
             return refuse(&too_many);
         }
@@ -129,17 +131,16 @@ impl Naming<'_> {
         Ok((axes, to_wanted(wanted.collect())))
     }
 
-    /// The axis of a drive, with evenly spaced places.
+    /// The axis of a drive, or of drives that move together, with evenly spaced places; `others` are beside it.
     fn axis(
         &self,
-        (drive, ends): (&Spanned<String>, &Spanned<NumberList<2>>),
+        (drives, ends): (&Spanned<String>, &Spanned<NumberList<2>>),
         places: usize,
+        others: &[Axis],
     ) -> Result<Axis, Failure> {
-        let number = self.drive(drive)?;
-        let kind = self.mechanism.names.drives[number].kind;
-        let per = Dimension::from(kind).file_factor(self.mechanism.unit);
-        let ends = self.ends(ends)?.map(|end| end / per);
-        Ok(Axis::for_drive(number, evenly_spaced(ends, places)))
+        let values = evenly_spaced(self.ends(ends)?, places);
+        Axis::named(self.mechanism, drives.get_ref(), &values, others)
+            .map_err(|message| self.source.refuse(&drives.span(), message))
     }
 
     fn ends(&self, stated: &Spanned<NumberList<2>>) -> Result<[f64; 2], Failure> {
