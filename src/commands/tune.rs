@@ -54,7 +54,8 @@ impl Arguments {
         refuse_unreadable(&out, &source)?;
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
-        for note in loaded.doubtful_boxes(&moves) {
+        let of_sides = loaded.one_sided_moves(mechanism);
+        for note in of_sides.into_iter().chain(loaded.doubtful_boxes(&moves)) {
             tell(format_args!("note: {note}"));
         }
         for note in doubtful_ranges(mechanism, &targets) {

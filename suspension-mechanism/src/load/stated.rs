@@ -8,7 +8,7 @@ use crate::load::cases::cases;
 use crate::load::loaded::Loaded;
 use crate::load::notes::length;
 use crate::load::tolerances::tolerances;
-use crate::load::tuning::tuning;
+use crate::load::tuning::{one_sided, tuning};
 use crate::loads::Case;
 use crate::mechanism::Description;
 use crate::sensitivities::{self, Change, coordinates};
@@ -83,6 +83,14 @@ impl Loaded<'_> {
     /// [`Failure::Input`] at a name that is not in the mechanism, and if nothing is stated.
     pub fn tuning(&self, mechanism: &dyn Kinematics) -> Result<(Vec<Move>, Vec<Target>), Failure> {
         tuning(self.source, &self.file, mechanism)
+    }
+
+    /// Notes on moves of one side of the vehicle only.
+    pub fn one_sided_moves(&self, mechanism: &Description) -> Vec<String> {
+        let name = self.source.name();
+        let notes = self.file.tune.iter();
+        let notes = notes.flat_map(|table| one_sided::notes(table.get_ref(), &mechanism.names));
+        notes.map(|note| format!("{name}: {note}")).collect()
     }
 
     /// Notes on boxes of moves that seem to be in another unit.

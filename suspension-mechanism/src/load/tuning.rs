@@ -2,6 +2,7 @@
 
 mod moves;
 mod naming;
+pub(super) mod one_sided;
 mod targets;
 
 use crate::failure::Failure;

@@ -155,3 +155,31 @@ fn a_drive_that_is_named_twice_by_a_target_is_refused() {
         );
     }
 }
+
+/// A length that changes on one side makes the axle asymmetric; with the line of the note it does not.
+#[test]
+fn a_move_of_one_side_is_noted_with_the_line_that_mirrors_it() {
+    let folder = folder();
+    let target = target("left_toe", 0.1, 1e-5);
+    let note = "note: a.toml: [tune.moves.turnbuckle] moves only one side of the vehicle, `right_tie_rod` stays where the file has \
+                it; to keep both sides alike, write mirrored = [\"right_tie_rod\"] there\n";
+    let one =
+        "[tune.moves.turnbuckle]\nlength = \"left_tie_rod\"\nby = [-0.005, 0.005]\n".to_owned();
+    let other = one
+        .replace("left_", "right_")
+        .replace("moves.", "moves.right_");
+    let mirrored = one.clone() + "mirrored = [\"right_tie_rod\"]\n";
+    let both = one.clone() + &other;
+    for (moves, is_noted) in [(one, true), (mirrored, false), (both, false)] {
+        let output = met(
+            folder.path(),
+            &file("steered_axle", AXLE, &(moves.clone() + &target)),
+        );
+        assert_eq!(
+            text(&output.stderr).contains(note),
+            is_noted,
+            "{moves}: {output:?}"
+        );
+        assert_eq!(text(&output.stderr).contains("only one side"), is_noted);
+    }
+}
