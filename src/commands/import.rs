@@ -43,6 +43,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
+use crate::output::target::Target;
 use axle::Axle;
 use checked::checked_text;
 use choice::choose;
@@ -138,8 +139,12 @@ impl Arguments {
         file.with_file_name(name)
     }
 
-    /// Refuses to overwrite the file that is read, and any other file unless `--out` names it.
+    /// Refuses standard output, to overwrite the file that is read, and any other file unless `--out` names it.
     fn check_place(&self, out: &Path) -> Result<(), Failure> {
+        if Target::from(out.to_owned()) == Target::Stdout {
+            let message = "--out: import does not write to standard output, since an axle is two files; state the path of a file";
+            return Err(Failure::Input(message.to_owned()));
+        }
         refuse_input(out, "--out")?;
         match self.out {
             None => refuse_existing(out, out),

@@ -16,9 +16,10 @@ use crate::load::load;
 use crate::mechanism::{Axis, CountedFrom};
 use crate::number::number;
 use crate::output::beside::name_of;
-use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
+use crate::output::files::{announce, print, refuse_existing};
 use crate::output::progress::Progress;
-use crate::tune::{MOST_STEPS, Target, Tuned, tune};
+use crate::output::target::Target;
+use crate::tune::{self, MOST_STEPS, Tuned, tune};
 use report::Report;
 use rewritten::rewritten;
 
@@ -28,8 +29,8 @@ use rewritten::rewritten;
 pub struct Arguments {
     /// The motion file (TOML) with [tune], see below.
     file: PathBuf,
-    /// Write the motion file with the hardpoints found to PATH. Without it the file is NAME_tuned.toml beside FILE, which
-    /// must not exist yet.
+    /// Write the motion file with the hardpoints found to PATH, or to standard output for `-`, in place of the report. Without it
+    /// the file is NAME_tuned.toml beside FILE, which must not exist yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -42,16 +43,18 @@ impl Arguments {
     /// See [`Failure`]; also [`Failure::Solver`] if a target is not met, although the file is written.
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let out = self.out.clone();
-        let out = out.unwrap_or_else(|| tuned_path(&self.file));
+        let usual = tuned_path(&self.file);
         if self.out.is_none() {
-            refuse_existing(&out, &out)?;
+            refuse_existing(&usual, &usual)?;
         }
+        let out = Target::from(self.out.clone().unwrap_or(usual));
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
-        refuse_input(&out, "--out")?;
-        refuse_unreadable(&out, &source)?;
+        out.refuse_input("--out")?;
+        if let Some(path) = out.path() {
+            refuse_unreadable(path, &source)?;
+        }
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
         let of_sides = loaded.one_sided_moves(mechanism);
@@ -72,14 +75,16 @@ impl Arguments {
             targets: &targets,
             tuned: &tuned,
         };
-        print(&report.text())?;
+        if out != Target::Stdout {
+            print(&report.text())?;
+        }
         for note in [report.held(), report.idle()].into_iter().flatten() {
             tell(format_args!("note: {}: {note}", source.name()));
         }
         let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
-        check(&out, &text, &tuned)?;
-        write_file(&out, &text)?;
-        announce(&[out]);
+        check(out.path().unwrap_or(&self.file), &text, &tuned)?;
+        out.write(&text)?;
+        announce(out.path());
         if tuned.interrupted {
             let message = format!(
                 "{}: interrupted; the best so far was written",
@@ -94,8 +99,8 @@ impl Arguments {
 }
 
 /// Returns sentences on doubtful values of drives in the targets.
-fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[Target]) -> Vec<String> {
-    let of_axis = |target: &Target, axis: &Axis| {
+fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[tune::Target]) -> Vec<String> {
+    let of_axis = |target: &tune::Target, axis: &Axis| {
         let (drive, _) = *axis.drives.iter().find(|(_, part)| *part > 0.0)?;
         let kind = mechanism.names.drives[drive].kind;
         let scale = Dimension::from(kind).file_factor(mechanism.unit);
@@ -142,9 +147,9 @@ fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure
     })
 }
 
-/// Checks that the written file gives the points that were found.
-fn check(out: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
-    let source = Source::new(out.display().to_string(), text);
+/// Checks that the text gives the points that were found when it is read at a place.
+fn check(at: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
+    let source = Source::new(at.display().to_string(), text);
     let loaded = load(&source)?;
     let points = loaded.at_design_without_notes()?.points();
     let is_near = |[a, b]: [&nalgebra::Vector3<f64>; 2]| {

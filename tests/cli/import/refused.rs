@@ -257,3 +257,17 @@ fn import_does_not_replace_a_motion_file_without_out() {
     let output = run(folder.path(), &["import", "a.csv", "-o", "a.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
+
+/// An axle is a motion file and a listing: both have no place on standard output.
+#[test]
+fn standard_output_is_refused_as_the_place_of_a_motion_file() {
+    let folder = folder();
+    let hardpoints = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/hardpoints.csv");
+    for out in ["-", "/dev/stdout"] {
+        let output = run(folder.path(), &["import", hardpoints, "--out", out]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let expected = "--out: import does not write to standard output, since an axle is two files; state the path of a file\n";
+        assert_eq!(text(&output.stderr), expected);
+        assert!(output.stdout.is_empty() && !folder.path().join("-").exists());
+    }
+}

@@ -293,3 +293,16 @@ fn a_tuned_point_gives_no_note_on_its_unmoved_neighbours() {
         "{checked:?}"
     );
 }
+
+/// As for other commands, `-` is standard output: the file takes the place of the report.
+#[test]
+fn the_tuned_file_goes_to_standard_output_for_a_hyphen() {
+    let folder = folder();
+    met(folder.path(), &file("double_wishbone", DRIVES, FLAT));
+    let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
+    let output = run(folder.path(), &["tune", "a.toml", "--out", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert_eq!(text(&output.stdout), written);
+    assert_eq!(text(&output.stderr), "");
+    assert!(!folder.path().join("-").exists());
+}
