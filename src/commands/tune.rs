@@ -165,26 +165,27 @@ fn check(at: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
 }
 
 const NOTES: &str = "\
-The motion file states what may be moved and what is to be reached, in its units of lengths and angles:
+The motion file states what may be moved and what is to be reached, in its units: with unit = \"mm\" boxes and travel are in mm,
+with angle = \"deg\" angles are in degrees. The numbers below are for a file in m and rad, those in parentheses for mm and degrees:
 
   [tune.moves.tie_rod_height]
   points = [\"tie_ball\"]             # these move together; a ball joint is one point
   mirrored = [\"right_tie_ball\"]     # points of the other side, which move as in a mirror
   along = \"z\"                       # \"x\", \"y\", \"z\" or a direction [x, y, z], in the file's axes
-  by = [-0.020, 0.020]              # the box: from the least to the greatest
+  by = [-0.020, 0.020]              # the box: from the least to the greatest ([-20.0, 20.0])
 
   [tune.moves.turnbuckle]
   length = \"tie_rod\"                # or a link's length, the drives held
   mirrored = [\"right_tie_rod\"]      # links of the other side, which become longer by as much
-  by = [-0.005, 0.005]
+  by = [-0.005, 0.005]              # ([-5.0, 5.0])
 
   [tune.targets.bump_steer]
   of = \"toe\"                        # a measure, or a quantity by its name in tables without the unit
-  over = { bump = [-0.060, 0.060] } # drives, from the design position; without it at the design position. Drives that move
-                                    # together as for sweep: { \"bump_left,bump_right\" = ... }, with a minus the opposite way
+  over = { bump = [-0.060, 0.060] } # drives, from the design position ([-60.0, 60.0]); without `over` at that position.
+                                    # As for sweep, { \"bump_left,-bump_right\" = ... } moves drives together, here in roll
   change = 0.0                      # from the design position; or value = ...; for one drive also a list, whose length
                                     # is the number of evenly spaced places: change = [0.1, 0.0, 0.2]
-  within = 0.00035                  # the allowed error, in the unit of the quantity: rad, 0.02 deg
+  within = 0.00035                  # the allowed error, in the unit of the quantity (0.02)
 
   [tune.targets.motion_ratio]
   of = \"damper\"
@@ -198,7 +199,7 @@ that lock are left out. Tune finds a design near the file's points; it may miss 
 
 Tune prints a table of the moves and of the targets. It writes the motion file with the points found and leaves all else as
 it is. Where a move changes the value of a drive at the design position, the constant of its law in [drives] changes by as
-much. A marker that the file states as an offset from a point moves with it.
+much. A marker that the file states as an offset from a point moves with it; where a move turns its body, the offset changes.
 
 Exit codes: 0 all targets are met, 1 a result cannot be written, 2 wrong input, 3 some targets are not met (the file is
 written), or the design locks before all places of a target, 130 interrupted (the best so far is written).

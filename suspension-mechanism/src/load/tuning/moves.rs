@@ -28,7 +28,10 @@ impl Moves<'_> {
         let table = stated.get_ref();
         let NumberList(by) = *table.by.get_ref();
         if !(by[0] < by[1] && by.iter().all(|end| end.is_finite())) {
-            let message = "`by` is [least, greatest], the box of the move, for example [-0.010, 0.010] in metres";
+            let example = self.naming.example(0.01);
+            let message = format!(
+                "`by` is [least, greatest], the box of the move in the file's unit, for example {example}"
+            );
             return Err(self.naming.source.refuse(&table.by.span(), message));
         }
         let has_points = !table.points.is_empty();

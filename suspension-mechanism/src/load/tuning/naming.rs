@@ -6,6 +6,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Description;
+use crate::number::rounded;
 
 /// A mechanism, and the file that names parts of it.
 #[derive(Clone, Copy)]
@@ -23,6 +24,13 @@ impl Naming<'_> {
 
     pub(super) fn drive(&self, name: &Spanned<String>) -> Result<usize, Failure> {
         self.named("drive", name, &self.mechanism.names.drive_names())
+    }
+
+    /// A range of lengths as an example of what to write: about so many metres either way, in the file's unit.
+    pub(super) fn example(&self, metres: f64) -> String {
+        let unit = self.mechanism.unit;
+        let end = rounded(metres * unit.metre(), 1);
+        format!("[-{end}, {end}] in {}", unit.symbol())
     }
 
     /// The index of a name among the known ones.

@@ -94,9 +94,10 @@ impl Naming<'_> {
         ) {
             (Some(value), None) => (value, tune::Wanted::Values),
             (None, Some(_)) if table.over.is_none() => {
-                return refuse(
-                    "`change` counts from the design position: state the drives that move, for example over = { bump = [-0.060, 0.060] }",
-                );
+                return refuse(&format!(
+                    "`change` counts from the design position: state the drives that move under `over`, each with a range, for example {}",
+                    self.example(0.06)
+                ));
             }
             (None, Some(change)) => (change, tune::Wanted::Changes),
             _ => {
@@ -147,7 +148,10 @@ impl Naming<'_> {
         let NumberList(ends) = *stated.get_ref();
         let is_range = ends[0] < ends[1] && ends.iter().all(|end| end.is_finite());
         is_range.then_some(ends).ok_or_else(|| {
-            let message = "write [from, to], the drive's changes from the design position, for example [-0.060, 0.060]";
+            let message = format!(
+                "write [from, to], the drive's changes from the design position in the file's unit, for example {}",
+                self.example(0.06)
+            );
             self.source.refuse(&stated.span(), message)
         })
     }
