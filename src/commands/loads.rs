@@ -3,6 +3,7 @@
 mod drawing;
 mod found;
 mod leading;
+mod left_out;
 mod line;
 mod note;
 mod report;
@@ -127,6 +128,7 @@ Load cases are tables of the motion file, with one line for each load:
   bump_stop = 1200.0                   # N in a measured length: it pushes the ends apart
   bump = \"damper\"                      # the spring along the measure damper carries the wheel, not the drive bump;
                                        # a spring of [springs] may be named in place of its measure
+  acting = [\"arb\"]                     # springs and bars of [springs] that act by their rates
 
 A load acts at a named point of the listing, at `contact`, or in a measure. `contact` needs wheel_radius under [vehicle];
 for a wheel named left it is left_contact. A load in a measure is a number, positive where it makes the measure larger;
@@ -147,11 +149,18 @@ instead, and an acceleration of the chassis in m/s^2: acceleration = [-8.0, 0.0,
 parts acts too, from the velocities and accelerations of the file's motion. Friction is left out. With [masses] the tables
 of motion, sweep and sheet have effective_mass: the equivalent mass at the wheel in travel.
 
-The drives hold the mechanism in place: springs of [springs] do not act by themselves. The load on a drive is the work of
-the loads per unit of the drive; what holds the drive must bear it. Unless the case states a force in the measure of a
-spring, a note names each drive of travel whose load a spring could bear. With bump = \"damper\" the drive bears nothing,
-`bump (its load is in damper)`, and the report gives the force in the measure damper that takes this load: negative where a
-spring pulls. If the case also states a force in the same measure, the report gives the sum of both.
+The drives hold the mechanism in place. The load on a drive is the work of the loads per unit of the drive; what holds the
+drive must bear it. With bump = \"damper\" the drive bears nothing, `bump (its load is in damper)`, and the report gives the
+force in the measure damper that takes this load: negative where a spring pulls.
+
+A spring or bar of [springs] acts by its rate only if the line `acting` names it, with the force or moment that sweep prints
+for the same place: spring_force_N, arb_moment_Nm. The report gives this load in the measure, and the drives bear its
+reaction. The line acting = [\"arb\"] and --drive left_bump,-right_bump=-0.03:0.03:7 give the forces in the drop links of a bar
+in roll. If a case also states a force in a measure in which springs act, or which bears the load of a drive, the report gives
+the sum.
+
+A note names the springs that do not act although their measures change. Another names each drive of travel whose load a
+spring could bear, unless springs act by their rates or the case states a force in the measure of a spring.
 
 Links: tension is positive. Joints: the force that a body or another statement exerts at each of its points, on the chassis
 or on the parts that it joins there, in the file's axes. The table of joints also lists a link that has a mass (its tension is

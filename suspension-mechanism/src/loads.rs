@@ -4,6 +4,7 @@
 mod bearing;
 mod forces;
 mod in_measures;
+mod left_out;
 mod moments;
 mod on_chassis;
 mod outcome;
@@ -35,6 +36,8 @@ pub struct Case {
     pub at: Vec<(Site, [Vector3<f64>; 2])>,
     /// Measures by number, with the load that tends to increase each: N, or N m for an angle.
     pub along: Vec<(usize, f64)>,
+    /// Springs by number that act by their rates. None of them is along a measure that bears the load of a drive.
+    pub acting: Vec<usize>,
     /// The field that acts on each kilogram of the parts that have a mass: gravity minus the acceleration of the
     /// chassis, m/s^2.
     pub field: Vector3<f64>,
@@ -92,16 +95,18 @@ impl<'l> Structure<'l> {
     pub fn solve(&self, mechanism: &dyn Kinematics, case: &Case, state: &State) -> Option<Outcome> {
         let here = self.here(mechanism, state);
         let mut forces = here.forces_at_sites(&case.at);
-        forces.extend(here.forces_in_measures(&case.along));
+        let of_springs = self.of_springs(case, state);
+        forces.extend(here.forces_in_measures(&[case.along.as_slice(), &of_springs].concat()));
         forces.extend(here.forces_of_masses(&case.field)?);
-        let in_measures = bearing(&here, &case.borne_by, &forces)?;
-        forces.extend(here.forces_in_measures(&in_measures));
+        let bearing = bearing(&here, &case.borne_by, &forces)?;
+        forces.extend(here.forces_in_measures(&bearing));
         let Borne {
             on_drives,
             mut by_parts,
             on_parts,
         } = here.solve(&summed(&forces, here.points()), &self.part_forces)?;
         let by_actuators = by_parts.split_off(self.statements.len());
+        let in_measures = [bearing, of_springs].concat();
         let along = self.sum_by_measure(&[case.along.as_slice(), &in_measures].concat());
         let at_ends = self.forces_at_ends(&here, &along);
         let mut outcome = Outcome {

@@ -19,13 +19,13 @@ pub enum Load {
     Along(f64),
     /// A load at a place.
     At(Wrench),
-    /// The name of the measure that bears the load of a drive.
+    /// The name of the measure that bears the load of a drive, or of the spring that acts by its rate.
     By(String),
-    /// The names of several measures, of which only one is allowed.
+    /// The names of several springs that act by their rates. For a drive only one name is allowed.
     BySeveral(Vec<String>),
 }
 
-/// A load case: the loads by the names of places, measures and drives.
+/// A load case: the loads by the names of places, measures and drives, and the springs that act, under the name `acting`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadCase(pub BTreeMap<Spanned<String>, Spanned<Load>>);
 
@@ -89,8 +89,8 @@ impl<'de> Visitor<'de> for LoadVisitor {
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(
-            "a force [x, y, z] in N, { force = [x, y, z], moment = [x, y, z] }, a number for a measure, or for a drive \
-             the name of the measure that bears its load",
+            "a force [x, y, z] in N, { force = [x, y, z], moment = [x, y, z] }, a number for a measure, for a drive \
+             the name of the measure that bears its load, or acting = [\"NAME\"] with names of springs",
         )
     }
 

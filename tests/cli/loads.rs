@@ -1,5 +1,6 @@
 //! Forces under load cases.
 
+mod acting;
 mod cases;
 mod drawings;
 mod measures;

@@ -1,10 +1,12 @@
 //! The results of a load case over all places.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use nalgebra::Vector3;
 
 use crate::loads::{Case, Outcome, Unborne};
+use crate::mechanism::State;
 
 /// The results of a case over all places that have an answer.
 pub(super) struct Found<'a> {
@@ -13,6 +15,8 @@ pub(super) struct Found<'a> {
     pub(super) first: Outcome,
     /// Drives that bear loads at the first place.
     pub(super) unborne: Unborne,
+    /// The springs by number that are stretched or twisted at any place, but have no load.
+    pub(super) left_out: BTreeSet<usize>,
     /// The number of places.
     pub(super) places: usize,
     /// The numbers of the first place, and which of them vary over the places.
@@ -47,6 +51,7 @@ impl<'a> Found<'a> {
         Self {
             case,
             unborne,
+            left_out: BTreeSet::new(),
             places: 0,
             place: place.clone(),
             varies: vec![false; place.len()],
@@ -57,8 +62,9 @@ impl<'a> Found<'a> {
     }
 
     /// Adds the outcome at a place.
-    pub(super) fn add(&mut self, outcome: &Outcome, place: &Rc<[f64]>) {
+    pub(super) fn add(&mut self, outcome: &Outcome, (state, place): (&State, &Rc<[f64]>)) {
         self.places += 1;
+        self.left_out.extend(self.case.left_out(state));
         for ((varies, first), here) in self.varies.iter_mut().zip(&*self.place).zip(&**place) {
             *varies |= first != here;
         }

@@ -172,11 +172,15 @@ fn drive_with_bearer(names: &Names, case: &Case, drive: usize) -> String {
     }
 }
 
-/// Names a measure with the springs of the file that act along it and the load that the case states in it.
+/// Names a measure with the springs that bear its load, which is what a drive would bear or what their rates give, and with
+/// the load that the case states in it.
 fn measure_with_loads(names: &Names, case: &Case, measure: usize) -> String {
-    let along = names.vehicle.springs.iter();
-    let along = along.filter(|spring| spring.measure == measure);
-    let springs: Vec<&str> = along.map(|spring| spring.name.as_str()).collect();
+    let bears = case.borne_by.iter().any(|(_, by)| *by == measure);
+    let along = names.vehicle.springs.iter().enumerate();
+    let along = along.filter(|(number, spring)| {
+        spring.measure == measure && (bears || case.acting.contains(number))
+    });
+    let springs: Vec<&str> = along.map(|(_, spring)| spring.name.as_str()).collect();
     let springs = match springs.as_slice() {
         [] => None,
         [spring] => Some(format!("spring {spring}")),

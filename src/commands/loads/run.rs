@@ -10,6 +10,7 @@ use suspension_runtime::Listing;
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
+use crate::commands::loads::left_out::springs_left_out;
 use crate::commands::loads::note::{shared_along_lines, springs_bear_nothing};
 use crate::commands::loads::report::Report;
 use crate::commands::loads::table::{headings, row};
@@ -56,7 +57,7 @@ impl<'a> Run<'a> {
             let (at, outcomes): (Rc<[f64]>, _) =
                 (leading.read(&state).into(), self.outcomes(&state));
             self.start(&mut found, &outcomes, (&state, &at));
-            count(&mut found, &outcomes, &at);
+            count(&mut found, &outcomes, (&state, &at));
             let drawn = self.drawings.is_some().then_some(state);
             (at, outcomes, drawn)
         };
@@ -110,7 +111,7 @@ impl<'a> Run<'a> {
         let end = self.mechanism.move_through(instants, &mut |state| {
             progress.step();
             let (at, outcomes) = (leading.read(&state).into(), self.outcomes(&state));
-            count(&mut found, &outcomes, &at);
+            count(&mut found, &outcomes, (&state, &at));
             if let Some(rows) = &mut rows {
                 rows.add(&row(&at, &found, &outcomes))?;
             }
@@ -190,6 +191,7 @@ impl<'a> Run<'a> {
         let names = &self.mechanism.names;
         springs_bear_nothing(self.source, names, found)
             .into_iter()
+            .chain(springs_left_out(self.source, names, found))
             .chain(shared_along_lines(
                 self.source,
                 (names, self.structure),
@@ -245,7 +247,7 @@ impl<'a> Run<'a> {
 }
 
 /// Adds a place to the results of each case.
-fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: &Rc<[f64]>) {
+fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: (&State, &Rc<[f64]>)) {
     for (found, outcome) in found.iter_mut().zip(outcomes) {
         if let (Some(found), Some(outcome)) = (found, outcome) {
             found.add(outcome, at);

@@ -138,7 +138,8 @@ The file:
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre
-  [springs.spring]                   # optional: springs and bars of any name, for forces, wheel rate and roll rate
+  [springs.spring]                   # optional: springs and bars of any name, for forces, wheel rate and roll rate; in load
+                                     # cases those act that a case names: acting = ["spring"]
   along = "damper"                   # a measure
   rate = 28000.0                     # N per unit of length; for an angle N m per unit of angle
   load = 3800.0                      # N, for an angle N m: the force or moment at the design position, positive where it

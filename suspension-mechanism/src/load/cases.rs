@@ -1,5 +1,6 @@
 //! The load cases of a motion file.
 
+mod acting;
 mod borne;
 
 use nalgebra::Vector3;
@@ -15,6 +16,8 @@ use crate::mechanism::Description;
 /// The load that acts on all masses.
 const GRAVITY: &str = "gravity";
 const ACCELERATION: &str = "acceleration";
+/// The springs that act by their rates.
+const ACTING: &str = "acting";
 
 /// The load cases of a file, in its order.
 ///
@@ -51,7 +54,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn case(&self, name: &Spanned<String>, LoadCase(loads): &LoadCase) -> Result<Case, Failure> {
+    fn case(&self, name: &Spanned<String>, loads: &LoadCase) -> Result<Case, Failure> {
         let ends_names = |c: char| c.is_control() || ['/', '\\', ':'].contains(&c);
         if name.get_ref().contains(ends_names) {
             let message = "the name of a load case becomes part of file and column names; leave out `/`, `\\` and `:`";
@@ -61,12 +64,14 @@ impl Reader<'_> {
             name: name.get_ref().clone(),
             at: Vec::new(),
             along: Vec::new(),
+            acting: Vec::new(),
             field: self.weight(),
             borne_by: Vec::new(),
         };
-        for (place, load) in loads {
+        for (place, load) in loads.0.iter().filter(|(name, _)| name.get_ref() != ACTING) {
             self.add(&mut case, place, load)?;
         }
+        case.acting = self.acting(&case, loads)?;
         Ok(case)
     }
 
@@ -194,7 +199,8 @@ impl Reader<'_> {
                 .map(String::as_str)
                 .chain(names.measure_names())
                 .collect();
-            let hint = did_you_mean(name, known.iter().copied());
+            let others = [GRAVITY, ACCELERATION, ACTING];
+            let hint = did_you_mean(name, known.iter().copied().chain(others));
             let known = known.join(", ");
             let message = format!("unknown place `{name}`; loads act at {known}{hint}");
             return Err(self.source.refuse(&place.span(), message));

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::forces::Here;
-use super::{By, Outcome, Structure};
+use super::{By, Case, Outcome, Structure};
+use crate::mechanism::State;
 
 impl Structure<'_> {
     /// The measures in which loads act, by number and in their order, with the loads in each added together.
@@ -15,6 +16,13 @@ impl Structure<'_> {
             Some((measure, in_it.reduce(|sum, along| sum + along)?))
         });
         each.collect()
+    }
+
+    /// The measures, by number, in which springs act by their rates, with the load of these springs in each.
+    pub(super) fn of_springs(&self, case: &Case, state: &State) -> Vec<(usize, f64)> {
+        let springs = case.acting.iter().map(|spring| &state.springs[*spring]);
+        let acting = springs.map(|spring| (spring.measure, state.load_of(spring)));
+        self.sum_by_measure(&acting.collect::<Vec<_>>())
     }
 
     /// The forces of loads in measures, by number, on the points of each.
@@ -53,7 +61,7 @@ impl Structure<'_> {
     }
 }
 
-/// The loads that measures bear instead of drives, together with those that the case states in the same measures.
+/// The loads that measures bear instead of drives, and those of springs that act by their rates, together with those that the case states in the same measures.
 pub(super) fn add_stated(
     in_measures: Vec<(usize, f64)>,
     stated: &[(usize, f64)],

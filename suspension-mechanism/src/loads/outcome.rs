@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 pub struct Outcome {
     /// The load that each drive bears: N, or N m about an angle.
     pub on_drives: Vec<f64>,
-    /// The whole load in each measure that bears the load of a drive, as in
-    /// [`Case::along`](crate::loads::Case::along): what it bears plus what the case states there.
+    /// The whole load in each measure that bears the load of a drive, and then in each in which springs act by their rates, as
+    /// in [`Case::along`](crate::loads::Case::along): with what the case states there.
     pub in_measures: Vec<(usize, f64)>,
     /// The force in each link, N, positive in tension, by the number of its statement; for a link with a mass, the
     /// force at its middle without the contribution of spinning.

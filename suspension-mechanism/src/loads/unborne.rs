@@ -28,7 +28,8 @@ pub struct OneSided {
 }
 
 impl Structure<'_> {
-    /// The drives of travel that bear a load in a case; none if the case states a load in a spring's measure.
+    /// The drives of travel that bear a load in a case; none if the case states a load in a spring's measure, or springs act by their
+    /// rates.
     pub fn unborne(
         &self,
         mechanism: &dyn Kinematics,
@@ -37,7 +38,7 @@ impl Structure<'_> {
     ) -> Unborne {
         let (springs, travel) = (&mechanism.names.vehicle.springs, travel(mechanism));
         let is_stated = |measure| case.along.iter().any(|(stated, _)| *stated == measure);
-        if springs.iter().any(|spring| is_stated(spring.measure)) {
+        if !case.acting.is_empty() || springs.iter().any(|spring| is_stated(spring.measure)) {
             return Unborne::default();
         }
         let bears = |drive: &usize| {

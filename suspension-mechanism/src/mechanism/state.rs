@@ -71,6 +71,11 @@ impl State {
         self.points.value[point] + self.origin
     }
 
+    /// The load of a spring: N, or N m for an angle.
+    pub fn load_of(&self, spring: &Spring) -> f64 {
+        spring.presses(self.measures.value[spring.measure])
+    }
+
     /// The state along a movement, if it is known.
     pub fn moved_along(&self, movement: Movement) -> Option<&State> {
         let mut moved = self.moved.iter();

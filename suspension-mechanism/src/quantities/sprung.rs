@@ -61,10 +61,7 @@ pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
             MeasureKind::Length => (Dimension::Force, "force"),
             MeasureKind::Angle => (Dimension::Moment, "moment"),
         };
-        let of_state = move |state: &State| {
-            let spring = state.springs.get(number)?;
-            Some(spring.presses(state.measures.value[spring.measure]))
-        };
+        let of_state = move |state: &State| Some(state.load_of(state.springs.get(number)?));
         Reading {
             name: Some(format!("{}_{what}", spring.name)),
             ..without_derivatives(dimension, of_state)

@@ -76,7 +76,7 @@ fn an_invalid_load_is_refused_at_its_place() {
         (
             "[loads.a]\nbump = [\"damper\", \"bar_arm\"]\n",
             "a.toml:9:8: `bump` of load case `a` has a list of names, but only one measure or spring can bear the load of a drive; write bump = \
-             \"damper\", and for another that acts beside it the force in it, NAME = 500.0\n",
+             \"damper\", and for another that acts beside it the force in it, NAME = 500.0, or for a spring with its rate acting = [\"NAME\"]\n",
         ),
         (
             "[loads.a]\nbump = [\"damper\", \"bra_arm\"]\n",

@@ -76,7 +76,8 @@ impl Reader<'_> {
         let one = by.first().map_or("", String::as_str);
         format!(
             "`{drive}` of load case `{case}` has a list of names, but only one measure or spring can bear the load of a drive; write \
-             {drive} = \"{one}\", and for another that acts beside it the force in it, NAME = 500.0"
+             {drive} = \"{one}\", and for another that acts beside it the force in it, NAME = 500.0, or for a spring with \
+             its rate acting = [\"NAME\"]"
         )
     }
 
@@ -102,7 +103,7 @@ impl Reader<'_> {
         }
     }
 
-    fn springs(&self) -> impl Iterator<Item = &Spring> {
+    pub(super) fn springs(&self) -> impl Iterator<Item = &Spring> {
         self.mechanism.names.vehicle.springs.iter()
     }
 
