@@ -13,7 +13,7 @@ use crate::file::{Dimension, MotionFile, Source, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Axis, CountedFrom};
+use crate::mechanism::{Axis, CountedFrom, Description};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing};
@@ -82,7 +82,7 @@ impl Arguments {
             tell(format_args!("note: {}: {note}", source.name()));
         }
         let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
-        check(out.path().unwrap_or(&self.file), &text, &tuned)?;
+        check(out.path().unwrap_or(&self.file), &text, (mechanism, &tuned))?;
         out.write(&text)?;
         announce(out.path());
         if tuned.interrupted {
@@ -148,7 +148,7 @@ fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure
 }
 
 /// Checks that the text gives the points that were found when it is read at a place.
-fn check(at: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
+fn check(at: &Path, text: &str, (mechanism, tuned): (&Description, &Tuned)) -> Result<(), Failure> {
     let source = Source::new(at.display().to_string(), text);
     let loaded = load(&source)?;
     let points = loaded.at_design_without_notes()?.points();
@@ -157,11 +157,14 @@ fn check(at: &Path, text: &str, tuned: &Tuned) -> Result<(), Failure> {
         (a - b).amax() <= rewritten::ROUNDING * size
     };
     let mut pairs = points.iter().zip(&tuned.points);
-    if pairs.all(|(a, b)| is_near([a, b])) {
-        return Ok(());
-    }
-    let message = "the points found cannot be put into the file: state those that move as coordinates, a line each, in [points]";
-    Err(Failure::Input(format!("{}: {message}", source.name())))
+    let off = pairs.position(|(a, b)| !is_near([a, b]));
+    off.map_or(Ok(()), |point| {
+        Err(Failure::Input(format!(
+            "{}: the file would not put `{}` where it was found: state it as coordinates, on a line of its own, in [points]",
+            source.name(),
+            mechanism.names.points[point]
+        )))
+    })
 }
 
 const NOTES: &str = "\
