@@ -51,12 +51,12 @@ impl Arguments {
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
-        out.refuse_input("--out")?;
-        if let Some(path) = out.path() {
-            refuse_unreadable(path, &source)?;
-        }
         let mechanism = &*loaded.at_design()?;
         let (moves, targets) = loaded.tuning(mechanism)?;
+        out.refuse_input("--out")?;
+        if let Some(path) = out.path() {
+            refuse_unreadable(path, &source, mechanism)?;
+        }
         let of_sides = loaded.one_sided_moves(mechanism);
         for note in of_sides.into_iter().chain(loaded.doubtful_boxes(&moves)) {
             tell(format_args!("note: {note}"));
@@ -126,8 +126,13 @@ fn tuned_path(file: &Path) -> PathBuf {
 }
 
 /// Refuses a folder in which the files that the motion file names are missing.
-fn refuse_unreadable(out: &Path, source: &Source) -> Result<(), Failure> {
-    let read_there = load(&Source::new(out.display().to_string(), source.text())).map(|_| ());
+fn refuse_unreadable(
+    out: &Path,
+    source: &Source,
+    mechanism: &dyn Kinematics,
+) -> Result<(), Failure> {
+    let there = Source::new(out.display().to_string(), source.text());
+    let read_there = load(&there).and_then(|loaded| loaded.tuning(mechanism).map(|_| ()));
     read_there.map_err(|failure| {
         Failure::Input(format!(
             "--out {}: the file would not be read there: {failure}",
@@ -187,7 +192,7 @@ with angle = \"deg\" angles are in degrees. The numbers below are for a file in 
   over = { bump = [-0.060, 0.060] } # drives, from the design position ([-60.0, 60.0]); without `over` at that position.
                                     # As for sweep, { \"bump_left,-bump_right\" = ... } moves drives together, here in roll
   change = 0.0                      # from the design position; or value = ...; for one drive also a list, whose length
-                                    # is the number of evenly spaced places: change = [0.1, 0.0, 0.2]
+                                    # is the number of evenly spaced places: change = [0.1, 0.0, 0.2], or measured points
   within = 0.00035                  # the allowed error, in the unit of the quantity (0.02)
 
   [tune.targets.motion_ratio]
@@ -196,9 +201,17 @@ with angle = \"deg\" angles are in degrees. The numbers below are for a file in 
   value = -0.65
   within = 0.005
 
-For each trial the suspension is built from the trial's points and solved at thirteen places along each drive. Starting from
-the points of the file, tune minimises the sum of squares of the targets' errors, each divided by the allowed error. Trials
-that lock are left out. Tune finds a design near the file's points; it may miss a better one far from them.
+Measured points are pairs of a change of the drive from the design position and the number there, in any order and with any
+spacing, in the units of the file; those within the range under over count. They are stated as a list or in a CSV file, whose
+first line has headings; columns are the headings of the drive's column and of the number's:
+
+  value = [[-0.052, 0.0021], [-0.017, 0.0008], [0.049, -0.0019]]
+  value = { csv = \"measured.csv\", columns = [\"travel\", \"toe\"] }
+
+For each trial the suspension is built from the trial's points and solved at the places of each target: thirteen along each
+drive, or those of its list or points. Starting from the points of the file, tune minimises the sum of squares of the targets'
+errors, each divided by the allowed error. Trials that lock are left out. Tune finds a design near the file's points; it may
+miss a better one far from them.
 
 Tune prints a table of the moves and of the targets. It writes the motion file with the points found and leaves all else as
 it is. Where a move changes the value of a drive at the design position, the constant of its law in [drives] changes by as

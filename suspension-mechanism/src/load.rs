@@ -1,6 +1,7 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
 
 mod assembled;
+mod beside;
 mod cases;
 mod columns;
 mod coupling;

@@ -28,6 +28,7 @@ mod torque;
 mod tune;
 mod unit;
 mod vehicle;
+mod wanted;
 
 pub use axes::Axes;
 pub use axle::{Axle, is_within};
@@ -47,6 +48,7 @@ pub use spring::SpringTable;
 pub use table::{Table, in_order};
 pub use tell::tell;
 pub use torque::Torque;
-pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable, Wanted};
+pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable};
 pub use unit::{Angle, Length, Unit};
 pub use vehicle::VehicleTable;
+pub use wanted::{CsvTable, Wanted};

@@ -5,6 +5,7 @@ use toml::Spanned;
 
 use crate::number_list::{NumberList, number_list};
 use crate::table::{Table, UnderName, read_named_tables};
+use crate::wanted::Wanted;
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
@@ -71,7 +72,8 @@ pub struct TargetTable {
     pub of: Spanned<String>,
     /// The drive with respect to which the derivative of the quantity is the target.
     pub per: Option<Spanned<String>>,
-    /// Drives with their ranges from the design position; without it the target holds at the design position.
+    /// Drives, or drives joined by commas that move together, with their ranges from the design position; without it the target
+    /// holds at the design position.
     pub over: Option<Table<NumberList<2>>>,
     /// The target value.
     pub value: Option<Spanned<Wanted>>,
@@ -83,17 +85,4 @@ pub struct TargetTable {
 
 impl UnderName for TargetTable {
     const EXPECTED: &str = "a target, which has a name: write its lines under [tune.targets.NAME]";
-}
-
-/// One number for all places, or a list with one per place.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "expected a number, or one for each of evenly spaced values of the drive as [0.0, 0.1, 0.3]"
-)]
-pub enum Wanted {
-    /// The same number at all places.
-    Everywhere(f64),
-    /// At evenly spaced values of the drive, from the first to the last.
-    Each(Vec<f64>),
 }

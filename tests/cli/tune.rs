@@ -1,6 +1,7 @@
 //! Hardpoints moved until curves are met.
 
 mod both_sides;
+mod measured;
 mod offsets;
 mod quantities;
 mod units;

@@ -11,6 +11,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source, check};
 use crate::kinematics::{Kinematics, changing};
+use crate::load::beside::read_beside;
 use crate::load::included;
 use crate::load::notes::listed_points;
 use crate::load::points::{points, stated_at};
@@ -133,23 +134,18 @@ fn read_listing_file(
     file: &MotionFile,
     path: &Spanned<String>,
 ) -> Result<(String, Listing), Failure> {
-    let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
     let place = path.span();
     if path.get_ref().is_empty() {
         let message = "`listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"";
         return Err(source.refuse(&place, message));
     }
-    let path = folder.join(path.get_ref());
-    let text = Source::read(&path).map_err(|failure| match failure {
-        Failure::Input(message) => source.refuse(&place, message),
-        other => other,
-    })?;
+    let text = read_beside(source, path)?;
     let parsed = included::parsed(text.text(), text.name());
     let parsed = parsed.map_err(|mistakes| refused(&text, &mistakes))?;
     included::check_unit(source, file, place, &parsed)?;
     let (listing, _) = parsed;
     check_places(&text, &listing, file)?;
-    Ok((stem(&path), listing))
+    Ok((stem(Path::new(path.get_ref())), listing))
 }
 
 /// The name of a listing in a file, or in a motion file.

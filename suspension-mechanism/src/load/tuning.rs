@@ -1,5 +1,6 @@
 //! Tuning as a motion file states it, with its names replaced by indices.
 
+mod measured;
 mod moves;
 mod naming;
 pub(super) mod one_sided;
