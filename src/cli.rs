@@ -61,9 +61,9 @@ pub enum Command {
     ///
     /// Reads tables of points, subsystem files of Adams/Car and model files of Lotus.
     Import(import::Arguments),
-    /// Lists the catalogue of layouts, or prints the statements of one.
+    /// Lists the catalogue of layouts, or prints the statements of a layout or of a motion file.
     ///
-    /// The list gives each layout's name, description, drives and measures.
+    /// The list gives each layout's name, description, drives and measures. The statements of a motion file have its points.
     List(list::Arguments),
     /// Prints the forces in a file's mechanism under its load cases.
     ///

@@ -45,6 +45,19 @@ fn every_mistake_in_a_listing_is_reported_with_line_and_column() {
     assert!(mistakes("").starts_with("listing:1:1: "));
 }
 
+/// What `suspension list` prints of a motion file with includes and mirrors.
+#[test]
+fn the_printed_listing_of_an_imported_axle_is_read_with_its_positions() {
+    let text = include_str!("../../tests/data/imported_axle.linkage");
+    let listing = Read::new(text).expect("a listing");
+    assert_eq!((listing.count(POINT), listing.count(DRIVE)), (23, 3));
+    let ball = listing.find(POINT, c"right_lower_ball").expect("a point");
+    let design = listing.design();
+    assert_eq!(design[3 * ball..3 * ball + 3], [4.0, -560.0, 128.0]);
+    let corner = listing.place(&design).map_err(|failure| failure.status);
+    assert!(corner.is_ok(), "{:?}", corner.err());
+}
+
 #[test]
 fn a_message_is_truncated_at_the_size_of_its_buffer() {
     let text = "fixed: \u{e9}\u{e9} at [0.0];".as_bytes();

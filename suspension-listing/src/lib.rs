@@ -8,6 +8,7 @@ mod cluster;
 pub mod did_you_mean;
 pub mod eliminate;
 pub mod errors;
+mod flat;
 pub mod form;
 pub mod include;
 mod kind;

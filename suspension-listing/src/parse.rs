@@ -38,6 +38,37 @@ pub fn statements(
     span: Span,
     includes: &dyn IncludeSource,
 ) -> syn::Result<(Listing, Errors)> {
+    let read = everything(input, span, includes)?;
+    Ok((read.listing, read.errors))
+}
+
+/// The statements of a listing, those that declare points among them, in the order in which they are read; includes and
+/// mirrors are written out.
+///
+/// # Errors
+///
+/// As [`statements`], and the first error of a statement that could not be read.
+pub(crate) fn flat_statements(
+    input: ParseStream<'_>,
+    includes: &dyn IncludeSource,
+) -> syn::Result<Vec<TokenStream>> {
+    let read = everything(input, Span::call_site(), includes)?;
+    read.errors.into_result()?;
+    Ok(read.texts.into_iter().map(TokenStream::from_iter).collect())
+}
+
+/// What is read from a listing.
+struct Everything {
+    listing: Listing,
+    errors: Errors,
+    texts: Vec<Vec<TokenTree>>,
+}
+
+fn everything(
+    input: ParseStream<'_>,
+    span: Span,
+    includes: &dyn IncludeSource,
+) -> syn::Result<Everything> {
     let included = Cell::new(Some(0));
     let mut reading = Reading {
         listing: Listing::empty(span),
@@ -50,7 +81,11 @@ pub fn statements(
         included: &included,
     };
     reading.all(input)?;
-    Ok((reading.listing, reading.errors))
+    Ok(Everything {
+        listing: reading.listing,
+        errors: reading.errors,
+        texts: reading.texts,
+    })
 }
 
 /// A listing being read.

@@ -16,7 +16,7 @@ use crate::kind::Kind;
 use crate::lexed::{tokens, with_lexer_places};
 use crate::name::Name;
 use crate::system::System;
-use crate::{checked, parse};
+use crate::{checked, flat, parse};
 
 pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, MOST_BYTES};
 pub use crate::mistake::Mistake;
@@ -68,6 +68,32 @@ pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<Sys
         },
     );
     read.map_err(|mistakes| Mistakes {
+        file: file.to_owned(),
+        mistakes,
+    })
+}
+
+/// The statements of a text with its includes and mirrors written out, one below the other, so that the text needs no other
+/// file. Each point, also a marker, has the position `at` its name, or none where `at` gives none. The text declares the
+/// same names in the same order.
+///
+/// # Errors
+///
+/// As [`parse`], without the limits of size.
+pub fn flat(
+    text: &str,
+    file: &str,
+    includes: &dyn IncludeSource,
+    at: &dyn Fn(&str) -> Option<[f64; 3]>,
+) -> Result<String, Mistakes> {
+    let print = |input: ParseStream<'_>| flat::printed(input, includes, at);
+    let printed = with_lexer_places(|| {
+        let printed = tokens(text)?;
+        let printed = print.parse2(printed);
+        printed.map_err(|error| mistakes(text, &[], error))
+    });
+    proc_macro2::extra::invalidate_current_thread_spans();
+    printed.map_err(|mistakes| Mistakes {
         file: file.to_owned(),
         mistakes,
     })

@@ -7,6 +7,7 @@ mod columns;
 mod coupling;
 mod design;
 mod flat_body;
+mod flat_listing;
 mod included;
 mod led;
 mod listing;

@@ -1,5 +1,7 @@
 //! `suspension list`: the catalogue, and examples of it.
 
+mod flat;
+
 use std::path::Path;
 
 use suspension_core::linkages::LISTINGS;

@@ -16,7 +16,7 @@ pub(crate) const FIXED: Word = Word {
     word: "fixed",
     syntax: "fixed: a, b at [0.1, 0.4, 0.2];",
     read: |head, input, listing| {
-        listing.fixed.extend(points(input, &head.word)?);
+        listing.fixed.extend(declared(input, &head.word)?);
         Ok(())
     },
 };
@@ -26,13 +26,13 @@ pub(crate) const FREE: Word = Word {
     syntax: "free: c, d at [0.1, 0.7, 0.2];",
     read: |head, input, listing| {
         listing.free_span = head.word.span();
-        listing.free.extend(points(input, &head.word)?);
+        listing.free.extend(declared(input, &head.word)?);
         Ok(())
     },
 };
 
 /// `: a, b at [x, y, z], c`, each with its own docs.
-fn points(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
+pub(crate) fn declared(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
     while !input.peek(Token![;]) {

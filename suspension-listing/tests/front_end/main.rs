@@ -4,6 +4,7 @@ mod bodies;
 mod catalogue;
 mod did_you_mean;
 mod elimination;
+mod flat;
 mod include;
 mod limits;
 mod lowering;

@@ -26,6 +26,8 @@ pub(super) struct Chosen {
     pub(super) name: String,
     /// Its statements.
     pub(super) listing: Listing,
+    /// The text of its statements, under the name of its file or of its layout.
+    pub(super) text: Source,
     /// Remarks on points that the file does not state.
     notes: Vec<String>,
 }
@@ -42,7 +44,7 @@ impl Chosen {
                            `listing` (a file of statements) or `statements`";
             return Err(source.refuse(&place, message));
         };
-        let (name, listing) = match (&file.linkage, &file.listing, &file.statements) {
+        let (name, (listing, text)) = match (&file.linkage, &file.listing, &file.statements) {
             (Some(name), ..) => (
                 name.get_ref().clone(),
                 find_in_catalogue(source, file, name)?,
@@ -50,7 +52,10 @@ impl Chosen {
             (None, Some(path), _) => read_listing_file(source, file, path)?,
             (None, None, Some(text)) => (
                 stem(Path::new(source.name())),
-                parse_statements(source, file, text)?,
+                (
+                    parse_statements(source, file, text)?,
+                    Source::new(source.name(), text.get_ref()),
+                ),
             ),
             (None, None, None) => return Err(source.refuse(place, "no listing")),
         };
@@ -64,6 +69,7 @@ impl Chosen {
             notes,
             name,
             listing,
+            text,
         })
     }
 
@@ -100,15 +106,16 @@ fn find_in_catalogue(
     source: &Source,
     file: &MotionFile,
     name: &Spanned<String>,
-) -> Result<Listing, Failure> {
+) -> Result<(Listing, Source), Failure> {
     let wanted = name.get_ref().as_str();
     let Some(text) = catalogue::listing(wanted) else {
         let own = "; `listing` names a file of your own statements";
         let message = catalogue::unknown(wanted, own);
         return Err(source.refuse(&name.span(), message));
     };
-    let listing = Listing::parse_file(text, wanted)
-        .map_err(|mistakes| refused(&Source::new(wanted, text), &mistakes))?;
+    let text = Source::new(wanted, text);
+    let listing = Listing::parse_file(text.text(), wanted);
+    let listing = listing.map_err(|mistakes| refused(&text, &mistakes))?;
     let all: Vec<&str> = points(&listing).collect();
     check::known_points(source, file, &all)?;
     let stated = file.points.get_ref();
@@ -125,7 +132,7 @@ fn find_in_catalogue(
         );
         return Err(source.refuse(&name.span(), message));
     }
-    Ok(listing)
+    Ok((listing, text))
 }
 
 /// The statements of a file beside the motion file, under the file's stem.
@@ -133,7 +140,7 @@ fn read_listing_file(
     source: &Source,
     file: &MotionFile,
     path: &Spanned<String>,
-) -> Result<(String, Listing), Failure> {
+) -> Result<(String, (Listing, Source)), Failure> {
     let place = path.span();
     if path.get_ref().is_empty() {
         let message = "`listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"";
@@ -145,7 +152,7 @@ fn read_listing_file(
     included::check_unit(source, file, place, &parsed)?;
     let (listing, _) = parsed;
     check_places(&text, &listing, file)?;
-    Ok((stem(Path::new(path.get_ref())), listing))
+    Ok((stem(Path::new(path.get_ref())), (listing, text)))
 }
 
 /// The name of a listing in a file, or in a motion file.
@@ -212,7 +219,7 @@ fn parse_statements(
 }
 
 /// All mistakes in a text.
-fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
+pub(super) fn refused(source: &Source, mistakes: &Mistakes) -> Failure {
     let mistakes = mistakes.mistakes.iter();
     source.refuse_all(mistakes.map(|mistake| {
         let Mistake {

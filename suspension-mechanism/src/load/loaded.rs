@@ -16,7 +16,7 @@ use crate::mechanism::{Axes, Description, Instants, Mechanism, Suspension, Unit}
 pub struct Loaded<'a> {
     pub(super) source: &'a Source,
     pub(super) file: MotionFile,
-    listing: Chosen,
+    pub(super) listing: Chosen,
     instants: Instants,
 }
 
