@@ -12,7 +12,7 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Curves, Rise, Span, curves, no_steering, parameters, unmet_range, ways,
+    Along, Curves, Rise, Span, curves, no_steering, parameters, shorter_roll, unmet_range, ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
@@ -33,7 +33,7 @@ pub struct Arguments {
     file: PathBuf,
     /// How far the drive that moves the wheel up and down changes from the design position, in the file's unit. If the
     /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
-    /// where the mechanism locks before.
+    /// where the mechanism locks before. Roll, one wheel up and the other down, goes as far as both FROM and TO allow.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle; less where
@@ -88,6 +88,10 @@ impl Arguments {
         }
         let spans = [self.travel, self.steer];
         let ways = ways(mechanism, name, spans, unit, interrupted)?;
+        let shorter_roll = shorter_roll(mechanism, self.travel);
+        if let Some(note) = &shorter_roll {
+            tell(format_args!("note: {name}: {note}"));
+        }
         let missing = ways.iter().filter_map(|along| along.visited.failure(name));
         let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
@@ -100,6 +104,7 @@ impl Arguments {
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
             motion_ends,
+            shorter_roll,
             missing: missing.map(|failure| failure.to_string()).collect(),
             curves: all_curves(mechanism, &ways, &rises),
             parameters,

@@ -15,7 +15,7 @@ mod span;
 mod title;
 mod way;
 
-pub use along::{Along, no_steering, unmet_range, ways};
+pub use along::{Along, no_steering, shorter_roll, unmet_range, ways};
 pub use curves::{Curves, Line, Sort, curves};
 pub use grid_table::GridTable;
 pub use instead::{not_of_this, suggest_for_wheels, zero_at_design};

@@ -1,5 +1,7 @@
 //! The page of a suspension.
 
+mod axle;
+
 use super::program::{CORNER, folder, run, text};
 
 /// The cells of the row of a quantity.

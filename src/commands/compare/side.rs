@@ -4,10 +4,10 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
-    Curves, Does, Parameter, Rises, Span, Way, curves, parameters, unmet_range, ways,
+    Curves, Does, Parameter, Rises, Span, Way, curves, parameters, shorter_roll, unmet_range, ways,
 };
 use crate::failure::Failure;
-use crate::file::Source;
+use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
 use crate::quantities::{Axis, CENTRE, TOE};
@@ -52,6 +52,9 @@ impl Side {
     ) -> Result<Self, Failure> {
         let file = source.name();
         let along = ways(mechanism, file, spans, unit, interrupted)?;
+        if let Some(note) = shorter_roll(mechanism, spans[0]) {
+            tell(format_args!("note: {file}: {note}"));
+        }
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
         let missing = missing.map(|failure| failure.to_string());
         let curves = along.iter().map(|along| curves(mechanism, along, unit));

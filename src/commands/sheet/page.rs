@@ -22,6 +22,8 @@ pub(super) struct Page<'a> {
     pub(super) drives: String,
     /// The time and cause of an early end of the file's own motion.
     pub(super) motion_ends: Option<String>,
+    /// A sentence on the range of the curves over roll, if that is shorter than the travel.
+    pub(super) shorter_roll: Option<String>,
     /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
@@ -56,6 +58,7 @@ impl Page<'_> {
             @if let Some(why) = &self.motion_ends {
                 p { strong { "The file's own motion is out of reach: " } (why) }
             }
+            @if let Some(note) = &self.shorter_roll { p { (capitalised(note)) "." } }
             @for missing in &self.missing {
                 p { strong { "The curves are cut short: " } (missing) }
             }

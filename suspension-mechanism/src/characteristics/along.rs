@@ -80,6 +80,9 @@ pub fn ways(
             (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
             (None, DriveKind::Angle | DriveKind::Turn) => [-USUAL_ANGLE, USUAL_ANGLE],
         };
+        let Some(span) = within_travel(course.does, span) else {
+            continue;
+        };
         let is_same = |along: &&Along| along.way.does == course.does;
         let number = 1 + ways.iter().filter(is_same).count();
         ways.push(compute_along(
@@ -152,6 +155,34 @@ fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
             "note: {file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?"
         ));
     }
+}
+
+/// The part of a span that a course moves through: in roll, where one wheel moves down as far as the other moves up, the
+/// part in which neither leaves the span. `None` if there is none.
+fn within_travel(does: Does, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+    let end = to.min(-from);
+    match does {
+        Does::Roll => (end > 0.0).then_some([-end, end]),
+        Does::Travel | Does::Steer => Some([from, to]),
+    }
+}
+
+/// A sentence on the range of the curves over roll, if a stated travel is longer to one side than to the other.
+pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<String> {
+    let Span([from, to]) = travel.filter(|Span([from, to])| *from != -to)?;
+    let mut courses = Course::all(mechanism).into_iter();
+    courses.find(|course| course.does == Does::Roll)?;
+    Some(match within_travel(Does::Roll, [from, to]) {
+        Some(ends) => {
+            let [low, high] = ends.map(number);
+            format!(
+                "the curves over roll are from {low} to {high}, as one wheel moves down as far as the other moves up, and \
+                 neither leaves --travel"
+            )
+        }
+        None => "there are no curves over roll, as within --travel no wheel moves both up and down"
+            .to_owned(),
+    })
 }
 
 fn compute_along(

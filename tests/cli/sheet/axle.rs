@@ -1,0 +1,75 @@
+//! The page of an axle, whose wheels share charts.
+
+use super::super::program::{folder, run, text};
+
+/// The page of a front axle whose wheels reach 87 mm down and 142 mm up, and the messages.
+fn sheet(options: &[&str]) -> (String, String) {
+    let folder = folder();
+    let path = folder.path();
+    let table = include_str!("../../../examples/hardpoints.csv");
+    std::fs::write(path.join("a.csv"), table).expect("written");
+    let output = run(path, &["import", "a.csv", "--axle", "--out", "a.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let motion = std::fs::read_to_string(path.join("a.toml")).expect("a motion file");
+    let motion = motion.replace(
+        "# wheelbase = ",
+        "rack_per_turn = 80.0\nwheelbase = 1550.0 ",
+    );
+    std::fs::write(path.join("a.toml"), motion).expect("written");
+    let arguments = [&["sheet", "a.toml", "--out", "-"], options].concat();
+    let output = run(path, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [page, messages] = [&output.stdout, &output.stderr].map(|bytes| text(bytes).to_owned());
+    (page, messages)
+}
+
+/// The part of a page below a heading.
+fn section<'a>(page: &'a str, heading: &str) -> &'a str {
+    let heading = format!("<h2>{heading}</h2>");
+    let (_, section) = page
+        .split_once(&heading)
+        .unwrap_or_else(|| panic!("no {heading}"));
+    section.split("<h2>").next().expect("a section")
+}
+
+/// The texts of an SVG.
+fn texts(svg: &str) -> impl Iterator<Item = &str> {
+    let texts = svg.split("<text ").skip(1);
+    texts.filter_map(|text| Some(text.split_once('>')?.1.split_once('<')?.0.trim()))
+}
+
+/// The numbers at the axes of a chart.
+fn numbers(section: &str, title: &str) -> Vec<f64> {
+    let mut charts = section.split("<svg").skip(1);
+    let chart = charts.find(|chart| texts(chart).next() == Some(title));
+    let texts = texts(chart.unwrap_or_else(|| panic!("no {title}")));
+    texts.filter_map(|text| text.parse().ok()).collect()
+}
+
+#[test]
+fn roll_stays_within_the_travel_that_is_asked_for() {
+    let (page, messages) = sheet(&["--travel", "-80:130"]);
+    let note = "he curves over roll are from -80 to 80, as one wheel moves down as far as the other moves up, and neither leaves --travel";
+    assert!(
+        messages.contains(&format!("note: a.toml: t{note}\n")),
+        "{messages}"
+    );
+    assert!(page.contains(&format!("<p>T{note}.</p>")), "{page}");
+    assert!(!page.contains("The curves are cut short"));
+    let greatest = |way: &str| {
+        let numbers = numbers(section(&page, way), "total toe").into_iter();
+        numbers.fold(0.0, f64::max)
+    };
+    assert!((100.0..=130.0).contains(&greatest("Over heave")), "{page}");
+    assert!((60.0..=80.0).contains(&greatest("Over roll")), "{page}");
+}
+
+#[test]
+fn a_travel_to_one_side_of_the_design_has_no_roll() {
+    let (page, messages) = sheet(&["--travel", "10:50"]);
+    let note = "there are no curves over roll, as within --travel no wheel moves both up and down";
+    assert!(messages.contains(note), "{messages}");
+    assert!(!page.contains("<h2>Over roll</h2>"));
+    let (_, messages) = sheet(&["--travel", "-50:50"]);
+    assert!(!messages.contains("roll"), "{messages}");
+}
