@@ -2,37 +2,70 @@
 
 use maud::{Markup, html};
 
-use crate::characteristics::{Curves, Does, Line, Title};
+use crate::characteristics::{Curves, Does, LEAST_STEER, Line, Parameter, Title};
 use crate::commands::sheet::grouped::grouped;
+use crate::commands::sheet::spread::{are_far_apart, less};
 use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
-use crate::quantities::{CAMBER, TOE};
+use crate::quantities::{ACKERMANN, CAMBER, TOE};
 
-/// The charts along what moves, under their heading.
-pub(super) fn over(curves: &Curves, unit: Unit) -> Markup {
+/// The charts along what moves, under their heading. The parameters have the values at the design position.
+pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Markup {
+    let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
+    let (zero, drawn): (Vec<_>, Vec<_>) = groups.into_iter().partition(|lines| are_zero(lines));
+    let chart = |lines: Vec<&Line>| chart(curves, parameters, (lines, unit));
+    let drawn: Vec<Chart> = drawn.into_iter().map(chart).collect();
     html! {
         h2 { "Over " (curves.title) }
         @for note in near_infinity(curves) { p { (note) } }
-        (charts(&each(curves, unit)))
+        @if curves.without_small_steer { p { (without_small_steer()) } }
+        @if !zero.is_empty() { p { "Zero throughout, without a chart: " (names(&zero)) "." } }
+        (charts(&drawn))
     }
 }
 
-/// A chart of each quantity, with the curves of all wheels.
-fn each(curves: &Curves, unit: Unit) -> Vec<Chart> {
-    let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
-    let curve = |line: &&Line| Curve {
+/// The chart of a quantity, with the curves of all wheels.
+fn chart(curves: &Curves, parameters: &[Parameter], (lines, unit): (Vec<&Line>, Unit)) -> Chart {
+    let title = title_over(curves.way.does, &lines[0].title.of_wheel);
+    let points: Vec<_> = lines.iter().map(|line| curves.points(line)).collect();
+    let designs = are_far_apart(&points).then(|| designs(&lines, parameters));
+    let (title, points) = match designs.flatten() {
+        Some(designs) => (
+            format!("{title}, change from design"),
+            less(points, &designs),
+        ),
+        None => (title, points),
+    };
+    let curve = |(line, points): (&&Line, _)| Curve {
         name: line.title.wheel.clone().unwrap_or_default(),
-        line: curves.points(line),
+        line: points,
         marks: Vec::new(),
     };
-    let chart = |lines: Vec<&Line>| Chart {
-        title: title_over(curves.way.does, &lines[0].title.of_wheel),
+    Chart {
+        title,
         across: curves.axis_label(unit),
         quantity: lines[0].symbol.clone(),
-        curves: lines.iter().map(curve).collect(),
+        curves: lines.iter().zip(points).map(curve).collect(),
+    }
+}
+
+/// The coordinates of lines at the design position; `None` if one is unknown, or for other quantities, whose values matter.
+fn designs(lines: &[&Line], parameters: &[Parameter]) -> Option<Vec<f64>> {
+    let design = |line: &&Line| {
+        let mut parameters = parameters.iter();
+        let parameter = parameters.find(|parameter| parameter.title == line.title)?;
+        parameter.axis?;
+        Some(parameter.value).filter(|value| value.is_finite())
     };
-    groups.into_iter().map(chart).collect()
+    lines.iter().map(design).collect()
+}
+
+fn are_zero(lines: &[&Line]) -> bool {
+    /// In units for people.
+    const ROUNDING: f64 = 1e-9;
+    let mut values = lines.iter().flat_map(|line| line.values.iter().flatten());
+    values.all(|value| value.abs() < ROUNDING)
 }
 
 /// The title of a chart, with the name that the curve has over wheel travel.
@@ -43,6 +76,14 @@ fn title_over(does: Does, quantity: &str) -> String {
         Some((title, curve)) => format!("{title} ({curve})"),
         None => quantity.to_owned(),
     }
+}
+
+fn without_small_steer() -> String {
+    format!(
+        "{}: left out where a wheel is steered by less than {LEAST_STEER} deg, as static toe determines it there. \
+         suspension sweep writes all values.",
+        ACKERMANN.title
+    )
 }
 
 /// Which curves are cut or left out, as they pass through infinity or come near it, a sentence for either.
@@ -68,4 +109,10 @@ fn near_infinity(curves: &Curves) -> Vec<String> {
         )
     };
     what.map(sentence).collect()
+}
+
+/// The names of groups of lines.
+fn names(groups: &[Vec<&Line>]) -> String {
+    let names = groups.iter().map(|group| group[0].title.of_wheel.as_str());
+    names.collect::<Vec<_>>().join(", ")
 }

@@ -1,15 +1,17 @@
 //! Curves over travel or steering.
 
 use crate::characteristics::along::Along;
+use crate::characteristics::line::{Line, Sort};
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
 use crate::characteristics::poles::{has_poles, jumps, remove_far};
+use crate::characteristics::small_steer::leave_out;
 use crate::characteristics::title::Title;
-use crate::characteristics::way::Way;
+use crate::characteristics::way::{Does, Way};
 use crate::file::Dimension;
 use crate::mechanism::{Description, Pair, State, Unit};
-use crate::quantities::{Column, MEASURES};
+use crate::quantities::{Column, MEASURES, ROLL_CENTRE, place_in_curves};
 
-/// The curves along a drive.
+/// The curves along a drive, those that a reader looks for first before the others.
 #[derive(Clone)]
 pub struct Curves {
     /// The name of what moves: see [`Along`].
@@ -26,35 +28,8 @@ pub struct Curves {
     pub lines: Vec<Line>,
     /// The quantities without a line, as they pass through infinity.
     pub left_out: Vec<Title>,
-}
-
-/// A quantity along a drive, in units for people.
-#[derive(Clone)]
-pub struct Line {
-    /// Its name, and the wheel to which it belongs.
-    pub title: Title,
-    /// Its unit.
-    pub symbol: String,
-    /// Its value at each of the drive's changes; `None` if the mechanism is out of reach, if there is no such number,
-    /// or if the line is cut there.
-    pub values: Vec<Option<f64>>,
-    /// The derivatives of these values with respect to the drive in the file's unit; `None` if there is none.
-    pub rates: Vec<Option<f64>>,
-    /// Whether it is cut where it is near infinity.
-    pub is_cut: bool,
-    /// The kind of number.
-    pub sort: Sort,
-}
-
-/// The kind of number that a line shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sort {
-    /// A quantity.
-    Quantity,
-    /// The value of a measure of the listing.
-    Measure,
-    /// The derivative of a measure with respect to the drive.
-    MotionRatio,
+    /// Whether the Ackermann percentage is left out below [`LEAST_STEER`](crate::characteristics::LEAST_STEER).
+    pub without_small_steer: bool,
 }
 
 impl Curves {
@@ -77,16 +52,21 @@ impl Curves {
 type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
 
 /// All quantities along a drive, or along several, with lengths in `unit`; for measures also their derivatives, which
-/// are motion ratios. If there are several axles, quantities of one that do not change when another moves are left
-/// out.
+/// are motion ratios. Left out are, over roll, the roll centres of single wheels, which are none of the axle; the Ackermann
+/// percentage at small steer angles; and, if there are several axles, quantities of one that do not change when another
+/// moves.
 pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let read = Read {
         mechanism,
         along,
         unit,
     };
-    let columns = columns_of_curves(mechanism).into_iter();
-    let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(&column)).collect();
+    let mut columns = columns_of_curves(mechanism);
+    columns.retain(|column| along.way.does != Does::Roll || !column.is(&ROLL_CENTRE));
+    columns.sort_by_key(|column| place_in_curves(column.quantity));
+    let columns = columns.iter();
+    let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(column)).collect();
+    let without_small_steer = leave_out(&mut lines);
     let is_short = |line: &Line| line.values.iter().flatten().count() < 2;
     let is_left_out = |line: &mut Line| line.is_cut && (is_short(line) || jumps(&line.values));
     let left_out = lines.extract_if(.., is_left_out);
@@ -106,6 +86,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         changes: changes.collect(),
         lines,
         left_out,
+        without_small_steer,
     }
 }
 

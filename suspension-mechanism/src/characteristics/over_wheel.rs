@@ -1,6 +1,7 @@
 //! Curves over the travel of a wheel, for any drives.
 
-use crate::characteristics::curves::{Curves, Line, Sort};
+use crate::characteristics::curves::Curves;
+use crate::characteristics::line::{Line, Sort};
 use crate::characteristics::parameters::symbol_per;
 use crate::characteristics::title::Title;
 use crate::file::Dimension;
@@ -45,6 +46,7 @@ impl Curves {
             dimension: Dimension::Length,
             lines: lines.collect(),
             left_out: self.left_out.clone(),
+            without_small_steer: self.without_small_steer,
             changes: travels,
         }
     }

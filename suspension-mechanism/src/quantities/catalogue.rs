@@ -76,6 +76,31 @@ pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
         .chain([&TRACK_CHANGE, &STEERING_WHEEL_ANGLE])
 }
 
+/// The rows that a reader of curves looks for first.
+static FIRST_IN_CURVES: [&Quantity; 14] = [
+    &CAMBER,
+    &TOE,
+    &ACKERMANN,
+    &ROLL_CENTRE,
+    &AXLE_ROLL_CENTRE,
+    &MEASURES,
+    &ANTI_DIVE,
+    &ANTI_LIFT,
+    &ANTI_SQUAT,
+    &ANTI_LIFT_IN_DRIVE,
+    &TRACK_CHANGE,
+    &HALF_TRACK_CHANGE,
+    &CASTER,
+    &KINGPIN,
+];
+
+/// The place of a row among curves, for sorting: all that have no place of their own keep the order of tables.
+pub fn place_in_curves(quantity: &Quantity) -> usize {
+    let mut first = FIRST_IN_CURVES.iter();
+    let place = first.position(|other| std::ptr::eq(*other, quantity));
+    place.unwrap_or(FIRST_IN_CURVES.len())
+}
+
 /// All rows, in the order of tables.
 pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     let files = [

@@ -38,6 +38,12 @@ fn texts(svg: &str) -> impl Iterator<Item = &str> {
     texts.filter_map(|text| Some(text.split_once('>')?.1.split_once('<')?.0.trim()))
 }
 
+/// The titles of the charts of a section.
+fn titles(section: &str) -> Vec<&str> {
+    let charts = section.split("<svg").skip(1);
+    charts.filter_map(|chart| texts(chart).next()).collect()
+}
+
 /// The numbers at the axes of a chart.
 fn numbers(section: &str, title: &str) -> Vec<f64> {
     let mut charts = section.split("<svg").skip(1);
@@ -72,4 +78,72 @@ fn a_travel_to_one_side_of_the_design_has_no_roll() {
     assert!(!page.contains("<h2>Over roll</h2>"));
     let (_, messages) = sheet(&["--travel", "-50:50"]);
     assert!(!messages.contains("roll"), "{messages}");
+}
+
+#[test]
+fn charts_that_would_show_nothing_are_left_out_or_show_the_change() {
+    let (page, _) = sheet(&[]);
+    let [heave, roll, steer] =
+        ["Over heave", "Over roll", "Over steer"].map(|way| section(&page, way));
+    let zero = "angle of the steering wheel";
+    for section in [heave, roll] {
+        let begins = "<p>Zero throughout, without a chart: ";
+        let (_, note) = section.split_once(begins).expect("a note");
+        let (note, _) = note.split_once(".</p>").expect("its end");
+        assert!(note.split(", ").any(|name| name == zero), "{note}");
+        assert!(!titles(section).contains(&zero));
+        for title in ["wheel centre y", "contact point y"] {
+            let title = format!("{title}, change from design");
+            let numbers = numbers(section, &title);
+            // Those across are up to 60 mm.
+            assert!(
+                numbers.iter().all(|number| number.abs() <= 100.0),
+                "{numbers:?}"
+            );
+        }
+        assert!(
+            titles(section).contains(&"roll camber"),
+            "{:?}",
+            titles(section)
+        );
+    }
+    assert!(titles(steer).contains(&zero));
+    let of_wheels = "height of the roll centre above the ground";
+    assert!(titles(heave).contains(&of_wheels));
+    assert!(!titles(roll).contains(&of_wheels));
+    assert!(titles(roll).contains(&"roll centre of the axle z"));
+}
+
+/// Static toe of 0.2 deg makes the percentage run to hundreds at small steer angles.
+#[test]
+fn the_ackermann_percentage_is_drawn_from_five_degrees_of_steer() {
+    let (page, _) = sheet(&[]);
+    let steer = section(&page, "Over steer");
+    let note = "<p>Ackermann percentage: left out where a wheel is steered by less than 5 deg, as static toe determines it there. \
+                suspension sweep writes all values.</p>";
+    assert!(steer.contains(note), "{steer}");
+    let numbers = numbers(steer, "Ackermann percentage");
+    assert!(numbers.len() > 5, "{numbers:?}");
+    assert!(
+        numbers.iter().all(|number| number.abs() < 200.0),
+        "{numbers:?}"
+    );
+    assert!(!section(&page, "Over heave").contains(note));
+}
+
+#[test]
+fn the_charts_that_are_looked_at_first_stand_first() {
+    let (page, _) = sheet(&[]);
+    let heave = titles(section(&page, "Over heave"));
+    let expected = [
+        "camber angle (bump camber)",
+        "toe angle (bump steer)",
+        "height of the roll centre above the ground",
+        "roll centre of the axle z",
+        "motion ratio: left_damper per heave",
+    ];
+    assert_eq!(heave[..expected.len()], expected);
+    let steer = titles(section(&page, "Over steer"));
+    let expected = ["camber angle", "toe angle", "Ackermann percentage"];
+    assert_eq!(steer[..3], expected);
 }
