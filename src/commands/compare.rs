@@ -6,6 +6,7 @@ mod curve_pair;
 mod differences;
 mod page;
 mod report;
+mod short_name;
 mod side;
 
 use std::path::PathBuf;

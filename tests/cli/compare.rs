@@ -240,6 +240,14 @@ fn compare_prints_a_text_table_and_writes_a_page() {
     }
     let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
     assert!(page.matches("<svg").count() > 20 && page.contains("camber angle"));
+    // The legends name the files a.toml and b.toml.
+    for (name, is_shown) in [("a", true), ("b", true), ("A", false)] {
+        assert_eq!(
+            page.contains(&format!("\n{name}\n</text>")),
+            is_shown,
+            "{page}"
+        );
+    }
     assert!(folder.path().join("c.csv").exists());
 }
 

@@ -6,6 +6,7 @@ use crate::characteristics::{Curves, Line};
 use crate::commands::compare::comparison::Comparison;
 use crate::commands::compare::differences::{Difference, EVERYWHERE, Part, pairs, title_of_both};
 use crate::commands::compare::report::{heading, legend, notes};
+use crate::commands::compare::short_name::short_names;
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
 use crate::output::plot::{Chart, Curve};
@@ -33,6 +34,7 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
 }
 
 fn both(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
+    let [name_a, name_b] = short_names(sides.map(|side| side.file.as_str()));
     let curve = |name: &str, curves: &Curves, line: &Line| Curve {
         name: name.to_owned(),
         line: curves.points(line),
@@ -42,7 +44,7 @@ fn both(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
         title: title_of_both([&of_a.title, &of_b.title]),
         across: a.axis_label(sides[0].unit),
         quantity: of_a.symbol.clone(),
-        curves: vec![curve("A", a, of_a), curve("B", b, of_b)],
+        curves: vec![curve(&name_a, a, of_a), curve(&name_b, b, of_b)],
     };
     pairs(a, b).into_iter().map(chart).collect()
 }
