@@ -21,11 +21,10 @@ pub(super) fn check(source: &Source, names: &Names, unit: Unit) -> Result<(), Fa
         } else {
             (&column, first)
         };
+        let (file, own, quantity) = (source.name(), &of_listing.name, other.quantity.title);
         return Err(Failure::Input(format!(
-            "{}: `{}` of the listing would have the column name `{name}` of {} in tables: give it another name",
-            source.name(),
-            of_listing.name,
-            other.quantity.title
+            "{file}: `{own}` of the listing and the quantity `{quantity}` would both have the column `{name}` in tables; give \
+             `{own}` another name in the listing"
         )));
     }
     Ok(())

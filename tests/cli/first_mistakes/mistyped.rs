@@ -124,19 +124,27 @@ fn a_name_that_collides_with_the_column_of_a_quantity_is_refused() {
         "linkage = \"double_wishbone_pushrod\"",
         "listing = \"a.linkage\"",
     );
-    for (statement, expected) in [
+    for (statement, name, quantity, column) in [
         (
             "measure toe: angle(lower_ball -> upper_ball, z);",
-            "`toe` of the listing would have the column name `toe_rad` of toe angle in tables",
+            "toe",
+            "toe angle",
+            "toe_rad",
         ),
         (
             "point contact: upright at [0.0, 0.7, 0.1];",
-            "`contact` of the listing would have the column name `contact_x` of contact point in tables",
+            "contact",
+            "contact point",
+            "contact_x",
         ),
     ] {
         let listing = format!("{listing}\n{statement}\n");
         let message = refusal("motion", &[("a.toml", &file), ("a.linkage", &listing)], &[]);
-        assert_eq!(message, format!("a.toml: {expected}: give it another name"));
+        let expected = format!(
+            "a.toml: `{name}` of the listing and the quantity `{quantity}` would both have the column `{column}` in tables; \
+             give `{name}` another name in the listing"
+        );
+        assert_eq!(message, expected);
     }
 }
 
