@@ -145,3 +145,28 @@ fn drives_bear_the_work_of_forces_at_markers() {
     check_work(&double_wishbone_pushrod::Corner::<f64>::design().expect("a geometry"));
     check_work(&raised::Corner::<f64>::design().expect("a geometry"));
 }
+
+/// The forces of statements are sums of those of their equations, chassis points first.
+#[test]
+fn forces_of_each_equation_sum_to_those_of_statements() {
+    use double_wishbone_pushrod::{Corner, Points};
+    let corner: Corner = Corner::design().expect("a regular design");
+    let forces = Points {
+        wheel_centre: Vector3::new(-3000.0, 500.0, 4000.0),
+        ..Points::default()
+    };
+    let statics = corner.statics().expect("no lock at the design");
+    let loads = statics.under(&forces).expect("finite forces");
+    let each: Vec<_> = loads.by_equation().collect();
+    let equations = corner.motion().position.len();
+    assert_eq!(each.len(), 10 + 9, "chassis points and free points");
+    for rows in [0..1, 3..7, 0..equations] {
+        let by = loads.by(rows.clone());
+        for (by, each) in by.values().zip(&each) {
+            let sum = each
+                .each_ref()
+                .map(|along| along.as_slice()[rows.clone()].iter().sum());
+            assert!((by - Vector3::from(sum)).norm() <= 1e-9, "{rows:?}");
+        }
+    }
+}

@@ -35,7 +35,7 @@
 mod configuration;
 mod spread;
 
-use core::ops::Range;
+use core::ops::{Add, Neg, Range};
 
 use nalgebra::{SVector, Vector3};
 
@@ -179,38 +179,42 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     /// zero at markers. A force at a marker acts at three points of its body and is not in those of the body there: the
     /// force in a joint of a loaded body is what the equations of the other parts exert on the point.
     pub fn by(&self, equations: Range<usize>) -> L::Points {
-        let Configuration {
-            linkage,
-            fixed,
-            position,
-            ..
-        } = &self.at;
-        let chassis = linkage.count(Kind::ChassisPoint);
-        let jacobian = linkage.jacobian(position, fixed);
-        let on_unknown = |column: usize| -> Option<T> {
-            Some(-self.work(&column_of(&jacobian, column)?, equations.clone()))
-        };
-        let free = (0..linkage.count(Kind::FreePoint)).map(|point| {
-            let [x, y, z] = [0, 1, 2].map(|axis| on_unknown(3 * point + axis).unwrap_or(T::zero()));
-            Vector3::new(x, y, z)
-        });
-        let each = (0..chassis).map(|point| self.on_chassis_point(point, equations.clone()));
-        L::Points::from_values(each.chain(free))
+        let forces = self.on_points(|terms| self.work(terms, equations.clone()));
+        L::Points::from_values(forces.map(Vector3::from))
     }
 
-    fn on_chassis_point(&self, point: usize, equations: Range<usize>) -> Vector3<T> {
+    /// The forces that each equation exerts on each chassis point and then on each free point: x, y and z, each for all
+    /// equations. [`by`](Self::by) is the sum over some of them. For many statements this is faster: most of the time goes into
+    /// derivatives with respect to chassis points, which this computes only once.
+    pub fn by_equation(&self) -> impl Iterator<Item = [SVector<T, N>; 3]> {
+        self.on_points(|terms| self.multipliers.component_mul(terms))
+    }
+
+    /// What a linear function of terms, one for each equation, is for the forces on chassis points and free points: along x, y
+    /// and z.
+    fn on_points<R: Add<Output = R> + Neg<Output = R>>(
+        &self,
+        of: impl Fn(&SVector<T, N>) -> R,
+    ) -> impl Iterator<Item = [R; 3]> {
         let Configuration {
             linkage,
             fixed,
             position,
             ..
         } = &self.at;
-        Vector3::from([Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| {
-            let rate = L::Fixed::default().with(point, axis);
-            let driven = linkage.drive_rate(position, fixed, &rate, &L::Drives::default());
-            let undriven = linkage.chassis_rate(position, fixed, &rate);
-            self.work(&driven, equations.clone()) + self.work(&undriven, equations.clone())
-        }))
+        let [chassis, free] = [Kind::ChassisPoint, Kind::FreePoint].map(|kind| linkage.count(kind));
+        let jacobian = linkage.jacobian(position, fixed);
+        (0..chassis + free).map(move |point| match point.checked_sub(chassis) {
+            None => [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| {
+                let rate = L::Fixed::default().with(point, axis);
+                let driven = linkage.drive_rate(position, fixed, &rate, &L::Drives::default());
+                of(&driven) + of(&linkage.chassis_rate(position, fixed, &rate))
+            }),
+            Some(free) => [0, 1, 2].map(|axis| {
+                let column = column_of(&jacobian, 3 * free + axis);
+                -of(&column.unwrap_or_else(SVector::zeros))
+            }),
+        })
     }
 
     /// The multipliers of some equations times terms of these equations.

@@ -60,8 +60,8 @@ pub trait Kinematics: Deref<Target = Description> {
         parts: &[PartForces],
     ) -> Option<Borne>;
 
-    /// See [`Mechanism::gradient`].
-    fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>>;
+    /// See [`Mechanism::gradients`].
+    fn gradients(&self, state: &State) -> Vec<Vec<Vector3<f64>>>;
 
     /// See [`reach::range`].
     ///
@@ -183,8 +183,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         self.apply_forces(state, forces, parts)
     }
 
-    fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {
-        self.gradient(state, measure)
+    fn gradients(&self, state: &State) -> Vec<Vec<Vector3<f64>>> {
+        self.gradients(state)
     }
 
     fn range(&self, drive: usize, interrupted: &AtomicBool) -> Result<DriveRange, Failure> {

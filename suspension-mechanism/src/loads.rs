@@ -12,6 +12,8 @@ mod shares;
 mod site;
 mod unborne;
 
+use std::cell::OnceCell;
+
 use nalgebra::Vector3;
 use suspension_core::listing::{self, Parts};
 use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
@@ -174,6 +176,7 @@ impl<'l> Structure<'l> {
             carriers: &self.carriers,
             measured: &self.measured,
             state,
+            gradients: OnceCell::new(),
         }
     }
 

@@ -4,8 +4,7 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use suspension_core::statics::Loads;
-use suspension_core::{Linkage, Values};
+use suspension_core::Values;
 
 use crate::angle_share::AngleShare;
 use crate::listing::Listing;
@@ -52,16 +51,13 @@ impl PartForces {
         shares.filter(|moment| moment.share.is_of_line()).count() == LINES_OF_AN_ANGLE
     }
 
-    /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads,
-    /// for the positions `at` of the points.
-    pub fn forces_under<L: Linkage<N, Scalar = f64>, const N: usize>(
-        &self,
-        loads: &Loads<'_, L, N>,
-        at: &L::Points,
-    ) -> L::Points {
-        let mut forces = forces_of_equations(loads, &self.equations);
+    /// The forces that the part exerts on chassis points and free points, zero at markers, in the unit of the loads: from
+    /// the forces `by` equations, as [`Loads::by`](suspension_core::statics::Loads::by) has them, and for the positions `at` of
+    /// the points.
+    pub fn forces<P: Values<Vector3<f64>>>(&self, by: impl Fn(&Range<usize>) -> P, at: &P) -> P {
+        let mut forces = sum(&self.equations, &by);
         for moment in &self.moments {
-            for (point, force) in moment.forces(loads, at) {
+            for (point, force) in moment.forces(&by, at) {
                 let force = if moment.acts { force } else { -force };
                 forces = forces.with(point, nth(&forces, point) + force);
             }
@@ -70,15 +66,15 @@ impl PartForces {
     }
 
     /// The moments that driven or held angles exert on the part, each with the name of the statement that drives or
-    /// holds the angle, in the unit of the loads times that of the points.
-    pub fn moments_under<L: Linkage<N, Scalar = f64>, const N: usize>(
+    /// holds the angle, in the unit of the loads times that of the points; `by` and `at` as for [`forces`](Self::forces).
+    pub fn moments<P: Values<Vector3<f64>>>(
         &self,
-        loads: &Loads<'_, L, N>,
-        at: &L::Points,
+        by: impl Fn(&Range<usize>) -> P,
+        at: &P,
     ) -> Vec<(&str, Vector3<f64>)> {
         let mut moments: Vec<(&str, Vector3<f64>)> = Vec::new();
         for each in self.moments.iter().filter(|moment| moment.acts) {
-            let about_origin = each.forces(loads, at);
+            let about_origin = each.forces(&by, at);
             let about_origin = about_origin.map(|(point, force)| nth(at, point).cross(&force));
             let moment: Vector3<f64> = about_origin.sum();
             match moments.iter_mut().find(|(angle, _)| *angle == each.angle) {
@@ -92,27 +88,26 @@ impl PartForces {
 
 impl Moment {
     /// The forces at points that make up the share.
-    fn forces<L: Linkage<N, Scalar = f64>, const N: usize>(
+    fn forces<P: Values<Vector3<f64>>>(
         &self,
-        loads: &Loads<'_, L, N>,
-        at: &L::Points,
+        by: impl Fn(&Range<usize>) -> P,
+        at: &P,
     ) -> impl Iterator<Item = (usize, Vector3<f64>)> {
-        let of_angle = forces_of_equations(loads, &self.equations);
+        let of_angle = sum(&self.equations, by);
         let force = move |point| nth(&of_angle, point);
         self.share.forces(force, |point| nth(at, point))
     }
 }
 
 /// The forces that equations exert on all points.
-fn forces_of_equations<L: Linkage<N, Scalar = f64>, const N: usize>(
-    loads: &Loads<'_, L, N>,
-    equations: &[Range<usize>],
-) -> L::Points {
-    let each = equations.iter().map(|rows| loads.by(rows.clone()));
-    each.fold(L::Points::from_values([]), |sum, by| {
-        let each = sum.values().zip(by.values());
-        L::Points::from_values(each.map(|(sum, by)| sum + by))
-    })
+fn sum<P: Values<Vector3<f64>>>(equations: &[Range<usize>], by: impl Fn(&Range<usize>) -> P) -> P {
+    equations
+        .iter()
+        .map(by)
+        .fold(P::from_values([]), |sum, by| {
+            let each = sum.values().zip(by.values());
+            P::from_values(each.map(|(sum, by)| sum + by))
+        })
 }
 
 fn nth<P: Values<Vector3<f64>>>(points: &P, point: usize) -> Vector3<f64> {

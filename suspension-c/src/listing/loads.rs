@@ -76,7 +76,7 @@ where
     let each = wanted.reactions.len() / structure.parts.len().max(1);
     let rows = wanted.reactions.chunks_exact_mut(each.max(1));
     for (row, part) in rows.zip(&structure.parts) {
-        let forces = part.forces.forces_under(&loads, &at);
+        let forces = part.forces.forces(|rows| loads.by(rows.clone()), &at);
         write(forces.values().flat_map(<[f64; 3]>::from), row);
     }
     Ok(())
@@ -119,7 +119,8 @@ impl Part {
         let of = |all: &L::Points, point: usize| all.values().nth(point).unwrap_or_default();
         self.ends.map_or(0.0, |[from, to]| {
             let along = (of(at, to) - of(at, from)).normalize();
-            of(&self.forces.forces_under(loads, at), from).dot(&along)
+            let forces = self.forces.forces(|rows| loads.by(rows.clone()), at);
+            of(&forces, from).dot(&along)
         })
     }
 }

@@ -1,5 +1,7 @@
 //! Forces at the points of a mechanism that are equivalent to loads at places of bodies and in measures.
 
+use std::cell::OnceCell;
+
 use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 use suspension_core::statics::spread;
@@ -83,12 +85,20 @@ pub(super) struct Here<'a> {
     /// For each measure, the shares of parts in the load along it.
     pub(super) measured: &'a [Vec<AngleShare>],
     pub(super) state: &'a State,
+    /// The derivatives of measures with respect to points, once a load in a measure needs them.
+    pub(super) gradients: OnceCell<Vec<Vec<Vector3<f64>>>>,
 }
 
 impl Here<'_> {
     /// The effect of forces at the points, and the forces of parts on the points; `None` if the mechanism locks.
     pub(super) fn solve(&self, forces: &[Vector3<f64>], parts: &[PartForces]) -> Option<Borne> {
         self.mechanism.apply_forces(self.state, forces, parts)
+    }
+
+    /// The derivative of a measure with respect to each point.
+    pub(super) fn gradient(&self, measure: usize) -> &[Vector3<f64>] {
+        let gradients = || self.mechanism.gradients(self.state);
+        &self.gradients.get_or_init(gradients)[measure]
     }
 
     /// All points, in local coordinates.
@@ -167,7 +177,7 @@ impl Here<'_> {
             MeasureKind::Angle => along * self.mechanism.unit.metre(),
             MeasureKind::Length => along,
         };
-        let gradient = self.mechanism.gradient(self.state, measure).into_iter();
+        let gradient = self.gradient(measure).iter();
         gradient.map(|gradient| gradient * along).collect()
     }
 

@@ -32,7 +32,7 @@ impl Structure<'_> {
         acting: &[(usize, f64)],
     ) -> Vec<(By, usize, Vector3<f64>)> {
         let at_ends = acting.iter().flat_map(|(measure, along)| {
-            let gradient = here.mechanism.gradient(here.state, *measure);
+            let gradient = here.gradient(*measure);
             let at = move |point: &usize| {
                 let gradient = gradient.get(*point)?;
                 Some((By::Measure(*measure), *point, gradient * *along))

@@ -1,11 +1,12 @@
 //! A mechanism under forces.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use nalgebra::{SVector, Vector3};
 use suspension_core::listing::DriveKind;
 use suspension_core::solve::motion::Prescribed;
-use suspension_core::statics::{Loads, Statics};
+use suspension_core::statics::Statics;
 use suspension_core::{Inputs, Signal, Values};
 use suspension_runtime::PartForces;
 
@@ -43,19 +44,30 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         let statics = Statics::new(&self.model, drives, &position).ok()?;
         let loads = statics.under(&points_of(forces)).ok()?;
         let count = self.names.drives.len();
-        let by = |part: &PartForces, loads: &Loads<'_, L, N>| {
-            let forces = part.forces_under(loads, &at);
+        let forces: Vec<[SVector<f64, N>; 3]> = match parts {
+            [] => Vec::new(),
+            _ => loads.by_equation().collect(),
+        };
+        let by = |rows: &Range<usize>| {
+            let sum = |along: &SVector<f64, N>| along.as_slice()[rows.clone()].iter().sum();
+            let each = forces
+                .iter()
+                .map(|xyz| Vector3::from(xyz.each_ref().map(sum)));
+            L::Points::from_values(each)
+        };
+        let of_part = |part: &PartForces| {
+            let forces = part.forces(by, &at);
             forces.values().take(self.names.points.len()).collect()
         };
         let metre = self.unit.metre();
         let on_parts = parts.iter().enumerate().flat_map(|(number, part)| {
-            let moments = part.moments_under(&loads, &at).into_iter();
+            let moments = part.moments(by, &at).into_iter();
             moments.map(move |(angle, moment)| (number, angle.to_owned(), moment / metre))
         });
         Some(Borne {
             on_parts: on_parts.collect(),
             on_drives: loads.on_drives().values().take(count).collect(),
-            by_parts: parts.iter().map(|part| by(part, &loads)).collect(),
+            by_parts: parts.iter().map(of_part).collect(),
         })
     }
 
@@ -79,23 +91,26 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         drives
     }
 
-    /// The derivative of a measure with respect to each point, at a state.
-    pub fn gradient(&self, state: &State, measure: usize) -> Vec<Vector3<f64>> {
+    /// The derivative of each measure with respect to each point, at a state.
+    pub fn gradients(&self, state: &State) -> Vec<Vec<Vector3<f64>>> {
         let still = L::Points::from_values([]);
-        let points: L::Points = points(state);
-        let along = |point: usize, axis: Vector3<f64>| {
-            let moving = Signal {
-                value: points,
-                rate: still.with(point, axis),
-                second_rate: still,
-            };
-            let rates = self.model.measures(&moving).rate;
-            rates.values().nth(measure).unwrap_or_default()
-        };
-        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-        (0..self.names.points.len())
-            .map(|point| Vector3::from(axes.map(|axis| along(point, axis))))
-            .collect()
+        let value: L::Points = points(state);
+        let mut gradients =
+            vec![vec![Vector3::zeros(); self.names.points.len()]; self.names.measures.len()];
+        for point in 0..self.names.points.len() {
+            for axis in 0..3 {
+                let moving = Signal {
+                    value,
+                    rate: still.with(point, Vector3::ith(axis, 1.0)),
+                    second_rate: still,
+                };
+                let rates = self.model.measures(&moving).rate;
+                for (gradient, rate) in gradients.iter_mut().zip(rates.values()) {
+                    gradient[point][axis] = rate;
+                }
+            }
+        }
+        gradients
     }
 }
 
