@@ -97,8 +97,7 @@ pub fn grid(
 fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<Axis>, String> {
     let mut axes: Vec<Axis> = Vec::new();
     for of_one in swept {
-        let axis = Axis::named(mechanism, &of_one.name, &of_one.values(), &axes)
-            .map_err(|message| format!("--drive: {message}"))?;
+        let axis = Axis::named(mechanism, &of_one.name, &of_one.values(), &axes)?;
         let opposite = axis.drives.iter().find(|(_, part)| *part < 0.0);
         if let Some((drive, _)) = opposite.filter(|_| absolute) {
             let name = &mechanism.names.drives[*drive].name;

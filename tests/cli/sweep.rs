@@ -101,7 +101,7 @@ fn wrong_arguments_of_sweep_are_refused_in_one_sentence() {
         (
             "a.toml",
             vec!["bump=0:1:2", "bump=0:1:2"],
-            "--drive: the drive `bump` is given twice",
+            "the drive `bump` is given twice",
         ),
         (
             "a.toml",

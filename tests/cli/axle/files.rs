@@ -131,7 +131,7 @@ fn drives_joined_in_one_sweep_option_move_together() {
     let twice = ["sweep", "axle.toml", "--drive", "bump_left,bump_left=0:1:2"];
     let output = run(folder.path(), &twice);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(text(&output.stderr).contains("--drive: the drive `bump_left` is given twice"));
+    assert!(text(&output.stderr).contains("the drive `bump_left` is given twice"));
     let opposite = [
         "sweep",
         "axle.toml",

@@ -67,7 +67,7 @@ fn a_measure_used_as_a_drive_is_refused_with_the_drives() {
     let message = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
     assert_eq!(
         message,
-        "--drive: `damper` is a measure, not a drive; the drives are bump, steer"
+        "`damper` is a measure, not a drive; the drives are bump, steer"
     );
     let message = refusal(
         "motion",
