@@ -50,7 +50,7 @@ fn every_mistake_in_a_listing_is_reported_with_line_and_column() {
 fn the_printed_listing_of_an_imported_axle_is_read_with_its_positions() {
     let text = include_str!("../../tests/data/imported_axle.linkage");
     let listing = Read::new(text).expect("a listing");
-    assert_eq!((listing.count(POINT), listing.count(DRIVE)), (23, 3));
+    assert_eq!((listing.count(POINT), listing.count(DRIVE)), (21, 3));
     let ball = listing.find(POINT, c"right_lower_ball").expect("a point");
     let design = listing.design();
     assert_eq!(design[3 * ball..3 * ball + 3], [4.0, -560.0, 128.0]);

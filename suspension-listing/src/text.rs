@@ -79,7 +79,7 @@ pub fn parse(text: &str, file: &str, includes: &dyn IncludeSource) -> Result<Sys
 ///
 /// # Errors
 ///
-/// As [`parse`], without the limits of size.
+/// The mistakes of statements that cannot be read, in a text of any size. What else [`parse`](fn@parse) checks is not checked.
 pub fn flat(
     text: &str,
     file: &str,
