@@ -18,7 +18,7 @@ use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
-use crate::output::files::{announce, print, refuse_input, write_file};
+use crate::output::files::{announce, print};
 use crate::output::target::Target;
 use comparison::Comparison;
 use side::Side;
@@ -39,7 +39,7 @@ pub struct Arguments {
     /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
-    /// Draw the curves of both files on a page of HTML, one chart for each quantity.
+    /// Draw the curves of both files on a page of HTML, one chart for each quantity, at PATH or on standard output for `-`.
     #[arg(long, value_name = "PATH")]
     html: Option<PathBuf>,
     /// Write the differences as comma-separated values to PATH, or to standard output for `-`.
@@ -54,16 +54,16 @@ impl Arguments {
     ///
     /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let csv = self.csv.clone().map(Target::from);
+        let [csv, html] = [&self.csv, &self.html].map(|path| path.clone().map(Target::from));
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (first, second) = (load(&a)?, load(&b)?);
-        if let Some(html) = &self.html {
-            refuse_input(html, "--html")?;
+        if let Some(html) = &html {
+            html.refuse_input("--html")?;
         }
         if let Some(csv) = &csv {
             csv.refuse_input("--csv")?;
-            if let Some(html) = &self.html {
-                Target::File(html.clone()).refuse_same(csv, ["--html", "--csv"])?;
+            if let Some(html) = &html {
+                html.refuse_same(csv, ["--html", "--csv"])?;
             }
         }
         let spans = [self.travel, self.steer];
@@ -83,7 +83,7 @@ impl Arguments {
             return Err(no_steering(&a.file));
         }
         let comparison = Comparison::new([&a, &b]);
-        if csv != Some(Target::Stdout) {
+        if ![&csv, &html].contains(&&Some(Target::Stdout)) {
             print(&report::text([&a, &b], &comparison))?;
         }
         let mut written = Vec::new();
@@ -91,9 +91,9 @@ impl Arguments {
             report::table(&comparison, target)?;
             written.extend(target.path().map(PathBuf::from));
         }
-        if let Some(path) = &self.html {
-            write_file(path, &page::html([&a, &b], &comparison))?;
-            written.push(path.clone());
+        if let Some(target) = &html {
+            target.write(&page::html([&a, &b], &comparison))?;
+            written.extend(target.path().map(PathBuf::from));
         }
         announce(&written);
         a.failure.or(b.failure).map_or(Ok(()), Err)

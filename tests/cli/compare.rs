@@ -251,6 +251,19 @@ fn compare_prints_a_text_table_and_writes_a_page() {
     assert!(folder.path().join("c.csv").exists());
 }
 
+/// As for other commands, `-` is standard output: the page takes the place of the table.
+#[test]
+fn the_page_of_compare_goes_to_standard_output_for_a_hyphen() {
+    let (folder, output) = compare(CORNER, CORNER, &["--html", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = text(&output.stdout);
+    assert!(page.starts_with("<!DOCTYPE html>") && page.trim_end().ends_with("</html>"));
+    assert!(!folder.path().join("-").exists());
+    let (_, output) = compare(CORNER, CORNER, &["--html", "-", "--csv", "-"]);
+    let expected = "--html and --csv name the same place; give each its own";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
+}
+
 #[test]
 fn compare_refuses_files_that_cannot_be_compared() {
     let arm_alone = arm("m", 1.0, 0.4).replace("bump", "lift");
