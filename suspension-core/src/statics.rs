@@ -125,7 +125,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// As [`Statics::under`]; [`SolveError::Singular`] if a pivot is not above 8 times the square root of `EPSILON`.
+    /// [`SolveError::Overflow`] of the equation or drive that bears a force that is not finite: the search for the point of
+    /// the force would take code. [`SolveError::Singular`] if a pivot is not above 8 times the square root of `EPSILON`.
     /// [`Statics::new`] also considers the effect of the position's rounding errors, which takes more code: it
     /// refuses a little farther from a lock.
     pub fn new(
@@ -141,8 +142,7 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         let multipliers = with_factors(linkage, position, fixed, least_pivot(), |factors| {
             factors.solve_transposed(&on_unknowns)
         })?;
-        let loads = Self::checked(at, multipliers, &carried);
-        loads.map_err(|error| at_point(forces, error))
+        Self::checked(at, multipliers, &carried)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
