@@ -55,7 +55,7 @@ pub enum Command {
     Compare(compare::Arguments),
     /// Draws the mechanism of a file at its first instant, or at its design position if that is out of reach.
     ///
-    /// The SVG shows chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel.
+    /// The SVG shows chassis points, links, slides, bodies, driven and measured lengths, kingpin and wheel, with a legend.
     Draw(draw::Arguments),
     /// Makes a motion file from an engineer's hardpoints.
     ///

@@ -5,6 +5,8 @@ mod disc;
 mod forces;
 mod hull;
 mod labels;
+mod legend;
+mod marks;
 mod shared_labels;
 mod start;
 #[cfg(test)]
@@ -12,7 +14,6 @@ mod tests;
 mod view;
 
 use nalgebra::Vector3;
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use crate::mechanism::Axes;
@@ -21,6 +22,7 @@ use disc::rim;
 use forces::put;
 pub use forces::{Acting, Forces, InLink};
 use labels::{Labels, Segment};
+use marks::CHASSIS;
 pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
@@ -70,12 +72,7 @@ pub const SIZE: (u32, u32) = (900, 640);
 const MARGIN: f64 = 70.0;
 const FONT_SIZE: u32 = 14;
 
-const CHASSIS: RGBColor = RGBColor(60, 60, 60);
-const LINK: RGBColor = RGBColor(31, 90, 160);
-const BODY: RGBColor = RGBColor(200, 80, 20);
-const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
-const AXIS: RGBColor = RGBColor(160, 40, 110);
 
 /// The opacity of a mechanism that is drawn faintly.
 const FAINT: f64 = 0.25;
@@ -114,38 +111,21 @@ impl Drawing {
                 TYRE.mix(part).stroke_width(2 * FINE),
             ))?;
         }
+        let line = |indices: &[usize]| indices.iter().filter_map(pixel).collect();
         for body in &self.bodies {
-            let corners: Vec<_> = body.iter().filter_map(pixel).collect();
-            let hull = hull::hull(corners);
-            area.draw(&Polygon::new(hull.clone(), BODY.mix(0.22 * part).filled()))?;
-            let closed = hull.iter().chain(hull.first()).copied();
-            area.draw(&PathElement::new(
-                closed.collect::<Vec<_>>(),
-                BODY.mix(part).stroke_width(FINE),
-            ))?;
+            marks::body(area, line(body), part)?;
         }
         for axis in self.axes(at) {
-            let (dash, gap) = (14 * FINE, 4 * FINE);
-            let stroke = AXIS.mix(part).stroke_width(FINE);
-            let ends = axis.map(|at| view.pixels(&at));
-            area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?;
+            marks::axis(area, axis.map(|at| view.pixels(&at)).into(), part)?;
         }
-        for line in &self.lengths {
-            let (dash, gap) = (9 * FINE, 5 * FINE);
-            let stroke = LENGTH.mix(part).stroke_width(2 * FINE);
-            area.draw(&DashedPathElement::new(
-                line.iter().filter_map(pixel),
-                dash,
-                gap,
-                stroke,
-            ))?;
+        for length in &self.lengths {
+            marks::length(area, line(length), part)?;
         }
-        let slides = self.slides.iter().map(|slide| (slide.as_slice(), 2));
-        let links = self.links.iter().map(|link| (link.as_slice(), 4));
-        for (line, width) in slides.chain(links) {
-            let line: Vec<_> = line.iter().filter_map(pixel).collect();
-            let stroke = LINK.mix(part).stroke_width(width * FINE);
-            area.draw(&PathElement::new(line, stroke))?;
+        for slide in &self.slides {
+            marks::slide(area, line(slide), part)?;
+        }
+        for link in &self.links {
+            marks::link(area, line(link), part)?;
         }
         Ok(())
     }
@@ -171,19 +151,17 @@ impl Drawing {
     fn draw_points(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
         let places = self.points.iter().map(|at| view.pixels(at));
         let places: Vec<(i32, i32)> = places.collect();
-        for (index, &(x, y)) in places.iter().enumerate() {
-            let half = 5 * FINE as i32;
+        for (index, &place) in places.iter().enumerate() {
             if index < self.chassis {
-                let corners = [(x - half, y - half), (x + half, y + half)];
-                area.draw(&Rectangle::new(corners, CHASSIS.filled()))?;
+                marks::chassis_point(area, place)?;
             } else {
-                area.draw(&Circle::new((x, y), half, WHITE.filled()))?;
-                area.draw(&Circle::new((x, y), half, LINK.stroke_width(2 * FINE)))?;
+                marks::moving_point(area, place)?;
             }
         }
         let labelled = shared_labels::labels(&self.names, &places, 2 * FINE as i32);
         let places: Vec<(i32, i32)> = labelled.iter().map(|(_, place)| *place).collect();
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
+        labels.avoid(self.draw_legend(area, view, shown)?);
         for (name, place) in &labelled {
             put(area, &mut labels, (name, *place), [CHASSIS; 2])?;
         }
@@ -208,8 +186,9 @@ impl Drawing {
             edges.collect::<Vec<_>>()
         });
         let axes = self.axes(&self.points).into_iter();
-        let axes = axes.map(|axis| axis.map(|at| view.pixels(&at)));
-        lines.chain(edges).chain(axes).collect()
+        let others = axes.chain(self.arrows());
+        let others = others.map(|line| line.map(|at| view.pixels(&at)));
+        lines.chain(edges).chain(others).collect()
     }
 
     /// Returns all points that the drawing must contain.

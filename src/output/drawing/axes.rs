@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 use plotters::prelude::*;
 
+use super::marks::CHASSIS;
 use super::view::{Seen, View};
-use super::{CHASSIS, FONT_SIZE, pixels};
+use super::{FONT_SIZE, pixels};
 use crate::number::fixed;
 use crate::output::svg::{Area, Drawn, FINE};
 
@@ -16,6 +17,8 @@ const CORNER: [f64; 2] = [52.0, 56.0];
 /// The distance of the scale's right end from the lower right corner, and its greatest length.
 const SCALE: [f64; 2] = [30.0, 24.0];
 const LONGEST: f64 = 170.0;
+/// What both leave free at the bottom of the sheet, at the left and at the right.
+pub(super) const BESIDE: [f64; 2] = [2.0 * CORNER[0] + 16.0, SCALE[0] + LONGEST + 16.0];
 /// The length at both ends of a ruler without ticks, where other text stands.
 const HEAD: f64 = 60.0;
 const FOOT: f64 = 30.0;

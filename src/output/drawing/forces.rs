@@ -4,9 +4,10 @@ use nalgebra::Vector3;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{Pos, VPos};
 
+use super::Drawing;
 use super::labels::{Boxed, Labels};
+use super::marks::{self, ACTING, CHASSIS, LINK};
 use super::view::View;
-use super::{CHASSIS, Drawing, LINK};
 use crate::mechanism::extent;
 use crate::output::svg::{Area, Drawn, FINE};
 
@@ -40,7 +41,6 @@ pub struct Forces {
 }
 
 const PRESSED: RGBColor = RGBColor(190, 40, 40);
-const ACTING: RGBColor = RGBColor(110, 60, 150);
 
 /// The line widths of links without force and with the largest force, in pixels.
 const THIN: f64 = 2.0;
@@ -77,11 +77,7 @@ impl Drawing {
         }
         for arrow in self.arrows() {
             let ends = arrow.map(|at| view.pixels(&at));
-            area.draw(&PathElement::new(
-                ends.to_vec(),
-                ACTING.stroke_width(3 * FINE),
-            ))?;
-            area.draw(&Polygon::new(head(ends), ACTING.filled()))?;
+            marks::load(area, ends)?;
         }
         Ok(())
     }
@@ -120,25 +116,6 @@ fn colour(tension: f64) -> RGBColor {
 fn shades(colour: RGBColor) -> [RGBColor; 2] {
     let RGBColor(red, green, blue) = colour;
     [colour, RGBColor(red / 2, green / 2, blue / 2)]
-}
-
-/// Returns the triangle at the tip of an arrow.
-fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
-    const LENGTH: f64 = 14.0;
-    const HALF_WIDTH: f64 = 5.0;
-    let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
-    let length = dx.hypot(dy).max(1.0) / f64::from(FINE);
-    let [ux, uy] = [dx / length, dy / length];
-    let at = |along: f64, across: f64| {
-        let x = f64::from(to.0) - along * ux - across * uy;
-        let y = f64::from(to.1) - along * uy + across * ux;
-        (x.round() as i32, y.round() as i32)
-    };
-    vec![
-        at(-2.0, 0.0),
-        at(LENGTH, HALF_WIDTH),
-        at(LENGTH, -HALF_WIDTH),
-    ]
 }
 
 /// Draws a text beside a place, with a leader where it is further away; the colours are those of leader and text.

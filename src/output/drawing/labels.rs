@@ -17,6 +17,7 @@ pub(super) type Segment = [(i32, i32); 2];
 
 /// The placed names, and the boxes and lines that they must avoid, the outside of the sheet included.
 pub(super) struct Labels {
+    points: Vec<(i32, i32)>,
     taken: Vec<[i32; 4]>,
     sides: [[i32; 4]; 4],
     lines: Vec<Segment>,
@@ -28,8 +29,9 @@ pub(super) struct Labels {
 /// The font size with many points, in pixels.
 const SMALL: u32 = 10;
 const MANY: usize = 24;
-/// The width of a letter and the height of a line, as parts of the font size.
+/// The widths of a small letter and of a digit or capital, and the height of a line, as parts of the font size.
 const LETTER: f64 = 0.5;
+const DIGIT: f64 = 0.65;
 const LINE: f64 = 8.0 / 7.0;
 /// The distances between a point and its name, in order of preference.
 const GAPS: [i32; 4] = [9, 22, 40, 62];
@@ -37,6 +39,10 @@ const GAPS: [i32; 4] = [9, 22, 40, 62];
 /// name.
 const STRUCK: f64 = 12.0;
 const AWAY: f64 = 90.0;
+/// A name at the least distance from its point has no leader: the distance in pixels within which no other point may be, and the
+/// penalty if one is.
+const ALONE: f64 = 15.0;
+const DOUBTFUL: f64 = 150.0;
 /// The weight of an area outside the sheet, relative to an overlap.
 const CUT: f64 = 20.0;
 
@@ -58,6 +64,7 @@ impl Labels {
         let half = 6 * unit;
         let around = |&(x, y): &(i32, i32)| [x - half, y - half, x + half, y + half];
         Self {
+            points: points.to_vec(),
             taken: points.iter().map(around).collect(),
             sides,
             lines,
@@ -70,6 +77,11 @@ impl Labels {
         }
     }
 
+    /// Keeps a box free of names.
+    pub(super) fn avoid(&mut self, place: [i32; 4]) {
+        self.taken.push(place);
+    }
+
     /// Returns the font size in drawing units.
     pub(super) fn font_size(&self) -> i32 {
         self.font_size as i32 * self.unit
@@ -79,7 +91,7 @@ impl Labels {
     pub(super) fn put(&mut self, name: &str, (x, y): (i32, i32)) -> Boxed {
         let unit = self.unit;
         let size = f64::from(self.font_size());
-        let width = (LETTER * size * name.chars().count() as f64) as i32;
+        let width = width(name, size) as i32;
         let height = (LINE * size) as i32;
         let around = |away: usize| {
             let gap = GAPS[away] * unit;
@@ -102,7 +114,13 @@ impl Labels {
         };
         let places = (0..GAPS.len()).flat_map(around);
         let cost = |(away, _, place): &(usize, usize, [i32; 4])| {
-            self.collisions(place) + AWAY * *away as f64
+            let doubt = match (self.is_beside_another(place, (x, y)), away) {
+                (false, _) => 0.0,
+                (true, 0) => DOUBTFUL,
+                // A leader says whose name it is.
+                (true, _) => AWAY / 2.0,
+            };
+            self.collisions(place) + AWAY * *away as f64 + doubt
         };
         let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b)));
         let (away, column, place) = best.unwrap_or((0, 0, [x, y, x, y]));
@@ -122,6 +140,16 @@ impl Labels {
         }
     }
 
+    /// Whether a place is so near to another point than its own that it could be the name of either.
+    fn is_beside_another(&self, [left, top, right, bottom]: &[i32; 4], own: (i32, i32)) -> bool {
+        let mut others = self.points.iter().filter(|point| **point != own);
+        others.any(|&(x, y)| {
+            let off = [x - x.clamp(*left, *right), y - y.clamp(*top, *bottom)];
+            let [across, along] = off.map(f64::from);
+            across.hypot(along) < ALONE * f64::from(self.unit)
+        })
+    }
+
     /// Returns the penalty of a place, in pixels.
     fn collisions(&self, place: &[i32; 4]) -> f64 {
         let unit = f64::from(self.unit);
@@ -131,6 +159,15 @@ impl Labels {
             + self.sides.iter().map(overlap).sum::<f64>() * CUT
             + self.lines.iter().map(struck).sum::<f64>()
     }
+}
+
+/// Returns the width of a text in a font of a size, about that of usual fonts.
+pub(super) fn width(text: &str, size: f64) -> f64 {
+    let is_wide = |letter: char| letter.is_ascii_digit() || letter.is_uppercase();
+    let widths = text
+        .chars()
+        .map(|letter| if is_wide(letter) { DIGIT } else { LETTER });
+    size * widths.sum::<f64>()
 }
 
 /// Returns the area that two boxes have in common.
@@ -178,6 +215,38 @@ mod tests {
             panic!("three names")
         };
         assert_eq!([common(a, b), common(a, c), common(b, c)], [0; 3]);
+    }
+
+    /// Without a leader it could be the name of the other point.
+    #[test]
+    fn a_label_near_another_point_has_a_leader() {
+        let points = [(100, 100), (118, 108)];
+        // Lines at the left and above leave only the side of the other point.
+        let left = [(40, 60), (98, 100), (40, 140)].map(|end| [(99, 100), end]);
+        let lines = [left.as_slice(), &[[(90, 85), (200, 85)]]].concat();
+        let mut labels = Labels::new(&points, lines, (300, 300), 1);
+        for (name, point) in [("lower_ball", points[0]), ("pushrod_lower", points[1])] {
+            let leader = labels.put(name, point).leader;
+            let place = *labels.taken.last().expect("a name");
+            assert!(
+                leader.is_some() || !labels.is_beside_another(&place, point),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_side_by_side_do_not_overlap_in_a_wide_font() {
+        let places = [(100, 100), (150, 100)];
+        let mut labels = Labels::new(&[], Vec::new(), (300, 300), 1);
+        let left = places.map(|place| {
+            labels.put("-2331 N", place);
+            labels.taken.last().expect("a number")[0]
+        });
+        // The width of the text in DejaVu Sans.
+        let wide = 3.97 * f64::from(FONT_SIZE);
+        let taken = &labels.taken;
+        assert!(taken[0][1] != taken[1][1] || f64::from(left[1] - left[0]) >= wide);
     }
 
     #[test]

@@ -41,8 +41,8 @@ fn a_drawing_names_each_point_once() {
     }
     assert_eq!(
         svg.matches("<rect").count(),
-        1 + 2,
-        "background and two chassis points"
+        1 + 2 + 1,
+        "background, two chassis points and the legend"
     );
 }
 
@@ -54,6 +54,32 @@ fn measured_lengths_are_drawn_dashed() {
     };
     let lines = |drawing: &Drawing| svg(drawing).matches("<polyline").count();
     assert!(lines(&corner()) > lines(&solid) + 5);
+}
+
+#[test]
+fn the_legend_of_the_oblique_view_has_what_appears() {
+    let bare = Drawing {
+        lengths: Vec::new(),
+        slides: Vec::new(),
+        wheels: Vec::new(),
+        ..corner()
+    };
+    for (name, is_of_bare) in [
+        ("chassis point", true),
+        ("moving point", true),
+        ("link", true),
+        ("body", true),
+        ("slide", false),
+        ("measured or driven length", false),
+        ("kingpin or spin axis", false),
+    ] {
+        let has = |drawing: &Drawing| svg(drawing).contains(&format!("\n{name}\n"));
+        assert!(has(&corner()), "{name}");
+        assert_eq!(has(&bare), is_of_bare, "{name}");
+        let flat = corner().svg(Seen::Front, SIZE).expect("points");
+        assert!(!flat.contains(name), "{name}");
+    }
+    assert!(!svg(&corner()).contains("\nload\n"));
 }
 
 #[test]

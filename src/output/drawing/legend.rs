@@ -1,0 +1,136 @@
+//! The legend: the meaning of the marks that appear in a drawing, between the axes and the scale.
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::axes::BESIDE;
+use super::labels;
+use super::marks::{self, CHASSIS};
+use super::view::{Seen, View};
+use super::{Drawing, pixels};
+use crate::output::svg::{Area, Drawn, FINE};
+
+/// In pixels: the font size, the width of a mark, the distance from it to its name and to the next mark, the height of a row,
+/// and the distance of the last row from the lower edge.
+const FONT: f64 = 10.0;
+const MARK: f64 = 22.0;
+const TO_NAME: f64 = 6.0;
+const TO_NEXT: f64 = 9.0;
+const ROW: f64 = 14.0;
+const FOOT: f64 = 12.0;
+
+/// Draws a mark in the middle of a line between two places on the sheet, in pixels.
+type Mark = fn(&Area<'_>, [(i32, i32); 2]) -> Drawn;
+
+impl Drawing {
+    /// Draws the legend of the oblique view and returns its box: left, top, right and bottom.
+    pub(super) fn draw_legend(
+        &self,
+        area: &Area<'_>,
+        view: &View,
+        (width, height): (u32, u32),
+    ) -> Result<[i32; 4], Box<dyn std::error::Error>> {
+        if view.seen != Seen::Oblique {
+            return Ok([0; 4]);
+        }
+        let ends = [BESIDE[0], f64::from(width) - BESIDE[1]];
+        let rows = rows(self.marks(), ends[1] - ends[0]);
+        let top = f64::from(height) - FOOT - ROW * rows.len() as f64;
+        for (number, row) in rows.iter().enumerate() {
+            let y = top + ROW * (number as f64 + 0.5);
+            let mut x = ends[0];
+            for (name, mark) in row {
+                mark(area, [pixels([x, y]), pixels([x + MARK, y])])?;
+                let font = ("sans-serif", FONT * f64::from(FINE)).into_font();
+                let style = font.color(&CHASSIS).pos(Pos::new(HPos::Left, VPos::Center));
+                area.draw(&Text::new(*name, pixels([x + MARK + TO_NAME, y]), style))?;
+                x += across(name);
+            }
+        }
+        let [low, high] = [pixels([ends[0], top]), pixels([ends[1], f64::from(height)])];
+        Ok([low.0, low.1, high.0, high.1])
+    }
+
+    /// Returns the marks that appear, with their meanings.
+    fn marks(&self) -> Vec<(&'static str, Mark)> {
+        let forces = self.forces.as_ref();
+        let has_force = |ends: &[usize; 2]| {
+            let links = forces.into_iter().flat_map(|forces| &forces.links);
+            links.into_iter().any(|link| link.ends == *ends)
+        };
+        let marks: [(bool, &str, Mark); 8] = [
+            (self.chassis > 0, "chassis point", |area, line| {
+                marks::chassis_point(area, middle(line))
+            }),
+            (
+                self.points.len() > self.chassis,
+                "moving point",
+                |area, line| marks::moving_point(area, middle(line)),
+            ),
+            // The title of a drawing with forces has their colours.
+            (!self.links.iter().all(has_force), "link", |area, line| {
+                marks::link(area, line.into(), 1.0)
+            }),
+            (!self.slides.is_empty(), "slide", |area, line| {
+                marks::slide(area, line.into(), 1.0)
+            }),
+            (!self.bodies.is_empty(), "body", |area, line| {
+                marks::body(area, around(line).into(), 1.0)
+            }),
+            (
+                !self.lengths.iter().all(has_force),
+                "measured or driven length",
+                |area, line| marks::length(area, line.into(), 1.0),
+            ),
+            (
+                !self.wheels.is_empty(),
+                "kingpin or spin axis",
+                |area, line| marks::axis(area, line.into(), 1.0),
+            ),
+            (
+                forces.is_some_and(|forces| !forces.acting.is_empty()),
+                "load",
+                |area, line| marks::load(area, line),
+            ),
+        ];
+        let appear = marks.into_iter().filter(|(appears, ..)| *appears);
+        appear.map(|(_, name, mark)| (name, mark)).collect()
+    }
+}
+
+/// Puts marks into rows of at most a width.
+fn rows(marks: Vec<(&'static str, Mark)>, width: f64) -> Vec<Vec<(&'static str, Mark)>> {
+    let mut rows: Vec<Vec<(&'static str, Mark)>> = Vec::new();
+    let mut used = f64::INFINITY;
+    for (name, mark) in marks {
+        if used + across(name) > width {
+            rows.push(Vec::new());
+            used = 0.0;
+        }
+        used += across(name);
+        rows.last_mut()
+            .into_iter()
+            .for_each(|row| row.push((name, mark)));
+    }
+    rows
+}
+
+/// Returns the width of a mark with its name.
+fn across(name: &str) -> f64 {
+    MARK + TO_NAME + labels::width(name, FONT) + TO_NEXT
+}
+
+fn middle([from, to]: [(i32, i32); 2]) -> (i32, i32) {
+    (i32::midpoint(from.0, to.0), i32::midpoint(from.1, to.1))
+}
+
+/// Returns the corners of a box about a line.
+fn around([from, to]: [(i32, i32); 2]) -> [(i32, i32); 4] {
+    let half = (ROW / 3.0 * f64::from(FINE)) as i32;
+    [
+        (from.0, from.1 - half),
+        (to.0, to.1 - half),
+        (to.0, to.1 + half),
+        (from.0, from.1 + half),
+    ]
+}
