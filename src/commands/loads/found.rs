@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 
-use crate::loads::{Case, Outcome, Unborne};
+use crate::loads::{By, Case, Outcome, Unborne};
 use crate::mechanism::State;
 
 /// The results of a case over all places that have an answer.
@@ -80,6 +80,13 @@ impl<'a> Found<'a> {
                 greatest.set(size, place);
             }
         }
+    }
+
+    /// Whether a part exerts a force at a joint, at any place.
+    pub(super) fn bears(&self, part: By) -> bool {
+        let at_joints = self.ranges.iter().skip(along(&self.first).count());
+        let mut joints = self.first.joints.iter().zip(at_joints);
+        joints.any(|((by, ..), range)| *by == part && Extreme::largest(range) != 0.0)
     }
 }
 

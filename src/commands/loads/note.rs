@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::Vector3;
-
 use crate::commands::loads::found::Found;
 use crate::loads::{By, OneSided, Structure, Unborne};
 use crate::mechanism::{Names, listed};
@@ -33,10 +31,7 @@ pub(super) fn shared_along_lines(
     (names, structure): (&Names, &Structure<'_>),
     found: &[Option<Found<'_>>],
 ) -> Vec<String> {
-    let bears = |part: By| {
-        let mut joints = found.iter().flatten().flat_map(|found| &found.first.joints);
-        joints.any(|(by, _, force)| *by == part && *force != Vector3::zeros())
-    };
+    let bears = |part: By| found.iter().flatten().any(|found| found.bears(part));
     let name = |part: By| format!("`{}`", structure.name_of(part, names));
     let (mut hinges, mut pairs) = (Vec::new(), Vec::new());
     for (part, with) in structure.shared().filter(|(part, _)| bears(*part)) {

@@ -203,3 +203,16 @@ fn springs_that_do_not_act_are_noted_with_the_remedy() {
         assert_eq!(notes, expected, "{lines}");
     }
 }
+
+/// At the design position, where a grid begins, a spring without a preload bears nothing.
+#[test]
+fn the_note_on_bushes_names_those_that_bear_a_load_anywhere() {
+    let file = "unit = \"m\"\nstatements = \"\"\"\nfixed: front at [0.5, 0.25, 0.25], rear at [-0.5, 0.25, 0.25], top at [0.0, 0.75, 1.25];\n\
+                free: tip at [0.0, 0.75, 0.25];\nhinge arm: front, rear -> tip;\ndrive bump: tip.z;\n\
+                measure strut: length(top -> tip);\n\"\"\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.25 }\n\
+                springs.coil = { along = \"strut\", rate = 30000.0 }\nloads.a = { acting = [\"coil\"] }\n";
+    let (_, report, _) = run_loads(file, &[]);
+    assert!(report.contains("no load in: arm at front"), "{report}");
+    let (_, _, notes) = run_loads(file, &["--drive", "bump=-0.05:0.05:3"]);
+    assert!(notes.contains("bushes of the hinge `arm`"), "{notes}");
+}
