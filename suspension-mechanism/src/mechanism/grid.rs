@@ -41,7 +41,7 @@ impl Axis {
     ///
     /// # Errors
     ///
-    /// A sentence about a name that is not a drive, and about a drive that is already there.
+    /// A sentence about a name that is not a drive, about a drive that is already there, and about a length and an angle.
     pub fn named(
         mechanism: &Description,
         words: &str,
@@ -61,6 +61,7 @@ impl Axis {
             }
             drives.push((drive, part));
         }
+        check_kinds(mechanism, &drives)?;
         let first = drives.first();
         let scale = first.map_or(1.0, |(drive, _)| {
             let kind = mechanism.names.drives[*drive].kind;
@@ -79,6 +80,21 @@ impl Axis {
             format!("{minus}{}", mechanism.names.drives[*drive].name)
         });
         each.collect::<Vec<_>>().join(",")
+    }
+}
+
+/// Refuses a length and an angle that move together: no number is in the units of both.
+fn check_kinds(mechanism: &Description, drives: &[(usize, f64)]) -> Result<(), String> {
+    let drives = drives
+        .iter()
+        .map(|(drive, _)| &mechanism.names.drives[*drive]);
+    let (angles, lengths): (Vec<_>, Vec<_>) = drives.partition(|drive| drive.kind.is_angle());
+    match (lengths.first(), angles.first()) {
+        (Some(length), Some(angle)) => Err(format!(
+            "the drive `{}` is a length and `{}` an angle, so that they cannot move by the same number; state each by itself",
+            length.name, angle.name
+        )),
+        _ => Ok(()),
     }
 }
 

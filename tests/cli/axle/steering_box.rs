@@ -60,6 +60,20 @@ fn a_missing_steering_ratio_names_the_line_steering_box_ratio() {
     }
 }
 
+#[test]
+fn a_length_and_an_angle_do_not_move_together() {
+    let folder = folder();
+    let file = on_a_steering_box("wheel_radius = 0.3");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(
+        folder.path(),
+        &["sweep", "a.toml", "--drive", "bump,steer=0:0.01:2"],
+    );
+    let expected = "the drive `bump` is a length and `steer` an angle, so that they cannot move by the same number; state each by itself\n";
+    assert_eq!(text(&output.stderr), expected);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+}
+
 /// Values that are no angles of the arm: metres of a rack, or a change from the design position.
 #[test]
 fn steering_box_angles_that_count_from_the_design_are_noted() {
