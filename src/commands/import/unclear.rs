@@ -74,12 +74,16 @@ fn in_words(section: Section) -> String {
     words.join(" ")
 }
 
-/// Words of an angle that is not that of one wheel in degrees.
-const NOT_DEGREES: [&str; 11] = [
-    "min", "minutes", "arcmin", "rad", "mrad", "radians", "total", "mm", "cm", "inch", "inches",
+/// Words of an angle that is not that of one wheel in degrees; an apostrophe behind a number stands for minutes.
+const NOT_DEGREES: [&str; 12] = [
+    "min", "minutes", "arcmin", "'", "rad", "mrad", "radians", "total", "mm", "cm", "inch",
+    "inches",
 ];
 
-/// Checks that toe and camber are those of one wheel, in degrees.
+/// The word of a toe angle that is positive for toe-out.
+const TOE_OUT: &str = "out";
+
+/// Checks that toe and camber are those of one wheel, in degrees, and that toe is not toe-out.
 ///
 /// # Errors
 ///
@@ -91,17 +95,25 @@ pub(super) fn check_angle(
     names: &Names,
 ) -> Result<(), Failure> {
     let (key, _) = key_of(name);
-    let is_angle = ["toe", "camber"]
-        .iter()
-        .any(|angle| names.is_of_number(angle, &key));
-    let words = spelled(line);
-    let mut words = words.split('_').filter(|word| NOT_DEGREES.contains(word));
-    match words.next().filter(|_| is_angle && row.has_digits()) {
-        Some(word) => {
-            let message =
-                format!("`{name}` says `{word}`: write the angle of one wheel, in degrees");
-            Err(stated.source.refuse(&row.place, &message))
-        }
-        None => Ok(()),
+    let [is_toe, is_camber] = ["toe", "camber"].map(|angle| names.is_of_number(angle, &key));
+    if !(is_toe || is_camber) || !row.has_digits() {
+        return Ok(());
     }
+    let words = spelled(line);
+    let minutes = has_minutes(line).then_some("'");
+    let mut words = words.split('_').chain(minutes);
+    let is_other = |word: &&str| NOT_DEGREES.contains(word) || is_toe && *word == TOE_OUT;
+    words.find(is_other).map_or(Ok(()), |word| {
+        let message = format!(
+            "`{name}` says `{word}`: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
+        );
+        Err(stated.source.refuse(&row.place, &message))
+    })
+}
+
+/// Returns whether an apostrophe stands behind a number, and not at the end of a field in quotes.
+fn has_minutes(line: &str) -> bool {
+    let mut apostrophes = line.match_indices('\'');
+    let is_quoted = line.matches('\'').count() % 2 == 0;
+    !is_quoted && apostrophes.any(|(at, _)| line[..at].ends_with(|c: char| c.is_ascii_digit()))
 }

@@ -84,14 +84,31 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
         "Toe (total), 0.4",
         "Toe, total, 0.4",
         "Camber [rad], -0.02",
+        "Toe, 12'",
+        "Toe [° out], 0.2",
     ] {
         let said = refusal("a.csv", &format!("{corner}{row}\n"), &[]);
         assert!(said.starts_with("a.csv:16:1: `"), "{row}: {said}");
         assert!(
-            said.ends_with(": write the angle of one wheel, in degrees"),
+            said.ends_with(": write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"),
             "{row}: {said}"
         );
     }
+}
+
+#[test]
+fn angles_in_quotes_and_in_degrees_are_read() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    let of = |row: &str| {
+        let imported = import(folder.path(), "a.csv", &format!("{corner}{row}\n"), &[]);
+        imported.motion["points"]["axle"].to_string()
+    };
+    let plain = of("Toe, 0.2");
+    for row in ["'Toe', '0.2'", "Toe [deg], 0.2", "Toe (°), 0.2"] {
+        assert_eq!(of(row), plain, "{row}");
+    }
+    assert_ne!(of("Toe, 0.3"), plain);
 }
 
 #[test]
