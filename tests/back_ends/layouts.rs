@@ -11,6 +11,7 @@ mod live_axle_splayed;
 mod live_axle_watt;
 mod macpherson;
 mod multi_link;
+mod multi_link_coilover;
 mod semi_trailing_arm;
 mod split_lower_arm;
 mod steered_axle;

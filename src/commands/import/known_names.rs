@@ -91,7 +91,7 @@ mod tests {
     }
 
     /// Names of the templates of other programs, of theses and of racing teams, by the point of the listing.
-    const TEMPLATES: [(&str, &[&str]); 18] = [
+    const TEMPLATES: [(&str, &[&str]); 19] = [
         (
             "lower_front",
             &[
@@ -210,6 +210,7 @@ mod tests {
             &["shock_to_bellcrank", "damper_to_rocker_point"],
         ),
         ("damper_lower", &["damper_to_lca", "shock_lower"]),
+        ("damper_upper", &["shock_top", "damper_top_mount"]),
         ("bar_outer", &["arb_bushing_mount", "arb_pivot"]),
         ("drop_upper", &["arblink_to_bellcrank", "droplink_upper"]),
         ("drop_lower", &["droplink_to_arb", "arblink_to_arb"]),
