@@ -1,5 +1,6 @@
 //! The columns of coordinates where a heading says which they are, among other columns of numbers.
 
+use super::fields::is_number;
 use super::names::spelled;
 
 /// The columns of x, y and z, which are beside each other.
@@ -35,7 +36,6 @@ impl Columns {
     /// Returns a line without the numbers in other columns, for example indices and masses. A line with more or fewer columns
     /// than the heading stays as it is, for the heading may have none above the names.
     pub(super) fn without_others(&self, line: &str) -> String {
-        let is_number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
         let cells: Vec<&str> = line.split(self.separator).collect();
         let is_coordinate = |column: usize| (self.x..self.x + 3).contains(&column);
         let mut numbers = (0..cells.len()).filter(|column| is_number(cells[*column]));

@@ -2,15 +2,34 @@
 
 use super::heading::is_unit;
 
+/// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
+pub(super) const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
+
+/// Returns the number in a field; `inf` and `nan` are none.
+pub(super) fn number(field: &str, with_comma: bool) -> Option<f64> {
+    let field = field.trim().replacen(MINUS, "-", 1);
+    let field = if with_comma {
+        field.replace(',', ".")
+    } else {
+        field
+    };
+    let number: f64 = field.parse().ok()?;
+    number.is_finite().then_some(number)
+}
+
+/// Returns whether a cell between commas or other separators has a number, with a unit or without.
+pub(super) fn is_number(cell: &str) -> bool {
+    let cell = cell.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c));
+    number(without_unit(cell).0, true).is_some()
+}
+
 /// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.
 pub(super) fn has_number_in_parentheses(line: &str) -> bool {
     let mut opened = line.match_indices('(');
     opened.any(|(at, _)| {
         let (before, behind) = (line[..at].trim_end(), &line[at + 1..]);
         let inside = behind.split_once(')').map(|(inside, _)| inside);
-        let inside = inside.map(|inside| without_unit(inside.trim()).0);
-        inside.is_some_and(|inside| inside.replace(',', ".").parse::<f64>().is_ok())
-            && !before.to_lowercase().ends_with("point")
+        inside.is_some_and(is_number) && !before.to_lowercase().ends_with("point")
     })
 }
 
@@ -18,10 +37,9 @@ pub(super) fn has_number_in_parentheses(line: &str) -> bool {
 pub(super) fn has_empty_coordinate(line: &str, separator: char) -> bool {
     let (mut numbers, mut is_open) = (0, false);
     line.split(separator).any(|cell| {
-        let cell = cell.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c));
-        if cell.is_empty() {
+        if cell.trim_matches(['\'', '"', ' ', '\t']).is_empty() {
             is_open |= numbers % 3 != 0;
-        } else if cell.replace(',', ".").parse::<f64>().is_ok() {
+        } else if is_number(cell) {
             numbers += 1;
             return is_open;
         } else {
@@ -56,9 +74,9 @@ fn without_unit(field: &str) -> (&str, &str) {
     (number, field[number.len()..].trim_start())
 }
 
-/// Removes units, as in `130 mm`, and returns the first of them. Between blanks, `in` and `m` before the numbers are words.
-pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, Option<&str>) {
-    let (mut others, mut unit, mut has_number) = (Vec::new(), None, false);
+/// Removes units, as in `130 mm`, and returns them. Between blanks, `in` and `m` before the numbers are words.
+pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, Vec<&str>) {
+    let (mut others, mut units, mut has_number) = (Vec::new(), Vec::new(), false);
     for field in fields {
         let (number, behind) = without_unit(field);
         let is_number = number.ends_with(|c: char| c.is_ascii_digit() || c == '.')
@@ -67,13 +85,13 @@ pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, O
         has_number |= is_number;
         let is_alone = number.is_empty() && !may_be_a_word;
         if is_unit(behind) && (is_number || is_alone) {
-            unit = unit.or(Some(behind));
+            units.push(behind);
             others.extend(is_number.then_some(number));
         } else {
             others.push(field);
         }
     }
-    (others, unit)
+    (others, units)
 }
 
 /// Returns the fields of a line without quotes and empty fields.

@@ -125,7 +125,7 @@ impl<'a> Hardpoints<'a> {
         let unit = length(word).map_err(refuse)?;
         match self.unit.filter(|before| *before != unit) {
             Some(before) => Err(refuse(format!(
-                "lengths are in {} here, and in {} above: convert them to one unit",
+                "lengths are in `{}` here, and in `{}` before: convert them to one unit",
                 unit.symbol(),
                 before.symbol()
             ))),

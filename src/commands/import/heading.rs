@@ -18,7 +18,7 @@ const OF_AXLE: [&str; 11] = [
     "rhs",
 ];
 
-/// Words of a remark on where coordinates are measured from, such as `x from the rear axle`.
+/// Words in a remark on where coordinates are measured from, such as `x from the rear axle`, before those of the place.
 const OF_ORIGIN: [&str; 9] = [
     "origin",
     "at",
@@ -34,10 +34,12 @@ const OF_ORIGIN: [&str; 9] = [
 /// Returns the end of the vehicle in the heading of a table, such as `Rear suspension`, `REAR LEFT` or `Rear`. A heading such as
 /// `Front lower wishbone` is of a part.
 pub(super) fn end_of_heading(words: &str) -> Option<End> {
-    let end = end_of(words)?;
-    let has_any = |of: &[&str]| words.split('_').any(|word| of.contains(&word));
-    let is_of_axle = has_any(&OF_AXLE) && !has_any(&OF_ORIGIN);
-    (is_of_axle || !words.contains('_')).then_some(end)
+    let words: Vec<&str> = words.split('_').collect();
+    let origin = words.iter().position(|word| OF_ORIGIN.contains(word));
+    let before = &words[..origin.unwrap_or(words.len())];
+    let end = end_of(&before.join("_"))?;
+    let is_of_axle = before.iter().any(|word| OF_AXLE.contains(word));
+    (is_of_axle || words.len() == 1).then_some(end)
 }
 
 /// Words of a heading above groups of columns, beside those of corners, axes and units.
@@ -142,23 +144,30 @@ const OF_LENGTHS: [&str; 13] = [
     "hardpoints",
 ];
 
-/// Returns the unit in the headings of columns, in a line of units, or in a remark on units.
-pub(super) fn unit_of_heading<'a>(words: &[&'a str]) -> Option<&'a str> {
+/// Returns the units in the headings of columns, in a line of units, or in a remark on units.
+pub(super) fn units_of_heading<'a>(words: &[&'a str]) -> Vec<&'a str> {
     let said = |word: &str| words.contains(&word);
     let of_columns = said("x") && said("y") && said("z");
     let of_units = words.iter().all(|word| is_unit(word));
     let remarked = OF_LENGTHS.iter().any(|word| said(word));
     if !(of_columns || of_units || remarked) {
-        return None;
+        return Vec::new();
     }
-    let units = words.iter().enumerate().filter(|(place, word)| {
-        // `in` may be a word instead of the inch: `x, y, z in the frame of the vehicle`.
-        let behind = words.get(place + 1);
-        let is_inch = behind.is_none_or(|word| ["x", "y", "z", "in", "deg"].contains(word));
-        is_unit(word) && (**word != "in" || is_inch)
+    let places = (0..words.len()).filter(|place| {
+        let may_be_a_word = ["in", "m"].contains(&words[*place]) && !of_units;
+        is_unit(words[*place]) && (!may_be_a_word || is_certain_unit(words, *place))
     });
-    let mut units = units.map(|(_, word)| *word);
-    units.next()
+    places.map(|place| words[place]).collect()
+}
+
+/// Returns whether `in` or `m` is a unit in its place: at the end, between axes (`x in, y in, z in`), and behind words of units.
+/// It is none in `Coordinates in x, y, z` and `Hardpoints by M. Smith`.
+fn is_certain_unit(words: &[&str], place: usize) -> bool {
+    let (before, behind) = (words[..place].last(), words.get(place + 1));
+    let is = |word: Option<&&str>, of: &[&str]| word.is_some_and(|word| of.contains(word));
+    let is_between_axes = is(before, &["x", "y"]) && is(behind, &["y", "z"]);
+    let is_behind_units = is(before, &["in", "unit", "units", "einheit", "einheiten"]);
+    behind.is_none() || is(behind, &["in", "deg"]) || is_between_axes || is_behind_units
 }
 
 /// Returns whether a word names a unit of length.
@@ -173,7 +182,7 @@ pub(super) fn is_unit(word: &str) -> bool {
 /// A sentence, if motion files do not have the unit.
 pub(super) fn length(word: &str) -> Result<Length, String> {
     unit(word).ok_or_else(|| {
-        format!("lengths are in {word}; convert them to mm, m or in, and say so here")
+        format!("lengths are in `{word}`; convert them to mm, m or in, and say so here")
     })
 }
 

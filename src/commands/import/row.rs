@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::fields::{
-    fields, has_empty_coordinate, has_number_in_parentheses, without_axes, without_units,
+    MINUS, fields, has_empty_coordinate, has_number_in_parentheses, number, without_axes,
+    without_units,
 };
 use super::heading::unit;
 use super::names::spelled;
@@ -19,16 +20,13 @@ const REMARK_LINE: char = '$';
 /// but commas and blanks.
 const SEPARATORS: [char; 6] = [';', '\t', '|', '&', ',', ' '];
 
-/// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
-const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
-
 /// A line that has been split into fields.
 #[derive(Debug)]
 pub(super) struct Row<'a> {
     pub(super) fields: Vec<&'a str>,
     pub(super) separator: char,
-    /// The unit of length that the row states.
-    pub(super) unit: Option<&'a str>,
+    /// The units of length that the row states.
+    pub(super) units: Vec<&'a str>,
     /// Whether a single number stands in parentheses, which may mean that it is negative.
     pub(super) has_number_in_parentheses: bool,
     /// Whether a cell between coordinates is empty.
@@ -63,11 +61,11 @@ impl<'a> Row<'a> {
             .filter(|c| *c == ' ' || line.contains(*c));
         let has_number_in_parentheses = has_number_in_parentheses(line);
         let rows = present.map(|separator| {
-            let (fields, unit) = without_units(fields(line, separator), separator);
+            let (fields, units) = without_units(fields(line, separator), separator);
             Self {
                 fields: without_axes(fields),
                 separator,
-                unit,
+                units,
                 has_number_in_parentheses,
                 has_empty_coordinate: separator != ' ' && has_empty_coordinate(line, separator),
                 place: place.clone(),
@@ -83,6 +81,7 @@ impl<'a> Row<'a> {
     pub(super) fn apart(&self) -> Option<[Self; 2]> {
         let of = |fields: &[&'a str]| Self {
             fields: fields.to_vec(),
+            units: self.units.clone(),
             place: self.place.clone(),
             ..*self
         };
@@ -241,14 +240,6 @@ impl<'a> Row<'a> {
 
     fn number(&self, field: &str) -> Option<f64> {
         // Between commas only a field in quotes has a comma.
-        let with_comma = self.separator != ' ';
-        let field = field.replacen(MINUS, "-", 1);
-        let number: f64 = if with_comma {
-            field.replace(',', ".").parse().ok()?
-        } else {
-            field.parse().ok()?
-        };
-        // `inf` and `nan` would parse as numbers too.
-        number.is_finite().then_some(number)
+        number(field, self.separator != ' ')
     }
 }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::columns::Columns;
 use super::hardpoints::Hardpoints;
 use super::heading::{
-    check_columns, column_groups, end_of_heading, length, side_of_heading, unit, unit_of_heading,
+    check_columns, column_groups, end_of_heading, length, side_of_heading, unit, units_of_heading,
 };
 use super::names::{Names, key_of, spelled};
 use super::row::{Row, lines};
@@ -118,10 +118,8 @@ impl Table<'_, '_> {
             _ => self.heading.clear(),
         }
         check_columns(&words).map_err(|message| stated.source.refuse(&row.place, message))?;
-        match unit_of_heading(&words) {
-            Some(unit) => stated.state_unit(unit, &row.place),
-            None => Ok(()),
-        }
+        let mut units = units_of_heading(&words).into_iter();
+        units.try_for_each(|unit| stated.state_unit(unit, &row.place))
     }
 }
 
@@ -151,7 +149,7 @@ pub(super) fn add(
         return Err(misread(stated, name, row, names));
     }
     if names.is_point(&key) && !places.is_empty() {
-        if let Some(unit) = row.unit {
+        for unit in &row.units {
             stated.state_unit(unit, &row.place)?;
         }
         if let [(_, [_, y, _])] = places[..] {
@@ -169,7 +167,7 @@ pub(super) fn add(
         }
         _ if names.is_number(&key) && row.has_digits() => match row.numbers_behind_name()[..] {
             [value] => {
-                let unit = row.unit.map(length).transpose();
+                let unit = row.units.first().map(|unit| length(unit)).transpose();
                 let unit = unit.map_err(|message| stated.source.refuse(&row.place, message))?;
                 stated.add_number(name, row.sides(), (value, unit), row.place.clone());
             }

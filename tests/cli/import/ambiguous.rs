@@ -43,25 +43,52 @@ fn a_unit_that_is_not_that_of_the_table_is_refused() {
     let cases = [
         (
             format!("Coordinates in cm\n{corner}"),
-            "a.csv:1:1: lengths are in cm; convert them",
+            "a.csv:1:1: lengths are in `cm`; convert them",
         ),
         (
             format!("Point [cm]\n{corner}"),
-            "a.csv:1:1: lengths are in cm; convert them",
+            "a.csv:1:1: lengths are in `cm`; convert them",
         ),
-        (in_rows, "a.csv:1:1: lengths are in cm; convert them"),
+        (in_rows, "a.csv:1:1: lengths are in `cm`; convert them"),
         (
             two,
-            "a.csv:18:1: lengths are in in here, and in mm above: convert them to one unit",
+            "a.csv:18:1: lengths are in `in` here, and in `mm` before: convert them to one unit",
+        ),
+        (
+            format!("name, x [mm], y [in], z [mm]\n{corner}"),
+            "a.csv:1:1: lengths are in `in` here, and in `mm` before",
+        ),
+        (
+            corner.replace("-72, -190, 152", "-72 mm, -7.48 in, 152 mm"),
+            "a.csv:7:1: lengths are in `in` here, and in `mm` before",
         ),
         (
             format!("{corner}tire_radius, 22.9, cm\n"),
-            "a.csv:16:1: lengths are in cm; convert them",
+            "a.csv:16:1: lengths are in `cm`; convert them",
         ),
     ];
     for (file, expected) in cases {
         let said = refusal("a.csv", &file, &[]);
         assert!(said.contains(expected), "{file}: {said}");
+    }
+}
+
+#[test]
+fn in_and_m_in_a_remark_are_not_units_unless_they_stand_for_one() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    for (heading, expected) in [
+        ("Coordinates in x, y, z (mm)", "mm"),
+        ("Points in x y z order, mm", "mm"),
+        ("Hardpoints by M. Smith", "mm"),
+        ("x, y, z in the vehicle frame", "mm"),
+        ("name, x [in], y [in], z [in], mass", "in"),
+        ("Hardpoints in in", "in"),
+        ("Units: in, deg", "in"),
+        ("All points in m, ISO 8855", "m"),
+    ] {
+        let imported = import(folder.path(), "a.csv", &format!("{heading}\n{corner}"), &[]);
+        assert_eq!(imported.text("unit"), expected, "{heading}");
     }
 }
 
@@ -139,6 +166,8 @@ fn an_empty_cell_between_coordinates_is_refused() {
     for empty in [
         "tierod_inner, -72, , 152, 5",
         "tierod_inner, -72, -190, , 5",
+        "tierod_inner, -72 mm, -190 mm, , 5",
+        "tierod_inner, \u{2212}72, \u{2212}190, , 5",
         "tierod_inner, \"-72\", \"\", \"152\", \"5\"",
     ] {
         let said = refusal("a.csv", &table(&CORNER).replace(row, empty), &[]);

@@ -228,6 +228,26 @@ fn tables_side_by_side_without_a_heading_are_refused() {
     assert_eq!(said, expected);
 }
 
+/// Words of an origin behind those of the axle change nothing.
+#[test]
+fn a_heading_with_a_remark_on_the_origin_names_the_axle() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    for heading in [
+        "Rear suspension at ride height",
+        "Rear axle geometry relative to chassis",
+        "Rear suspension hardpoints, origin at front axle",
+    ] {
+        let motion = import(folder.path(), "a.csv", &format!("{heading}\n{corner}"), &[]).motion;
+        assert_eq!(
+            motion["vehicle"]["axle"].as_str(),
+            Some("rear"),
+            "{heading}"
+        );
+        assert!(motion["drives"].get("steer").is_none(), "{heading}");
+    }
+}
+
 /// A tie rod whose table is of a rear axle is fixed on the chassis.
 #[test]
 fn remarks_on_the_other_axle_are_no_headings() {

@@ -223,7 +223,7 @@ fn an_ambiguous_file_is_refused() {
             "a.sub",
             "[MDI_HEADER]\n[UNITS]\n LENGTH = 'cm'\n".to_owned(),
             vec![],
-            "a.sub:3:2: lengths are in cm; convert them to mm, m or in",
+            "a.sub:3:2: lengths are in `cm`; convert them to mm, m or in",
         ),
         (
             "a.csv",
