@@ -125,8 +125,8 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Overflow`] of the equation or drive that bears a force that is not finite: the search for the point of
-    /// the force would take code. [`SolveError::Singular`] if a pivot is not above 8 times the square root of `EPSILON`.
+    /// [`SolveError::Overflow`] of the equation or drive that bears a force that is not finite: a search for the point of
+    /// the force would make firmware larger. [`SolveError::Singular`] if a pivot is not above 8 times the square root of `EPSILON`.
     /// [`Statics::new`] also considers the effect of the position's rounding errors, which takes more code: it
     /// refuses a little farther from a lock.
     pub fn new(

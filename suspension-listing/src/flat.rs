@@ -33,7 +33,7 @@ pub(crate) fn printed(
 /// A statement, with its docs, as lines.
 fn statement(input: ParseStream<'_>, at: At<'_>) -> syn::Result<String> {
     let docs = docs(input)?;
-    let docs = docs.iter().map(|line| format!("///{line}\n"));
+    let docs = lines(&docs).map(|line| format!("///{line}\n"));
     let docs: String = docs.collect();
     let word: Ident = input.parse()?;
     let rest = if word == FIXED.word || word == FREE.word {
@@ -47,6 +47,11 @@ fn statement(input: ParseStream<'_>, at: At<'_>) -> syn::Result<String> {
     Ok(format!("{docs}{word}{before}{rest}\n"))
 }
 
+/// The lines of docs, one of which may be a whole block comment.
+fn lines(docs: &[String]) -> impl Iterator<Item = &str> {
+    docs.iter().flat_map(|docs| docs.lines())
+}
+
 /// `: a at [x, y, z], b at [x, y, z];`, one point below the other.
 fn points(input: ParseStream<'_>, word: &Ident, at: At<'_>) -> syn::Result<String> {
     const INDENT: &str = "\n       ";
@@ -56,7 +61,7 @@ fn points(input: ParseStream<'_>, word: &Ident, at: At<'_>) -> syn::Result<Strin
     let width = names().map(|name| name.len()).max().unwrap_or_default();
     let items = points.iter().map(|point| {
         let Named { docs, name } = &point.named;
-        let docs = docs.iter().map(|line| format!("///{line}{INDENT}"));
+        let docs = lines(docs).map(|line| format!("///{line}{INDENT}"));
         let docs: String = docs.collect();
         let at = position(name, at);
         let width = if at.is_empty() { 0 } else { width };

@@ -25,7 +25,6 @@ pub use line::{Line, Sort};
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};
 pub use per_wheel::Rises;
 pub use rise::Rise;
-pub use small_steer::LEAST_STEER;
 pub use span::Span;
 pub use title::Title;
 pub use way::{Does, Way};

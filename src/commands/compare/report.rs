@@ -72,6 +72,9 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let notes = notes.chain(unlike_steering(sides));
     let notes = notes.chain(opposite_steering(sides));
     let notes = notes.chain(no_radius(sides));
+    let curves = sides.into_iter().flat_map(|side| &side.curves);
+    let small_steer = curves.filter_map(Curves::without_small_steer).next();
+    let notes = notes.chain(small_steer);
     let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
     notes.collect()
 }

@@ -114,6 +114,6 @@ pub(super) fn check_angle(
 /// Returns whether an apostrophe stands behind a number, and not at the end of a field in quotes.
 fn has_minutes(line: &str) -> bool {
     let mut apostrophes = line.match_indices('\'');
-    let is_quoted = line.matches('\'').count() % 2 == 0;
+    let is_quoted = line.matches('\'').count().is_multiple_of(2);
     !is_quoted && apostrophes.any(|(at, _)| line[..at].ends_with(|c: char| c.is_ascii_digit()))
 }

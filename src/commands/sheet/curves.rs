@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use crate::characteristics::{Curves, Does, LEAST_STEER, Line, Parameter, Title};
+use crate::characteristics::{Curves, Does, Line, Parameter, Title};
 use crate::commands::sheet::grouped::grouped;
 use crate::commands::sheet::spread::{are_far_apart, less};
 use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
-use crate::quantities::{ACKERMANN, CAMBER, TOE};
+use crate::quantities::{CAMBER, TOE};
 
 /// The charts along what moves, under their heading. The parameters have the values at the design position.
 pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Markup {
@@ -19,7 +19,7 @@ pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Mar
     html! {
         h2 { "Over " (curves.title) }
         @for note in near_infinity(curves) { p { (note) } }
-        @if curves.without_small_steer { p { (without_small_steer()) } }
+        @if let Some(note) = curves.without_small_steer() { p { (note) "." } }
         @if !zero.is_empty() { p { "Zero throughout, without a chart: " (names(&zero)) "." } }
         (charts(&drawn))
     }
@@ -76,14 +76,6 @@ fn title_over(does: Does, quantity: &str) -> String {
         Some((title, curve)) => format!("{title} ({curve})"),
         None => quantity.to_owned(),
     }
-}
-
-fn without_small_steer() -> String {
-    format!(
-        "{}: left out where a wheel is steered by less than {LEAST_STEER} deg, as static toe determines it there. \
-         suspension sweep writes all values.",
-        ACKERMANN.title
-    )
 }
 
 /// Which curves are cut or left out, as they pass through infinity or come near it, a sentence for either.

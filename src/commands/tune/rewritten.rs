@@ -34,8 +34,10 @@ pub(super) fn rewritten(
         let (before, after) = match loaded.stated_position(name) {
             Some(Position::At(at)) => (at, *point),
             Some(Position::Off(Offset { from, offset })) => {
-                let from = found(from.get_ref()).map(|from| tuned.points[from]);
-                (offset.get_ref(), point - from.unwrap_or_default())
+                let Some(from) = found(from.get_ref()) else {
+                    continue;
+                };
+                (offset.get_ref(), point - tuned.points[from])
             }
             None => continue,
         };

@@ -51,7 +51,7 @@ macro_rules! causes {
             AngleOutOfRange = 52: "an angle is driven beyond its range",
                 "drive it from 0 to pi where it is between a link and an axis, else by less than a whole turn";
             StepNotFinite = 53: "the time step is not a finite number",
-                "look at the times";
+                "give finite times";
 
             UnprovedNearSingular = 60: "nothing is proved: the Jacobian is singular to rounding",
                 "prove roots away from singularities";

@@ -87,7 +87,8 @@ fn the_layouts_of_the_catalogue_stay_the_same() {
 #[test]
 fn listings_of_all_kinds_of_statements_stay_the_same() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/back_ends/listings");
-    let files = std::fs::read_dir(folder).expect("a folder");
+    let files: Vec<_> = std::fs::read_dir(folder).expect("a folder").collect();
+    assert!(files.len() > 5, "{files:?}");
     for file in files {
         assert_same(&std::fs::read_to_string(file.expect("a file").path()).expect("read"));
     }
@@ -97,6 +98,15 @@ fn listings_of_all_kinds_of_statements_stay_the_same() {
 fn includes_and_mirrors_stay_the_same() {
     assert_same("mirror: left -> right;\ninclude left: \"corner.linkage\";\n");
     assert_same("include front: steered_axle at [2.6, 0.0, 0.0];\n");
+}
+
+/// Its docs have a line each then.
+#[test]
+fn a_block_comment_is_printed_as_lines() {
+    let text = "fixed: a; free: /** An end\n of a link. */ b;\n/** Holds it,\n or not. */\nlink l: a -> b;";
+    let flat = text::flat(text, "listing", &Catalogue, &|_| None).expect("a listing");
+    let expected = "fixed: a;\nfree:  /// An end\n       /// of a link. \n       b;\n/// Holds it,\n/// or not. \nlink l: a -> b;\n";
+    assert_eq!(flat, expected);
 }
 
 #[test]

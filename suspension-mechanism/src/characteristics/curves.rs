@@ -28,8 +28,8 @@ pub struct Curves {
     pub lines: Vec<Line>,
     /// The quantities without a line, as they pass through infinity.
     pub left_out: Vec<Title>,
-    /// Whether the Ackermann percentage is left out below [`LEAST_STEER`](crate::characteristics::LEAST_STEER).
-    pub without_small_steer: bool,
+    /// Whether the Ackermann percentage is left out at small steer angles.
+    pub is_without_small_steer: bool,
 }
 
 impl Curves {
@@ -66,7 +66,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     columns.sort_by_key(|column| place_in_curves(column.quantity));
     let columns = columns.iter();
     let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(column)).collect();
-    let without_small_steer = leave_out(&mut lines);
+    let is_without_small_steer = leave_out(&mut lines);
     let is_short = |line: &Line| line.values.iter().flatten().count() < 2;
     let is_left_out = |line: &mut Line| line.is_cut && (is_short(line) || jumps(&line.values));
     let left_out = lines.extract_if(.., is_left_out);
@@ -86,7 +86,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
         changes: changes.collect(),
         lines,
         left_out,
-        without_small_steer,
+        is_without_small_steer,
     }
 }
 

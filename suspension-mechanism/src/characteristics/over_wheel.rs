@@ -46,7 +46,7 @@ impl Curves {
             dimension: Dimension::Length,
             lines: lines.collect(),
             left_out: self.left_out.clone(),
-            without_small_steer: self.without_small_steer,
+            is_without_small_steer: self.is_without_small_steer,
             changes: travels,
         }
     }

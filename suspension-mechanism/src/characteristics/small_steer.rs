@@ -1,11 +1,14 @@
 //! The curve of the Ackermann percentage without small steer angles.
 
+use suspension_motion_file::is_within;
+
+use crate::characteristics::curves::Curves;
 use crate::characteristics::line::Line;
 use crate::quantities::{ACKERMANN, STEER_ANGLE};
 
 /// The steer angle, in degrees, from which the Ackermann percentage is drawn. If a wheel is steered by less, static toe
 /// is a large part of the difference between the wheels, and the percentage runs to values far from those at full lock.
-pub const LEAST_STEER: f64 = 5.0;
+const LEAST_STEER: f64 = 5.0;
 
 /// Removes the Ackermann percentage of each axle where one of its wheels is steered by less; returns whether it had a
 /// value there.
@@ -19,7 +22,7 @@ pub(super) fn leave_out(lines: &mut [Line]) -> bool {
         let axle = line.title.wheel.clone().unwrap_or_default();
         let is_of_axle = |wheel: &&Line| {
             let name = wheel.title.wheel.as_deref().unwrap_or_default();
-            name.starts_with(&axle)
+            axle.is_empty() || is_within(&axle, name)
         };
         for (place, value) in line.values.iter_mut().enumerate() {
             let mut angles = steered.iter().filter(is_of_axle);
@@ -29,4 +32,17 @@ pub(super) fn leave_out(lines: &mut [Line]) -> bool {
         }
     }
     is_left_out
+}
+
+impl Curves {
+    /// Says that the Ackermann percentage is left out at small steer angles, if it is.
+    pub fn without_small_steer(&self) -> Option<String> {
+        self.is_without_small_steer.then(|| {
+            format!(
+                "{}: left out where a wheel is steered by less than {LEAST_STEER} deg, as static toe determines it there. \
+                 suspension sweep writes all values",
+                ACKERMANN.title
+            )
+        })
+    }
 }

@@ -61,7 +61,8 @@ impl Structure<'_> {
     }
 }
 
-/// The loads that measures bear instead of drives, and those of springs that act by their rates, together with those that the case states in the same measures.
+/// The loads that measures bear instead of drives, and those of springs that act by their rates, together with those that the case
+/// states in the same measures.
 pub(super) fn add_stated(
     in_measures: Vec<(usize, f64)>,
     stated: &[(usize, f64)],

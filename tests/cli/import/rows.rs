@@ -132,7 +132,7 @@ fn centimetres_are_refused_as_the_unit_of_a_table() {
         "# all lengths in centimetres",
     ] {
         let message = refusal("a.csv", &format!("{heading}\n{}", table(&CORNER)), &[]);
-        let expected = "a.csv:1:1: lengths are in c";
+        let expected = "a.csv:1:1: lengths are in `c";
         assert!(message.starts_with(expected), "{message}");
         assert!(
             message.ends_with("; convert them to mm, m or in, and say so here"),

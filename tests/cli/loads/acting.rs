@@ -132,6 +132,10 @@ fn a_spring_acts_as_its_load_stated_as_a_number() {
         report.contains("\ndamper (spring coil and the stated 500.0 N)  "),
         "{report}"
     );
+    // Also where the spring has the name of its measure.
+    let case =
+        case("acting = [\"damper\"]\ndamper = 500.0").replace("springs.coil", "springs.damper");
+    assert_near(table(&case, &up)[0]["a_damper_N"], load + 500.0, 1e-9);
 }
 
 #[test]

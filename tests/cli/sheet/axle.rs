@@ -4,6 +4,16 @@ use super::super::program::{folder, run, text};
 
 /// The page of a front axle whose wheels reach 87 mm down and 142 mm up, and the messages.
 fn sheet(options: &[&str]) -> (String, String) {
+    let folder = imported();
+    let arguments = [&["sheet", "a.toml", "--out", "-"], options].concat();
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let [page, messages] = [&output.stdout, &output.stderr].map(|bytes| text(bytes).to_owned());
+    (page, messages)
+}
+
+/// A folder with the motion file of the imported axle, `a.toml`.
+fn imported() -> tempfile::TempDir {
     let folder = folder();
     let path = folder.path();
     let table = include_str!("../../../examples/hardpoints.csv");
@@ -16,11 +26,7 @@ fn sheet(options: &[&str]) -> (String, String) {
         "rack_per_turn = 80.0\nwheelbase = 1550.0 ",
     );
     std::fs::write(path.join("a.toml"), motion).expect("written");
-    let arguments = [&["sheet", "a.toml", "--out", "-"], options].concat();
-    let output = run(path, &arguments);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let [page, messages] = [&output.stdout, &output.stderr].map(|bytes| text(bytes).to_owned());
-    (page, messages)
+    folder
 }
 
 /// The part of a page below a heading.
@@ -97,7 +103,7 @@ fn charts_that_would_show_nothing_are_left_out_or_show_the_change() {
             let numbers = numbers(section, &title);
             // Those across are up to 60 mm.
             assert!(
-                numbers.iter().all(|number| number.abs() <= 100.0),
+                !numbers.is_empty() && numbers.iter().all(|number| number.abs() <= 100.0),
                 "{numbers:?}"
             );
         }
@@ -129,6 +135,15 @@ fn the_ackermann_percentage_is_drawn_from_five_degrees_of_steer() {
         "{numbers:?}"
     );
     assert!(!section(&page, "Over heave").contains(note));
+}
+
+#[test]
+fn compare_says_that_small_steer_angles_are_left_out() {
+    let folder = imported();
+    let output = run(folder.path(), &["compare", "a.toml", "a.toml"]);
+    let report = text(&output.stdout);
+    let note = "Ackermann percentage: left out where a wheel is steered by less than 5 deg";
+    assert!(report.contains(note), "{report}");
 }
 
 #[test]

@@ -72,6 +72,11 @@ fn mistakes_in_measured_points_are_located() {
         ),
         ("[[0.0, nan]]", "", "a.toml:16:9: the target is not finite"),
         (
+            "[[nan, 0.1], [0.0, 0.2]]",
+            "",
+            "a.toml:16:9: the place of a measured point is not finite",
+        ),
+        (
             "[[-61.0, 0.5], [70.0, 1.0]]",
             "",
             "a.toml:16:9: no measured point is within the range of `over`, from -0.06 to 0.06; the points are from -61 to 70",

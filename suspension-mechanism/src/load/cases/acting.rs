@@ -72,7 +72,9 @@ impl Reader<'_> {
         let names = &self.mechanism.names;
         let spring = &names.vehicle.springs[spring];
         let (name, case_name) = (&spring.name, &case.name);
-        if loads.keys().any(|stated| stated.get_ref() == name) {
+        // A measure of that name comes first: its load is added to that of the spring.
+        let is_measure = names.measure_names().contains(&name.as_str());
+        if !is_measure && loads.keys().any(|stated| stated.get_ref() == name) {
             return Some(format!(
                 "load case `{case_name}` states the load of spring `{name}`, which cannot act by its rate as well: leave `{name}` out of \
                  {ACTING}, or leave out the line {name} = ..."

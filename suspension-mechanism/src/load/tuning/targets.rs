@@ -157,6 +157,10 @@ impl Naming<'_> {
         place: &Range<usize>,
     ) -> Result<(Vec<Axis>, Vec<f64>), Failure> {
         let [from, to] = self.ends(range)?;
+        if points.iter().any(|[at, _]| !at.is_finite()) {
+            let message = "the place of a measured point is not finite";
+            return Err(self.source.refuse(place, message));
+        }
         let all = ends(points.iter().map(|[at, _]| *at));
         points.retain(|[at, _]| (from..=to).contains(at));
         points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
