@@ -12,8 +12,10 @@ use super::stand_in::has_stand_in;
 /// The most names that a message gives for a missing point.
 const FEW_NAMES: usize = 4;
 
-/// The points of a rocker's axis, and the outer end of a damper in layouts without a rocker.
-const ROCKER: [&str; 2] = ["rocker_front", "rocker_rear"];
+/// Words of the names of points at a rocker, a point of its axis in all layouts that have one, and the outer end of a damper in
+/// layouts that have none.
+const OF_ROCKER: [&str; 3] = ["rocker", "pushrod", "pullrod"];
+const ROCKER: &str = "rocker_front";
 const DAMPER: &str = "damper_lower";
 
 /// A listing that may be chosen, with the points that the file has for it.
@@ -145,16 +147,16 @@ impl<'a> Candidate<'a> {
         names: &Names,
     ) -> Option<String> {
         let has = |name: &str| self.found.iter().any(|(found, _)| found == name);
-        let is_rocker = |point: &&&Hardpoint| {
+        let is_of_rocker = |point: &&&Hardpoint| {
             let form = names.normal(&point.key);
-            let mut of_rocker = ROCKER.iter().flat_map(|name| names.of_point(name));
-            of_rocker.any(|name| names.normal(name) == form)
+            form.split('_').any(|word| OF_ROCKER.contains(&word))
         };
-        let rocker = points.iter().find(is_rocker)?;
-        (has(DAMPER) && !has(ROCKER[0])).then(|| {
+        let rocker = points.iter().find(is_of_rocker)?;
+        (has(DAMPER) && !has(ROCKER)).then(|| {
             format!(
-                "the damper would end at a wishbone, but `{}` ({}) is of a rocker: --linkage double_wishbone_rocker says which \
-                 points are missing; without the rocker's points the damper ends at the wishbone",
+                "the damper would end at a wishbone or knuckle, but `{}` ({}) is of a rocker: --linkage double_wishbone_rocker says \
+                 which points are missing, for example the ends of the rocker's axis, `Rocker front` and `Rocker rear`; leave out \
+                 all points of the rocker and its rod if the damper does not end at it",
                 rocker.name,
                 stated.line(&rocker.place)
             )

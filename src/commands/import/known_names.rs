@@ -198,9 +198,22 @@ mod tests {
         ),
         (
             "rocker_front",
-            &["bellcrank_pivot", "rocker_axis_1st_point"],
+            &[
+                "rocker_axis_front",
+                "bellcrank_pivot_fwd",
+                "bellcrank_pivot",
+                "rocker_axis_1st_point",
+            ],
         ),
-        ("rocker_rear", &["bellcrank_axis", "bellcrank_pivot_orient"]),
+        (
+            "rocker_rear",
+            &[
+                "rocker_axis_rear",
+                "rocker_bearing_aft",
+                "bellcrank_axis",
+                "bellcrank_pivot_orient",
+            ],
+        ),
         (
             "damper_inner",
             &["shock_to_chassis", "damper_to_body_point", "damper_inboard"],
@@ -211,9 +224,28 @@ mod tests {
         ),
         ("damper_lower", &["damper_to_lca", "shock_lower"]),
         ("damper_upper", &["shock_top", "damper_top_mount"]),
-        ("bar_outer", &["arb_bushing_mount", "arb_pivot"]),
-        ("drop_upper", &["arblink_to_bellcrank", "droplink_upper"]),
-        ("drop_lower", &["droplink_to_arb", "arblink_to_arb"]),
+        (
+            "bar_outer",
+            &["arb_pivot_outer", "arb_bushing_mount", "arb_pivot"],
+        ),
+        (
+            "drop_upper",
+            &[
+                "arb_drop_link_upper",
+                "sway_bar_end_link_upper",
+                "arblink_to_bellcrank",
+                "droplink_upper",
+            ],
+        ),
+        (
+            "drop_lower",
+            &[
+                "anti_roll_bar_link_bottom",
+                "arb_drop_link_bar",
+                "droplink_to_arb",
+                "arblink_to_arb",
+            ],
+        ),
     ];
 
     #[test]

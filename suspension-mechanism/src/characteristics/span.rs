@@ -16,7 +16,7 @@ impl FromStr for Span {
         match ends {
             Some([from, to]) if from < to => Ok(Self([from, to])),
             Some(_) => Err("FROM must be less than TO, as in -0.06:0.06".to_owned()),
-            None => Err("write FROM:TO, as -0.06:0.06".to_owned()),
+            None => Err("write FROM:TO, as -0.06:0.06 in m or -60:60 in mm".to_owned()),
         }
     }
 }
@@ -29,9 +29,9 @@ mod tests {
     fn an_invalid_range_option_is_refused_with_the_reason() {
         assert_eq!("-0.03 : 0.04".parse(), Ok(Span([-0.03, 0.04])));
         for (text, expected) in [
-            ("0.03", "write FROM:TO, as -0.06:0.06"),
-            ("a:1", "write FROM:TO, as -0.06:0.06"),
-            ("0:inf", "write FROM:TO, as -0.06:0.06"),
+            ("0.03", "write FROM:TO, as -0.06:0.06 in m or -60:60 in mm"),
+            ("a:1", "write FROM:TO, as -0.06:0.06 in m or -60:60 in mm"),
+            ("0:inf", "write FROM:TO, as -0.06:0.06 in m or -60:60 in mm"),
             ("0.03:-0.03", "FROM must be less than TO, as in -0.06:0.06"),
             ("0:0", "FROM must be less than TO, as in -0.06:0.06"),
         ] {

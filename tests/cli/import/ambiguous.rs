@@ -219,9 +219,9 @@ fn a_damper_of_a_table_with_a_rocker_does_not_end_at_a_wishbone() {
         .replace("prod_inboard", pushrods[1]);
     let file = file.replace("shock_to_bellcrank", "shock_outboard");
     let said = refusal("a.csv", &file, &[]);
-    let expected = "a.csv: the damper would end at a wishbone, but `bellcrank_pivot` (a.csv:12) is of a rocker: --linkage \
-                    double_wishbone_rocker says which points are missing; without the rocker's points the damper ends at the \
-                    wishbone";
+    let expected = "a.csv: the damper would end at a wishbone or knuckle, but `bellcrank_pivot` (a.csv:12) is of a rocker: --linkage \
+                    double_wishbone_rocker says which points are missing, for example the ends of the rocker's axis, `Rocker front` \
+                    and `Rocker rear`; leave out all points of the rocker and its rod if the damper does not end at it";
     assert_eq!(said, expected);
 }
 

@@ -193,15 +193,34 @@ fn drive_values_in_another_unit_or_from_another_zero_are_noted() {
 
 #[test]
 fn a_rate_of_a_spring_in_another_unit_is_noted() {
-    let noted = |rate: &str| {
-        let spring = format!("\n[springs.main]\nalong = \"damper\"\nrate = {rate}\n");
-        notes(&(example("double_wishbone_pushrod.toml") + &spring))
+    let in_degrees =
+        example("double_wishbone_pushrod.toml").replace("unit =", "angle = \"deg\"\nunit =");
+    let noted = |along: &str, rate: &str| {
+        let spring = format!("\n[springs.main]\nalong = \"{along}\"\nrate = {rate}\n");
+        notes(&format!("{in_degrees}{spring}"))
     };
-    for rate in ["28000.0", "0.0"] {
-        assert_eq!(noted(rate), "", "{rate}");
+    for (along, rate) in [
+        ("damper", "28000.0"),
+        ("damper", "0.0"),
+        ("bar_arm", "300.0"),
+    ] {
+        assert_eq!(noted(along, rate), "", "{along} {rate}");
     }
-    let expected = "the rate of spring `main` is 28 N per m; it is usually from 500 to 5e6 N per m: rates are per unit of length of \
-                    the file\n";
-    let message = noted("28.0");
-    assert!(message.ends_with(expected), "{message}");
+    let why = "rates are per unit of lengths or angles of the file\n";
+    for (along, rate, doubt) in [
+        (
+            "damper",
+            "28.0",
+            "28 N per m; it is usually from 500 to 5e6 N per m",
+        ),
+        (
+            "bar_arm",
+            "30000.0",
+            "30000 N m per deg; it is usually from 0.08727 to 3491 N m per deg",
+        ),
+    ] {
+        let message = noted(along, rate);
+        let expected = format!("the rate of spring `main` is {doubt}: {why}");
+        assert!(message.ends_with(&expected), "{message}");
+    }
 }

@@ -30,9 +30,10 @@ fn measured_points_of_a_known_design_find_the_design() {
         .map(|row: usize| [rows[row]["bump_m"] - 0.3, rows[row]["camber_deg"]])
         .into();
     points.push([0.07, 100.0]);
+    // As a spreadsheet in Germany writes it.
     let lines = points
         .iter()
-        .map(|[at, camber]| format!("{camber:?}; left;{at:?}\r\n"));
+        .map(|[at, camber]| format!("{camber:?}; left;{at:?}\r\n").replace('.', ","));
     let csv = format!(
         "\u{feff}\"camber, left\";wheel;travel\r\n\r\n{}",
         lines.collect::<String>()
@@ -113,8 +114,8 @@ fn mistakes_in_measured_points_are_located() {
         ),
         (
             csv,
-            "travel;toe\r\n0.0;1.0\r\n\r\n0.01;0,5\r\n",
-            "measured.csv:4:1: `0,5` in column `toe` is not a finite number, as -0.5",
+            "travel;toe\r\n0,0;1,0\r\n\r\n0,01;0,5,1\r\n",
+            "measured.csv:4:1: `0,5,1` in column `toe` is not a finite number, as -0.5",
         ),
         (
             csv,

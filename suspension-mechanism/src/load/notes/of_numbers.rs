@@ -38,26 +38,33 @@ pub(super) fn lengths(task: &Task<'_>) -> impl Iterator<Item = String> {
     radius.flatten().take(1).chain(of_car)
 }
 
-/// Notes on rates of springs along lengths that seem to be in another unit.
+/// The usual rates of springs, from models in a tenth of the size to lorries, N/m.
+const RATES: Range<f64> = 500.0..5e6;
+
+/// The usual rates of bars about an angle, N m/rad.
+const RATES_OF_BARS: Range<f64> = 5.0..2e5;
+
+/// Notes on rates of springs and bars that seem to be in another unit.
 pub(super) fn rates(task: &Task<'_>) -> impl Iterator<Item = String> {
-    /// The rates of springs of vehicles, from models in a tenth of the size to lorries, N/m.
-    const USUAL: Range<f64> = 500.0..5e6;
-    let unit = task.file.length;
+    let unit = task.file.unit();
     let springs = task.file.springs.iter().flat_map(|table| table.get_ref());
     springs.filter_map(move |(name, stated)| {
         let along = stated.get_ref().along.get_ref();
         let mut measures = task.names.measures.iter();
         let measure = measures.find(|measure| measure.name == *along)?;
         let rate = *stated.get_ref().rate.get_ref();
-        let is_usual = rate == 0.0 || USUAL.contains(&(rate * unit.metre()));
-        if matches!(measure.kind, MeasureKind::Angle) || is_usual {
+        let (usual, per, what, symbol) = match measure.kind {
+            MeasureKind::Length => (RATES, unit.length.metre(), "N", unit.length.symbol()),
+            MeasureKind::Angle => (RATES_OF_BARS, unit.angle.radian(), "N m", unit.angle.symbol()),
+        };
+        if rate == 0.0 || usual.contains(&(rate * per)) {
             return None;
         }
-        let [from, to] = [USUAL.start, USUAL.end].map(|end| rounded(end / unit.metre(), 5));
-        let (name, rate, symbol) = (name.get_ref(), number(rate), unit.symbol());
+        let [from, to] = [usual.start, usual.end].map(|end| rounded(end / per, 4));
+        let (name, rate) = (name.get_ref(), number(rate));
         Some(format!(
-            "the rate of spring `{name}` is {rate} N per {symbol}; it is usually from {from} to {to} N per {symbol}: rates are per \
-             unit of length of the file"
+            "the rate of spring `{name}` is {rate} {what} per {symbol}; it is usually from {from} to {to} {what} per {symbol}: rates \
+             are per unit of lengths or angles of the file"
         ))
     })
 }

@@ -21,8 +21,9 @@ pub(super) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, 
     let file = read_beside(source, &stated.csv)?;
     // The mark with which spreadsheets begin a file is not part of its first heading.
     let file = Source::new(file.name(), file.text().trim_start_matches('\u{feff}'));
+    let separator = separator(file.text());
     let mut reader = ReaderBuilder::new()
-        .delimiter(separator(file.text()))
+        .delimiter(separator)
         .trim(Trim::All)
         .flexible(true)
         .from_reader(file.text().as_bytes());
@@ -47,7 +48,11 @@ pub(super) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, 
     let columns = [column(drive)?, column(value)?];
     let points = reader.records().map(|record| {
         let record = record.map_err(unread)?;
-        let number = |column: usize| number(&file, &record, (column, headings[column]));
+        let number = |column: usize| {
+            let field = record.get(column).unwrap_or_default();
+            let number = parsed(field, separator);
+            number.ok_or_else(|| no_number(&file, &record, (field, headings[column])))
+        };
         Ok([number(columns[0])?, number(columns[1])?])
     });
     points.collect()
@@ -61,24 +66,26 @@ fn separator(text: &str) -> u8 {
     other.unwrap_or(b',')
 }
 
-fn number(
-    file: &Source,
-    record: &StringRecord,
-    (column, heading): (usize, &str),
-) -> Result<f64, Failure> {
-    let text = record.get(column).unwrap_or_default();
-    let number = text.parse().ok().filter(|number: &f64| number.is_finite());
-    number.ok_or_else(|| {
-        let message = match text {
-            "" => format!("the line has no number in column `{heading}`"),
-            _ => format!("`{text}` in column `{heading}` is not a finite number, as -0.5"),
-        };
-        // The record may begin at the end of the line before.
-        let begin = record
-            .position()
-            .map_or(0, |position| position.byte() as usize);
-        let before = file.text()[begin..].trim_start().len();
-        let start = file.text().len() - before;
-        file.refuse(&(start..start), message)
-    })
+/// The number in a field, with a decimal point or, where commas do not separate fields, a decimal comma.
+fn parsed(field: &str, separator: u8) -> Option<f64> {
+    let number = match separator {
+        b',' => field.parse(),
+        _ => field.replace(',', ".").parse(),
+    };
+    number.ok().filter(|number: &f64| number.is_finite())
+}
+
+/// The refusal of a field without a number.
+fn no_number(file: &Source, record: &StringRecord, (field, heading): (&str, &str)) -> Failure {
+    let message = match field {
+        "" => format!("the line has no number in column `{heading}`"),
+        _ => format!("`{field}` in column `{heading}` is not a finite number, as -0.5"),
+    };
+    // The record may begin at the end of the line before.
+    let begin = record
+        .position()
+        .map_or(0, |position| position.byte() as usize);
+    let before = file.text()[begin..].trim_start().len();
+    let start = file.text().len() - before;
+    file.refuse(&(start..start), message)
 }
