@@ -4,12 +4,12 @@ use crate::characteristics::along::Along;
 use crate::characteristics::line::{Line, Sort};
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
 use crate::characteristics::poles::{has_poles, jumps, remove_far};
-use crate::characteristics::small_steer::leave_out;
+use crate::characteristics::small_steer::{LEAST_STEER, leave_out};
 use crate::characteristics::title::Title;
 use crate::characteristics::way::{Does, Way};
 use crate::file::Dimension;
 use crate::mechanism::{Description, Pair, State, Unit};
-use crate::quantities::{Column, MEASURES, ROLL_CENTRE, place_in_curves};
+use crate::quantities::{ACKERMANN, Column, MEASURES, ROLL_CENTRE, place_in_curves};
 
 /// The curves along a drive, those that a reader looks for first before the others.
 #[derive(Clone)]
@@ -33,6 +33,17 @@ pub struct Curves {
 }
 
 impl Curves {
+    /// Says that the Ackermann percentage is left out at small steer angles, if it is.
+    pub fn without_small_steer(&self) -> Option<String> {
+        self.is_without_small_steer.then(|| {
+            format!(
+                "{}: left out where a wheel is steered by less than {LEAST_STEER} deg, as static toe determines it there. \
+                 suspension sweep writes all values",
+                ACKERMANN.title
+            )
+        })
+    }
+
     /// The label of an axis of the drive.
     pub fn axis_label(&self, unit: Unit) -> String {
         let (_, symbol) = self.dimension.display_scale(unit);

@@ -2,13 +2,12 @@
 
 use suspension_motion_file::is_within;
 
-use crate::characteristics::curves::Curves;
 use crate::characteristics::line::Line;
 use crate::quantities::{ACKERMANN, STEER_ANGLE};
 
 /// The steer angle, in degrees, from which the Ackermann percentage is drawn. If a wheel is steered by less, static toe
 /// is a large part of the difference between the wheels, and the percentage runs to values far from those at full lock.
-const LEAST_STEER: f64 = 5.0;
+pub(super) const LEAST_STEER: f64 = 5.0;
 
 /// Removes the Ackermann percentage of each axle where one of its wheels is steered by less; returns whether it had a
 /// value there.
@@ -32,17 +31,4 @@ pub(super) fn leave_out(lines: &mut [Line]) -> bool {
         }
     }
     is_left_out
-}
-
-impl Curves {
-    /// Says that the Ackermann percentage is left out at small steer angles, if it is.
-    pub fn without_small_steer(&self) -> Option<String> {
-        self.is_without_small_steer.then(|| {
-            format!(
-                "{}: left out where a wheel is steered by less than {LEAST_STEER} deg, as static toe determines it there. \
-                 suspension sweep writes all values",
-                ACKERMANN.title
-            )
-        })
-    }
 }
