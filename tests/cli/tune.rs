@@ -112,7 +112,7 @@ fn an_unmet_target_is_reported_with_the_move_at_its_limit() {
     let expected = "a.toml: not met: bump_steer; at the end of their boxes: rack_height";
     assert!(text(&output.stderr).contains(expected), "{output:?}");
     let heading = text(&output.stdout).lines().next();
-    assert_eq!(heading, Some("a.toml: not tuned, 1 of 1 target not met"));
+    assert_eq!(heading, Some("a.toml: 1 of 1 target not met"));
     assert!(
         text(&output.stdout).contains("rack_height  -0.001"),
         "{output:?}"
@@ -187,8 +187,8 @@ fn contradicting_targets_are_named_as_a_possible_reason() {
         &file("double_wishbone", DRIVES, &format!("{moves}{one}{two}")),
     );
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let expected = "a.toml: not met: caster, other; no box stops the moves: caster, other may need other moves, or more, or contradict \
-                other targets\n";
+    let expected = "a.toml: not met: caster, other; no move is at the end of its box: more moves or others are needed for caster and \
+                    other, or targets contradict each other\n";
     assert!(text(&output.stderr).ends_with(expected), "{output:?}");
 }
 

@@ -1,6 +1,6 @@
 //! The report of tuning as text: the moves and the results.
 
-use crate::mechanism::Description;
+use crate::mechanism::{Description, listed};
 use crate::number::{counted, number, rounded};
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::tune::{Deviations, Move, Target, Tuned, Wanted};
@@ -45,7 +45,7 @@ impl Report<'_> {
         let (unmet, all) = (unmet.count(), counted(self.targets.len(), "target"));
         match unmet {
             0 => format!("tuned, {all} met"),
-            unmet => format!("not tuned, {unmet} of {all} not met"),
+            unmet => format!("{unmet} of {all} not met"),
         }
     }
 
@@ -126,8 +126,8 @@ impl Report<'_> {
             }),
             (!ends.is_empty()).then(|| format!("at the end of their boxes: {}", ends.join(", "))),
             (ends.is_empty() && !others.is_empty()).then(|| {
-                let names = others.join(", ");
-                format!("no box stops the moves: {names} may need other moves, or more, or contradict other targets")
+                let names = listed(others.iter().map(|name| (*name).to_owned()));
+                format!("no move is at the end of its box: more moves or others are needed for {names}, or targets contradict each other")
             }),
         ];
         let reasons: Vec<String> = reasons.into_iter().flatten().collect();
