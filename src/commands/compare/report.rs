@@ -74,7 +74,8 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let notes = notes.chain(no_radius(sides));
     let curves = sides.into_iter().flat_map(|side| &side.curves);
     let small_steer = curves.filter_map(Curves::without_small_steer).next();
-    let notes = notes.chain(small_steer);
+    let shorter_roll = sides.into_iter().find_map(|side| side.shorter_roll.clone());
+    let notes = notes.chain(small_steer).chain(shorter_roll);
     let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
     notes.collect()
 }

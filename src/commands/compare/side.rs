@@ -7,7 +7,7 @@ use crate::characteristics::{
     Curves, Does, Parameter, Rises, Span, Way, curves, parameters, shorter_roll, unmet_range, ways,
 };
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel};
 use crate::quantities::{Axis, CENTRE, TOE};
@@ -35,6 +35,8 @@ pub(super) struct Side {
     pub(super) parameters: Vec<Parameter>,
     /// Curves over travel, and over steering if a drive steers.
     pub(super) curves: Vec<Curves>,
+    /// A sentence on the range of the curves over roll, if that is shorter than the travel.
+    pub(super) shorter_roll: Option<String>,
     /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,
     /// The failure to report of them.
@@ -52,9 +54,6 @@ impl Side {
     ) -> Result<Self, Failure> {
         let file = source.name();
         let along = ways(mechanism, file, spans, unit, interrupted)?;
-        if let Some(note) = shorter_roll(mechanism, spans[0]) {
-            tell(format_args!("note: {file}: {note}"));
-        }
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
         let missing = missing.map(|failure| failure.to_string());
         let curves = along.iter().map(|along| curves(mechanism, along, unit));
@@ -78,6 +77,7 @@ impl Side {
             converted,
             unit,
             lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
+            shorter_roll: shorter_roll(mechanism, spans[0]),
             missing: missing.collect(),
             failure: unmet_range(&along, file),
             rises: Rises::compute(mechanism, &parameters),

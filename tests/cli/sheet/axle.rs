@@ -138,12 +138,21 @@ fn the_ackermann_percentage_is_drawn_from_five_degrees_of_steer() {
 }
 
 #[test]
-fn compare_says_that_small_steer_angles_are_left_out() {
+fn compare_says_what_its_curves_leave_out() {
     let folder = imported();
-    let output = run(folder.path(), &["compare", "a.toml", "a.toml"]);
-    let report = text(&output.stdout);
-    let note = "Ackermann percentage: left out where a wheel is steered by less than 5 deg";
-    assert!(report.contains(note), "{report}");
+    let arguments = [
+        "compare", "a.toml", "a.toml", "--travel", "-80:130", "--html", "c.html",
+    ];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    for note in [
+        "Ackermann percentage: left out where a wheel is steered by less than 5 deg",
+        "the curves over roll are from -80 to 80, as one wheel moves down as far as the other moves up",
+    ] {
+        assert!(text(&output.stdout).contains(note), "{output:?}");
+        assert!(page.contains(note), "{page}");
+    }
 }
 
 #[test]
