@@ -3,11 +3,11 @@
 mod drawing;
 mod found;
 mod leading;
-mod left_out;
 mod line;
 mod note;
 mod report;
 mod run;
+mod springs_left_out;
 mod table;
 mod unloaded;
 

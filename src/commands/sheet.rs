@@ -2,9 +2,9 @@
 
 mod curves;
 mod derivatives;
+mod far_apart;
 mod grouped;
 mod page;
-mod spread;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;

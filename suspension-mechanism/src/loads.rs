@@ -4,12 +4,12 @@
 mod bearing;
 mod forces;
 mod in_measures;
-mod left_out;
 mod moments;
 mod on_chassis;
 mod outcome;
 mod shares;
 mod site;
+mod springs_left_out;
 mod unborne;
 
 use std::cell::OnceCell;

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Does, Line, Parameter, Title};
+use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
 use crate::commands::sheet::grouped::grouped;
-use crate::commands::sheet::spread::{are_far_apart, less};
 use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
@@ -33,7 +33,7 @@ fn chart(curves: &Curves, parameters: &[Parameter], (lines, unit): (Vec<&Line>, 
     let (title, points) = match designs.flatten() {
         Some(designs) => (
             format!("{title}, change from design"),
-            less(points, &designs),
+            changes_from(points, &designs),
         ),
         None => (title, points),
     };

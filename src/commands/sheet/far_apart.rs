@@ -22,8 +22,8 @@ pub(super) fn are_far_apart(curves: &[Points]) -> bool {
     largest > 0.0 && all > FLAT * largest
 }
 
-/// Returns curves, each less a value of its own.
-pub(super) fn less(curves: Vec<Points>, values: &[f64]) -> Vec<Points> {
+/// Returns curves, each as its change from a value of its own.
+pub(super) fn changes_from(curves: Vec<Points>, values: &[f64]) -> Vec<Points> {
     let each = curves.into_iter().zip(values);
     let lowered = |(curve, value): (Points, &f64)| {
         let points = curve.into_iter();
@@ -41,7 +41,7 @@ mod tests {
         let curve = |from: f64, to: f64| vec![(0.0, from), (1.0, f64::NAN), (2.0, to)];
         let sides = vec![curve(600.0, 610.0), curve(-600.0, -590.0)];
         assert!(are_far_apart(&sides));
-        for change in less(sides, &[600.0, -600.0]) {
+        for change in changes_from(sides, &[600.0, -600.0]) {
             assert_eq!((change[0], change[2]), ((0.0, 0.0), (2.0, 10.0)));
         }
         assert!(!are_far_apart(&[curve(0.0, 10.0), curve(0.0, -10.0)]));
