@@ -2,7 +2,6 @@
 
 mod axle;
 mod candidate;
-mod catalogue_points;
 mod checked;
 mod choice;
 mod columns;
@@ -16,6 +15,7 @@ mod heading;
 mod help;
 mod imported;
 mod known_names;
+mod layout;
 mod names;
 mod orientation;
 mod rack;
@@ -115,8 +115,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let names = Names::read()?;
         let Some(file) = self.file.as_ref().filter(|_| !self.names) else {
-            let known = known_names::known_names(&names);
-            return print(&known.map_err(|mistakes| Failure::Input(mistakes.to_string()))?);
+            return print(&known_names::known_names(&names));
         };
         let source = with_line_ends(Source::read(file)?);
         let stated = self.of_axle(format::read(&source, &names)?, &names)?;

@@ -2,10 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use suspension_runtime::Mistakes;
-
-use super::catalogue_points::points_of;
 use super::hardpoints::{Hardpoint, Hardpoints};
+use super::layout::Layout;
 use super::names::{MOST_NAMES, Names, and_more};
 use super::stand_in::has_stand_in;
 
@@ -21,8 +19,7 @@ const DAMPER: &str = "damper_lower";
 /// A listing that may be chosen, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Candidate<'a> {
-    pub(super) linkage: &'static str,
-    pub(super) text: &'static str,
+    pub(super) layout: &'a Layout,
     /// The points that the file has, each with its name in the listing.
     pub(super) found: Vec<(String, &'a Hardpoint)>,
     /// Missing points that are computed from others.
@@ -32,11 +29,7 @@ pub(super) struct Candidate<'a> {
 }
 
 impl<'a> Candidate<'a> {
-    pub(super) fn new(
-        (linkage, text): (&'static str, &'static str),
-        points: &[&'a Hardpoint],
-        names: &Names,
-    ) -> Result<Self, Mistakes> {
+    pub(super) fn new(layout: &'a Layout, points: &[&'a Hardpoint], names: &Names) -> Self {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
         // Points of one name are in one place, or `named_twice` refuses them: the first is taken.
         let by_name = points.iter().rev();
@@ -44,7 +37,7 @@ impl<'a> Candidate<'a> {
             .map(|point| (names.normal(&point.key), *point))
             .collect();
         let named = |name: &str| by_name.get(&names.normal(name));
-        for name in points_of(linkage, text)? {
+        for name in layout.points.iter().cloned() {
             let point = names.of_point(&name).find_map(named).copied();
             match point {
                 Some(point) => found.push((name, point)),
@@ -54,14 +47,13 @@ impl<'a> Candidate<'a> {
         let has = |name: &str| found.iter().any(|(other, _)| other == name);
         let (spare, missing) = missing
             .into_iter()
-            .partition(|name| has_stand_in(name, text, has));
-        Ok(Self {
-            linkage,
-            text,
+            .partition(|name| has_stand_in(name, layout.text, has));
+        Self {
+            layout,
             found,
             spare,
             missing,
-        })
+        }
     }
 
     /// Returns the missing points that cannot be placed from the others.
@@ -71,7 +63,7 @@ impl<'a> Candidate<'a> {
         let has = |name: &str| with_missing.iter().any(|other| *other == name);
         let missing = self.missing.iter().map(String::as_str);
         missing
-            .filter(|name| !has_stand_in(name, self.text, has))
+            .filter(|name| !has_stand_in(name, self.layout.text, has))
             .collect()
     }
 
@@ -171,7 +163,7 @@ impl<'a> Candidate<'a> {
         names: &Names,
         wanted: Option<&str>,
     ) -> Option<String> {
-        let linkage = self.linkage;
+        let linkage = self.layout.name;
         if self.found.is_empty() {
             let first = points.first().map_or("", |point| point.name.as_str());
             let is_known = points.iter().any(|point| names.is_point(&point.key));

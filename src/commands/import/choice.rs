@@ -2,7 +2,6 @@
 
 use std::cmp::Reverse;
 
-use suspension_core::linkages::LISTINGS;
 use suspension_runtime::{Listing, Mistakes, catalogue};
 
 use super::candidate::Candidate;
@@ -34,8 +33,9 @@ impl<'a> Choice<'a> {
     fn new(candidate: Candidate<'a>, stated: &Hardpoints<'_>) -> Result<Self, Mistakes> {
         let point = |name: &str| point_of(&candidate.found, name);
         let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
-        let upper = point_on_upper(candidate.text, point);
-        let mut text = candidate.text.to_owned();
+        let layout = candidate.layout;
+        let upper = point_on_upper(layout.text, point);
+        let mut text = layout.text.to_owned();
         if fixed.is_some() {
             text = rack::fixed(&text);
         }
@@ -43,8 +43,8 @@ impl<'a> Choice<'a> {
             text = on_upper(&text);
         }
         Ok(Self {
-            linkage: candidate.linkage,
-            listing: Listing::parse_file(&text, candidate.linkage)?,
+            linkage: layout.name,
+            listing: Listing::parse_file(&text, layout.name)?,
             text,
             is_changed: fixed.is_some() || upper.is_some(),
             fixed,
@@ -73,15 +73,13 @@ fn point_of<'a>(found: &[(String, &'a Hardpoint)], name: &str) -> Option<&'a Har
 pub(super) fn choose<'a>(
     stated: &Hardpoints<'_>,
     points: &[&'a Hardpoint],
-    names: &Names,
+    names: &'a Names,
     wanted: Option<&str>,
 ) -> Result<Choice<'a>, String> {
-    let listings = LISTINGS.iter();
-    let listings = listings.filter(|(name, _)| wanted.is_none_or(|wanted| wanted == *name));
-    let refuse = |mistakes: Mistakes| mistakes.to_string();
-    let candidates = listings.map(|listing| Candidate::new(*listing, points, names));
-    let candidates = candidates.collect::<Result<_, _>>();
-    let mut candidates: Vec<Candidate<'a>> = candidates.map_err(refuse)?;
+    let layouts = names.layouts.iter();
+    let layouts = layouts.filter(|layout| wanted.is_none_or(|wanted| wanted == layout.name));
+    let candidates = layouts.map(|layout| Candidate::new(layout, points, names));
+    let mut candidates: Vec<Candidate<'a>> = candidates.collect();
     candidates.sort_by_key(|candidate| {
         let (found, needed) = (candidate.found.len(), candidate.needed().len());
         // Of two listings with equally many points, prefer the one that states its spin axis.
@@ -107,9 +105,9 @@ pub(super) fn choose<'a>(
         {
             Err(format!(
                 "the points are those of {} and of {}: say which with --linkage",
-                best.linkage, other.linkage
+                best.layout.name, other.layout.name
             ))
         }
-        _ => Choice::new(best, stated).map_err(refuse),
+        _ => Choice::new(best, stated).map_err(|mistakes| mistakes.to_string()),
     }
 }

@@ -1,22 +1,14 @@
 //! What `--names` prints.
 
-use suspension_core::linkages::LISTINGS;
-use suspension_runtime::Mistakes;
-
-use super::catalogue_points::points_of;
 use super::names::Names;
 use crate::quantities::WIDTH;
 
 /// Lists the names that import knows: the layouts with their points, the other names of points and of numbers, and the words
 /// that mean the same.
-///
-/// # Errors
-///
-/// The mistakes of a listing.
-pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
+pub(super) fn known_names(names: &Names) -> String {
     let mut text = "layouts and their points\n".to_owned();
-    for (linkage, listing) in LISTINGS {
-        text += &row(linkage, &points_of(linkage, listing)?);
+    for layout in &names.layouts {
+        text += &row(layout.name, &layout.points);
     }
     let parts = [
         ("other names of points", &names.points),
@@ -30,7 +22,7 @@ pub(super) fn known_names(names: &Names) -> Result<String, Mistakes> {
         }
     }
     text += &format!("words without a meaning\n{}", row("", &names.unsaid));
-    Ok(text)
+    text
 }
 
 /// Returns a name with others beside it, in lines that a terminal does not break.
@@ -50,21 +42,13 @@ mod tests {
     use super::super::names::spelled;
     use super::*;
 
-    /// Returns the points of each layout of the catalogue.
-    fn layouts() -> Vec<(&'static str, Vec<String>)> {
-        let points = |&(linkage, text)| (linkage, points_of(linkage, text).expect("a listing"));
-        LISTINGS.iter().map(points).collect()
-    }
-
     #[test]
     fn names_toml_has_points_of_the_catalogue_in_normal_spelling() {
         let names = Names::read().expect("a table");
-        let points: Vec<String> = layouts()
-            .into_iter()
-            .flat_map(|(_, points)| points)
-            .collect();
+        let layouts = names.layouts.iter();
+        let points: Vec<&String> = layouts.flat_map(|layout| &layout.points).collect();
         for (point, others) in &names.points {
-            assert!(points.contains(point), "no listing has {point}");
+            assert!(points.contains(&point), "no listing has {point}");
             for name in others {
                 assert_eq!(*name, spelled(name));
             }
@@ -72,19 +56,19 @@ mod tests {
         let arrangement = &names.arrangement;
         let ordered = arrangement.ahead.iter().chain(&arrangement.above).flatten();
         for point in ordered {
-            assert!(points.contains(point), "no listing has {point}");
+            assert!(points.contains(&point), "no listing has {point}");
         }
     }
 
     #[test]
     fn no_name_is_that_of_two_points_of_a_layout_or_stands_twice() {
         let names = Names::read().expect("a table");
-        for (linkage, points) in layouts() {
+        for layout in &names.layouts {
             let mut found = BTreeMap::new();
-            for point in &points {
+            for point in &layout.points {
                 for name in names.of_point(point) {
                     let other = found.insert(names.normal(name), (point, name));
-                    assert_eq!(other, None, "{linkage}: {point}, {name}");
+                    assert_eq!(other, None, "{}: {point}, {name}", layout.name);
                 }
             }
         }

@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
-use suspension_core::linkages::LISTINGS;
 use suspension_listing::did_you_mean::nearest;
 
-use super::catalogue_points::points_of;
+use super::layout::Layout;
 use super::side::{Side, Sides, corner_of};
 use super::words::Words;
 use crate::failure::Failure;
@@ -37,6 +36,8 @@ pub(super) struct Arrangement {
 /// The known names of points and numbers.
 #[derive(Debug)]
 pub(super) struct Names {
+    /// The layouts of the catalogue.
+    pub(super) layouts: Vec<Layout>,
     /// The other names of each point of the catalogue.
     pub(super) points: BTreeMap<String, Vec<String>>,
     /// The other names of each number.
@@ -62,17 +63,16 @@ impl Names {
         let table = toml::from_str(include_str!("names.toml"));
         let mut table: Table =
             table.map_err(|error| Failure::Input(format!("names.toml: {}", error.message())))?;
-        for (linkage, text) in LISTINGS {
-            let points = points_of(linkage, text);
-            let points = points.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
-            for point in points {
-                table.points.entry(point).or_default();
-            }
+        let layouts = Layout::read_all();
+        let layouts = layouts.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
+        for point in layouts.iter().flat_map(|layout| &layout.points) {
+            table.points.entry(point.clone()).or_default();
         }
         let names = all(&table.points).chain(all(&table.numbers));
         let words = Words::new(names, &table.words, &table.unsaid);
         let known = |rows| all(rows).map(|name| words.normal(name)).collect();
         Ok(Self {
+            layouts,
             known_points: known(&table.points),
             known_numbers: known(&table.numbers),
             points: table.points,
