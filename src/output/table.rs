@@ -5,7 +5,7 @@ use crate::file::Dimension;
 use crate::mechanism::{State, Unit};
 use crate::output::heading::{Header, Heading};
 use crate::output::rows::{Forms, Rows};
-use crate::quantities::{self, is_driven_angle};
+use crate::quantities::{self, value_in_file};
 
 /// A column: a name and a function from an item to a number.
 pub struct Column<T> {
@@ -31,17 +31,12 @@ impl<T: 'static> Column<T> {
 
     /// Makes the column of a quantity of the catalogue, from the state of an item.
     pub fn of_state(column: quantities::Column, unit: Unit, state: fn(&T) -> &State) -> Self {
-        let scale = column.dimension.file_factor(unit);
-        let stated_in = is_driven_angle(&column).then_some(unit.angle);
         Self {
             heading: Heading {
                 name: column.csv_name(unit),
                 counts: column.dimension == Dimension::Count,
             },
-            value: Box::new(move |thing| {
-                let value = column.value(state(thing)) * scale;
-                stated_in.map_or(value, |angle| angle.convert_from_radians(value))
-            }),
+            value: Box::new(move |thing| value_in_file(&column, state(thing), unit)),
         }
     }
 }

@@ -95,9 +95,9 @@ impl Angle {
         }
     }
 
-    /// Converts an angle in radians to this unit. Degrees are rounded to 15 digits if they then differ by rounding only, so
-    /// that -10 in a file is shown as -10, not as -10.000000000000004.
-    pub fn convert_from_radians(self, angle: f64) -> f64 {
+    /// Returns an angle in this unit, computed from radians, as a file states it: degrees are rounded to 15 digits if they
+    /// then differ by rounding only, so that -10 in a file is shown as -10, not as -10.000000000000004.
+    pub fn as_stated(self, angle: f64) -> f64 {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
         if self == Self::Radian {
             return angle;
@@ -159,20 +159,17 @@ mod tests {
         for tenth in -3600..=3600 {
             let (half, stated) = (f64::from(tenth) / 20.0, f64::from(tenth) / 10.0);
             let radians = half.to_radians() + half.to_radians();
-            assert_eq!(
-                Angle::Degree.convert_from_radians(radians.to_degrees()),
-                stated
-            );
+            assert_eq!(Angle::Degree.as_stated(radians.to_degrees()), stated);
         }
-        assert!(Angle::Degree.convert_from_radians(f64::NAN).is_nan());
+        assert!(Angle::Degree.as_stated(f64::NAN).is_nan());
     }
 
     #[test]
     fn other_angles_convert_to_within_rounding() {
         for angle in [0.1, 1.0 / 3.0, 2.0_f64.sqrt(), 1e-17, -1e300] {
-            let off = (Angle::Degree.convert_from_radians(angle) - angle).abs();
+            let off = (Angle::Degree.as_stated(angle) - angle).abs();
             assert!(off <= 4.0 * f64::EPSILON * angle.abs(), "{angle}: {off}");
-            assert_eq!(Angle::Radian.convert_from_radians(angle), angle);
+            assert_eq!(Angle::Radian.as_stated(angle), angle);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::kinematics::Kinematics;
 use crate::mechanism::{State, Unit};
 use crate::number::number;
-use crate::quantities::{self, Column, Quantity, Reader};
+use crate::quantities::{self, Column, Quantity, value_in_file};
 
 /// The quantities in the first columns of each row.
 pub(super) struct Leading {
@@ -26,10 +26,10 @@ impl Leading {
 
     /// Returns the numbers of a state in the file's units.
     pub(super) fn read(&self, state: &State) -> Vec<f64> {
-        let reader = Reader::new(state);
-        let read =
-            |column: &Column| column.read(&reader).value * column.dimension.file_factor(self.unit);
-        self.columns.iter().map(read).collect()
+        let columns = self.columns.iter();
+        columns
+            .map(|column| value_in_file(column, state, self.unit))
+            .collect()
     }
 
     /// Formats those of a place's numbers that `is_chosen` selects by their positions, for example `bump = 0.3 m, steer =

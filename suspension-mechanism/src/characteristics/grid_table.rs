@@ -87,7 +87,7 @@ impl GridTable {
             self.row_from_signals(place)
         };
         for drive in &self.driven_angles {
-            row[*drive] = self.angle.convert_from_radians(row[*drive]);
+            row[*drive] = self.angle.as_stated(row[*drive]);
         }
         row
     }

@@ -2,6 +2,7 @@
 //! [`suspension_core::body`].
 
 use crate::file::Dimension;
+use crate::mechanism::{State, Unit};
 use crate::quantities::quantity::{Column, Quantity};
 
 /// Makes a `static` of each row and the list of a file's rows. A formula is compiled for each number type.
@@ -61,6 +62,16 @@ pub use wheel::*;
 /// Whether a column belongs to a drive that is an angle, whose values files state.
 pub fn is_driven_angle(column: &Column) -> bool {
     column.is(&DRIVES) && column.dimension == Dimension::Angle
+}
+
+/// The value of a column in a state, in the file's units; that of a driven angle is as the file states it.
+pub fn value_in_file(column: &Column, state: &State, unit: Unit) -> f64 {
+    let value = column.value(state) * column.dimension.file_factor(unit);
+    if is_driven_angle(column) {
+        unit.angle.as_stated(value)
+    } else {
+        value
+    }
 }
 
 /// The rows of an axle, for a linkage with two wheels.

@@ -153,9 +153,16 @@ fn a_steering_box_has_the_same_quantities_as_a_rack() {
 #[test]
 fn stated_degrees_of_a_drive_are_printed_unchanged_in_tables() {
     let file = on_an_arm_that_passes_the_axis("steering_box_ratio = 16.0");
+    let loaded = format!("{file}\n[loads.corner]\nwheel_centre = [0.0, 1000.0, 0.0]\n");
     for stated in [-12.0, -7.5, -3.0, 1.5, 6.0] {
         let file = file.replace("steer = 0.0", &format!("steer = {stated:?}"));
-        assert_eq!(table(&file, &["motion"]).remove(0)["steer_deg"], stated);
+        let drive = format!("--drive=steer={stated:?}");
+        for mut rows in [
+            table(&file, &["motion"]),
+            table(&loaded, &["loads", &drive]),
+        ] {
+            assert_eq!(rows.remove(0)["steer_deg"], stated);
+        }
     }
 }
 
