@@ -14,7 +14,6 @@ mod tests;
 mod view;
 
 use nalgebra::Vector3;
-use plotters::prelude::*;
 
 use crate::mechanism::Axes;
 use crate::output::svg::{Area, Drawn, FINE, document};
@@ -72,8 +71,6 @@ pub const SIZE: (u32, u32) = (900, 640);
 const MARGIN: f64 = 70.0;
 const FONT_SIZE: u32 = 14;
 
-const TYRE: RGBColor = RGBColor(120, 120, 120);
-
 /// The opacity of a mechanism that is drawn faintly.
 const FAINT: f64 = 0.25;
 
@@ -94,38 +91,34 @@ impl Drawing {
         self.draw_points(area, view, shown)
     }
 
-    /// Draws wheel, bodies and lines at a place of the motion, with the opacity `part`.
+    /// Draws wheels, bodies and lines at a place of the motion.
     fn draw_mechanism(
         &self,
         area: &Area<'_>,
         view: &View,
         at: &[Vector3<f64>],
-        part: f64,
+        opacity: f64,
     ) -> Drawn {
         let pixel = |index: &usize| at.get(*index).map(|at| view.pixels(at));
         for rim in self.wheels.iter().filter_map(|wheel| rim(wheel, at)) {
-            let rim: Vec<_> = rim.map(|at| view.pixels(&at)).collect();
-            area.draw(&Polygon::new(rim.clone(), TYRE.mix(0.12 * part).filled()))?;
-            area.draw(&PathElement::new(
-                rim,
-                TYRE.mix(part).stroke_width(2 * FINE),
-            ))?;
+            let rim = rim.map(|at| view.pixels(&at)).collect();
+            marks::tyre(area, rim, opacity)?;
         }
         let line = |indices: &[usize]| indices.iter().filter_map(pixel).collect();
         for body in &self.bodies {
-            marks::body(area, line(body), part)?;
+            marks::body(area, line(body), opacity)?;
         }
         for axis in self.axes(at) {
-            marks::axis(area, axis.map(|at| view.pixels(&at)).into(), part)?;
+            marks::axis(area, axis.map(|at| view.pixels(&at)).into(), opacity)?;
         }
         for length in &self.lengths {
-            marks::length(area, line(length), part)?;
+            marks::length(area, line(length), opacity)?;
         }
         for slide in &self.slides {
-            marks::slide(area, line(slide), part)?;
+            marks::slide(area, line(slide), opacity)?;
         }
         for link in &self.links {
-            marks::link(area, line(link), part)?;
+            marks::link(area, line(link), opacity)?;
         }
         Ok(())
     }
@@ -161,7 +154,9 @@ impl Drawing {
         let labelled = shared_labels::labels(&self.names, &places, 2 * FINE as i32);
         let places: Vec<(i32, i32)> = labelled.iter().map(|(_, place)| *place).collect();
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
-        labels.avoid(self.draw_legend(area, view, shown)?);
+        if view.seen == Seen::Oblique {
+            labels.avoid(self.draw_legend(area, shown)?);
+        }
         for (name, place) in &labelled {
             put(area, &mut labels, (name, *place), [CHASSIS; 2])?;
         }

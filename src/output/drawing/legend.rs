@@ -6,7 +6,6 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::axes::BESIDE;
 use super::labels;
 use super::marks::{self, CHASSIS};
-use super::view::{Seen, View};
 use super::{Drawing, pixels};
 use crate::output::svg::{Area, Drawn, FINE};
 
@@ -23,16 +22,12 @@ const FOOT: f64 = 12.0;
 type Mark = fn(&Area<'_>, [(i32, i32); 2]) -> Drawn;
 
 impl Drawing {
-    /// Draws the legend of the oblique view and returns its box: left, top, right and bottom.
+    /// Draws the legend and returns its box: left, top, right and bottom.
     pub(super) fn draw_legend(
         &self,
         area: &Area<'_>,
-        view: &View,
         (width, height): (u32, u32),
     ) -> Result<[i32; 4], Box<dyn std::error::Error>> {
-        if view.seen != Seen::Oblique {
-            return Ok([0; 4]);
-        }
         let ends = [BESIDE[0], f64::from(width) - BESIDE[1]];
         let rows = rows(self.marks(), ends[1] - ends[0]);
         let top = f64::from(height) - FOOT - ROW * rows.len() as f64;
@@ -100,17 +95,18 @@ impl Drawing {
 
 /// Puts marks into rows of at most a width.
 fn rows(marks: Vec<(&'static str, Mark)>, width: f64) -> Vec<Vec<(&'static str, Mark)>> {
-    let mut rows: Vec<Vec<(&'static str, Mark)>> = Vec::new();
-    let mut used = f64::INFINITY;
-    for (name, mark) in marks {
-        if used + across(name) > width {
-            rows.push(Vec::new());
-            used = 0.0;
+    let mut rows: Vec<Vec<_>> = Vec::new();
+    let mut used = 0.0;
+    for mark in marks {
+        let across = across(mark.0);
+        match rows.last_mut() {
+            Some(row) if used + across <= width => row.push(mark),
+            _ => {
+                rows.push(vec![mark]);
+                used = 0.0;
+            }
         }
-        used += across(name);
-        rows.last_mut()
-            .into_iter()
-            .for_each(|row| row.push((name, mark)));
+        used += across;
     }
     rows
 }

@@ -1,4 +1,4 @@
-//! The marks of a drawing: how it shows points, parts and lines. `part` is the opacity.
+//! The marks of a drawing: how it shows points, parts and lines.
 
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
@@ -10,6 +10,7 @@ type Place = (i32, i32);
 
 pub(super) const CHASSIS: RGBColor = RGBColor(60, 60, 60);
 pub(super) const LINK: RGBColor = RGBColor(31, 90, 160);
+const TYRE: RGBColor = RGBColor(120, 120, 120);
 const BODY: RGBColor = RGBColor(200, 80, 20);
 const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const AXIS: RGBColor = RGBColor(160, 40, 110);
@@ -29,53 +30,58 @@ pub(super) fn moving_point(area: &Area<'_>, at: Place) -> Drawn {
     Ok(area.draw(&Circle::new(at, HALF * FINE, LINK.stroke_width(2 * FINE)))?)
 }
 
-pub(super) fn link(area: &Area<'_>, line: Vec<Place>, part: f64) -> Drawn {
-    Ok(area.draw(&PathElement::new(
-        line,
-        LINK.mix(part).stroke_width(4 * FINE),
-    ))?)
+pub(super) fn link(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    line(area, ends, LINK.mix(opacity).stroke_width(4 * FINE))
 }
 
-pub(super) fn slide(area: &Area<'_>, line: Vec<Place>, part: f64) -> Drawn {
-    Ok(area.draw(&PathElement::new(
-        line,
-        LINK.mix(part).stroke_width(2 * FINE),
-    ))?)
+pub(super) fn slide(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    line(area, ends, LINK.mix(opacity).stroke_width(2 * FINE))
 }
 
-pub(super) fn body(area: &Area<'_>, corners: Vec<Place>, part: f64) -> Drawn {
+pub(super) fn body(area: &Area<'_>, corners: Vec<Place>, opacity: f64) -> Drawn {
     let hull = hull::hull(corners);
-    area.draw(&Polygon::new(hull.clone(), BODY.mix(0.22 * part).filled()))?;
-    let closed = hull.iter().chain(hull.first()).copied();
-    Ok(area.draw(&PathElement::new(
-        closed.collect::<Vec<_>>(),
-        BODY.mix(part).stroke_width(FINE),
-    ))?)
+    let inside = BODY.mix(0.22 * opacity).filled();
+    area.draw(&Polygon::new(hull.clone(), inside))?;
+    let closed = hull.iter().chain(hull.first()).copied().collect();
+    line(area, closed, BODY.mix(opacity).stroke_width(FINE))
+}
+
+/// Draws the circumference of a wheel's tyre.
+pub(super) fn tyre(area: &Area<'_>, rim: Vec<Place>, opacity: f64) -> Drawn {
+    let inside = TYRE.mix(0.12 * opacity).filled();
+    area.draw(&Polygon::new(rim.clone(), inside))?;
+    line(area, rim, TYRE.mix(opacity).stroke_width(2 * FINE))
 }
 
 /// Draws a measured or driven length.
-pub(super) fn length(area: &Area<'_>, line: Vec<Place>, part: f64) -> Drawn {
-    let (dash, gap) = (9 * FINE, 5 * FINE);
-    let stroke = LENGTH.mix(part).stroke_width(2 * FINE);
-    Ok(area.draw(&DashedPathElement::new(line, dash, gap, stroke))?)
+pub(super) fn length(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    let stroke = LENGTH.mix(opacity).stroke_width(2 * FINE);
+    dashes(area, ends, [9, 5], stroke)
 }
 
 /// Draws a kingpin or a spin axis.
-pub(super) fn axis(area: &Area<'_>, line: Vec<Place>, part: f64) -> Drawn {
-    let (dash, gap) = (14 * FINE, 4 * FINE);
-    let stroke = AXIS.mix(part).stroke_width(FINE);
-    Ok(area.draw(&DashedPathElement::new(line, dash, gap, stroke))?)
+pub(super) fn axis(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    dashes(area, ends, [14, 4], AXIS.mix(opacity).stroke_width(FINE))
+}
+
+fn line(area: &Area<'_>, places: Vec<Place>, stroke: ShapeStyle) -> Drawn {
+    Ok(area.draw(&PathElement::new(places, stroke))?)
+}
+
+/// Draws a line of dashes with gaps between them, whose lengths are in pixels.
+fn dashes(area: &Area<'_>, ends: Vec<Place>, lengths: [u32; 2], stroke: ShapeStyle) -> Drawn {
+    let [dash, gap] = lengths.map(|length| length * FINE);
+    Ok(area.draw(&DashedPathElement::new(ends, dash, gap, stroke))?)
 }
 
 /// Draws the arrow of a load.
 pub(super) fn load(area: &Area<'_>, ends: [Place; 2]) -> Drawn {
-    let stroke = ACTING.stroke_width(3 * FINE);
-    area.draw(&PathElement::new(ends.to_vec(), stroke))?;
+    line(area, ends.into(), ACTING.stroke_width(3 * FINE))?;
     Ok(area.draw(&Polygon::new(head(ends), ACTING.filled()))?)
 }
 
 /// Returns the triangle at the tip of an arrow.
-fn head([from, to]: [(i32, i32); 2]) -> Vec<(i32, i32)> {
+fn head([from, to]: [Place; 2]) -> Vec<Place> {
     const LENGTH: f64 = 14.0;
     const HALF_WIDTH: f64 = 5.0;
     let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
