@@ -12,14 +12,14 @@ use crate::failure::Failure;
 use crate::file::{Dimension, MotionFile, Source, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::mechanism::{Axis, CountedFrom, Description};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
-use crate::tune::{self, MOST_STEPS, Tuned, tune};
+use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
 use report::Report;
 use rewritten::rewritten;
 
@@ -57,15 +57,9 @@ impl Arguments {
         if let Some(path) = out.path() {
             refuse_unreadable(path, &source, mechanism)?;
         }
-        let of_sides = loaded.one_sided_moves(mechanism);
-        for note in of_sides.into_iter().chain(loaded.doubtful_boxes(&moves)) {
-            tell(format_args!("note: {note}"));
-        }
-        for note in doubtful_ranges(mechanism, &targets) {
-            tell(format_args!("note: {}: {note}", source.name()));
-        }
-        let mut progress = Progress::new(MOST_STEPS, "steps");
         let whole = (source.name(), mechanism);
+        tell_doubts(&loaded, whole, (&moves, &targets));
+        let mut progress = Progress::new(MOST_STEPS, "steps");
         let tuned = tune(whole, &moves, &targets, interrupted, || progress.step())?;
         drop(progress);
         let report = Report {
@@ -85,17 +79,35 @@ impl Arguments {
         check(out.path().unwrap_or(&self.file), &text, (mechanism, &tuned))?;
         out.write(&text)?;
         announce(out.path());
-        if tuned.interrupted {
-            let message = format!(
-                "{}: interrupted; the best so far was written",
-                source.name()
-            );
-            return Err(Failure::Interrupted(message));
-        }
-        report.unmet().map_or(Ok(()), |unmet| {
-            Err(Failure::Solver(format!("{}: {unmet}", source.name())))
-        })
+        ended(&report)
     }
+}
+
+/// Notes what is probably a mistake in moves and targets.
+fn tell_doubts(
+    loaded: &Loaded<'_>,
+    (file, mechanism): (&str, &dyn Kinematics),
+    (moves, targets): (&[Move], &[tune::Target]),
+) {
+    let of_ranges = doubtful_ranges(mechanism, targets).into_iter();
+    loaded
+        .one_sided_moves(mechanism)
+        .into_iter()
+        .chain(loaded.doubtful_boxes(moves))
+        .chain(of_ranges.map(|note| format!("{file}: {note}")))
+        .for_each(|note| tell(format_args!("note: {note}")));
+}
+
+/// Returns why the result is not the one that the file asks for, if it is not.
+fn ended(report: &Report<'_>) -> Result<(), Failure> {
+    let file = report.file;
+    if report.tuned.interrupted {
+        let message = format!("{file}: interrupted; the best so far was written");
+        return Err(Failure::Interrupted(message));
+    }
+    report.unmet().map_or(Ok(()), |unmet| {
+        Err(Failure::Solver(format!("{file}: {unmet}")))
+    })
 }
 
 /// Returns sentences on doubtful values of drives in the targets.

@@ -40,13 +40,17 @@ impl Report<'_> {
 
     /// Says how many targets are met.
     fn outcome(&self) -> String {
-        let targets = self.targets.iter().zip(&self.tuned.targets);
-        let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
-        let (unmet, all) = (unmet.count(), counted(self.targets.len(), "target"));
-        match unmet {
+        let all = counted(self.targets.len(), "target");
+        match self.unmet_targets().len() {
             0 => format!("tuned, {all} met"),
             unmet => format!("{unmet} of {all} not met"),
         }
+    }
+
+    fn unmet_targets(&self) -> Vec<&str> {
+        let targets = self.targets.iter().zip(&self.tuned.targets);
+        let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
+        unmet.map(|(target, _)| target.name.as_str()).collect()
     }
 
     fn line(
@@ -105,9 +109,7 @@ impl Report<'_> {
 
     /// Names the targets that are not met, and why: no move changes them, or boxes may have stopped the moves.
     pub(super) fn unmet(&self) -> Option<String> {
-        let targets = self.targets.iter().zip(&self.tuned.targets);
-        let unmet = targets.filter(|(target, [_, after])| !target.is_met_by(after));
-        let unmet: Vec<&str> = unmet.map(|(target, _)| target.name.as_str()).collect();
+        let unmet = self.unmet_targets();
         if unmet.is_empty() {
             return None;
         }

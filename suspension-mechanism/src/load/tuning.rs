@@ -5,6 +5,7 @@ mod moves;
 mod naming;
 pub(super) mod one_sided;
 mod targets;
+mod wanted;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, TuneTable, in_order};
