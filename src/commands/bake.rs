@@ -3,7 +3,6 @@
 pub mod request;
 
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::sync::atomic::AtomicBool;
 
 use clap::builder::TypedValueParser;
@@ -11,7 +10,6 @@ use clap::{Args, ValueEnum};
 
 use crate::bake::source::Language;
 use crate::bake::{Continuity, Wish};
-use crate::characteristics::Span;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
@@ -175,52 +173,10 @@ impl Arguments {
     }
 }
 
-impl FromStr for Wished {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let Some((name, range)) = text.split_once('=') else {
-            return Ok(Self {
-                drive: Some(text.to_owned()),
-                range: [None; 2],
-            });
-        };
-        let range = own_values(range)?;
-        Ok(Self {
-            drive: Some(name.trim().to_owned()),
-            range: range.map(Some),
-        })
-    }
-}
-
 fn own_value(called: char) -> impl TypedValueParser<Value = f64> {
     number(format!(
         "{called} is a number, the drive's own value in the file's units, as 0.30"
     ))
-}
-
-/// Parses a range of the drive's own values, which do not count from the design position as those of other commands do.
-fn own_values(range: &str) -> Result<[f64; 2], String> {
-    let Span(range) = range
-        .parse()
-        .map_err(|wrong: String| format!("{wrong}, in the drive's or measure's own values"))?;
-    Ok(range)
-}
-
-impl FromStr for WishedMeasure {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (name, range) = text
-            .split_once('=')
-            .ok_or("write MEASURE=FROM:TO, as damper=0.30:0.40")?;
-        let range = own_values(range)?;
-        Ok(Self {
-            name: name.trim().to_owned(),
-            range,
-            drive: None,
-        })
-    }
 }
 
 impl From<Form> for Language {

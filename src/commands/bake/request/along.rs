@@ -1,6 +1,7 @@
 //! A drive or a measure over its range, with names and units.
 
 use crate::bake::source::Ranged;
+use crate::characteristics::Span;
 use crate::commands::bake::request::Baking;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
@@ -60,4 +61,12 @@ impl Baking<'_> {
         let symbol = self.dimension(along).symbol(self.mechanism.unit);
         format!("{name} = {value} {symbol}")
     }
+}
+
+/// Parses a range of the drive's own values, which do not count from the design position as those of other commands do.
+pub(super) fn own_values(range: &str) -> Result<[f64; 2], String> {
+    let Span(range) = range
+        .parse()
+        .map_err(|wrong: String| format!("{wrong}, in the drive's or measure's own values"))?;
+    Ok(range)
 }

@@ -1,5 +1,8 @@
 //! A drive and the range over which it is baked.
 
+use std::str::FromStr;
+
+use crate::commands::bake::request::along::own_values;
 use crate::commands::bake::request::{Along, Baking};
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -12,6 +15,24 @@ pub struct Wished {
     pub drive: Option<String>,
     /// The drive's first and last value; the ends of the file's motion where not given.
     pub range: [Option<f64>; 2],
+}
+
+impl FromStr for Wished {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some((name, range)) = text.split_once('=') else {
+            return Ok(Self {
+                drive: Some(text.to_owned()),
+                range: [None; 2],
+            });
+        };
+        let range = own_values(range)?;
+        Ok(Self {
+            drive: Some(name.trim().to_owned()),
+            range: range.map(Some),
+        })
+    }
 }
 
 impl Baking<'_> {

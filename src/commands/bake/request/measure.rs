@@ -1,9 +1,12 @@
 //! A motion that a measure prescribes in place of a drive.
 
+use std::str::FromStr;
+
 use suspension_core::SolveError;
 
 use crate::bake::OutOfReach;
 use crate::bake::fit::Unmet;
+use crate::commands::bake::request::along::own_values;
 use crate::commands::bake::request::curve::Within;
 use crate::commands::bake::request::{Along, Baking};
 use crate::failure::Failure;
@@ -18,6 +21,22 @@ pub struct WishedMeasure {
     pub range: [f64; 2],
     /// The drive that becomes free; `None` if the linkage has only one.
     pub drive: Option<String>,
+}
+
+impl FromStr for WishedMeasure {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, range) = text
+            .split_once('=')
+            .ok_or("write MEASURE=FROM:TO, as damper=0.30:0.40")?;
+        let range = own_values(range)?;
+        Ok(Self {
+            name: name.trim().to_owned(),
+            range,
+            drive: None,
+        })
+    }
 }
 
 impl Baking<'_> {
