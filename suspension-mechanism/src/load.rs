@@ -15,6 +15,7 @@ mod loaded;
 mod masses;
 mod notes;
 mod outlier;
+mod own_linkage;
 mod own_motion;
 mod points;
 mod prepare;
@@ -30,6 +31,7 @@ mod unsatisfied;
 mod usual_drives;
 mod vehicle;
 
-pub use loaded::{Loaded, load, load_own};
+pub use loaded::{Loaded, load};
 pub use notes::wrong_side::only_on_wrong_side;
+pub use own_linkage::load_own;
 pub use points::points;

@@ -38,33 +38,29 @@ impl Chosen {
     pub(super) fn read(source: &Source, file: &mut MotionFile) -> Result<Self, Failure> {
         let stated = [&file.linkage, &file.listing, &file.statements];
         let places: Vec<_> = stated.into_iter().flatten().map(Spanned::span).collect();
-        let [place] = places.as_slice() else {
-            let place = places.get(1).cloned().unwrap_or(0..0);
-            let message = "one of these says which suspension it is: `linkage` (a name of the catalogue), \
-                           `listing` (a file of statements) or `statements`";
-            return Err(source.refuse(&place, message));
-        };
         let (name, (listing, text)) = match (&file.linkage, &file.listing, &file.statements) {
-            (Some(name), ..) => (
+            (Some(name), None, None) => (
                 name.get_ref().clone(),
                 find_in_catalogue(source, file, name)?,
             ),
-            (None, Some(path), _) => read_listing_file(source, file, path)?,
+            (None, Some(path), None) => read_listing_file(source, file, path)?,
             (None, None, Some(text)) => (
                 stem(Path::new(source.name())),
-                (
-                    parse_statements(source, file, text)?,
-                    Source::new(source.name(), text.get_ref()),
-                ),
+                parse_statements(source, file, text)?,
             ),
-            (None, None, None) => return Err(source.refuse(place, "no listing")),
+            _ => {
+                let place = places.get(1).cloned().unwrap_or_default();
+                let message = "one of these says which suspension it is: `linkage` (a name of the catalogue), \
+                               `listing` (a file of statements) or `statements`";
+                return Err(source.refuse(&place, message));
+            }
         };
         let axes = match file.linkage {
             Some(_) => file.axes,
             None => Axes::Iso,
         };
         let notes = listed_points::notes((&listing, &name), source, file, axes);
-        let listing = add_listed_points(source, listing, file, place, axes);
+        let listing = add_listed_points(source, listing, file, &places[0], axes);
         Ok(Self {
             notes,
             name,
@@ -200,7 +196,7 @@ fn parse_statements(
     source: &Source,
     file: &MotionFile,
     text: &Spanned<String>,
-) -> Result<Listing, Failure> {
+) -> Result<(Listing, Source), Failure> {
     let parsed = included::parsed(text.get_ref(), source.name()).map_err(|mut mistakes| {
         let before = source.text().get(..text.span().start).unwrap_or_default();
         let quoted = source.text().get(text.span()).unwrap_or_default();
@@ -215,7 +211,8 @@ fn parse_statements(
         refused(source, &mistakes)
     })?;
     included::check_unit(source, file, text.span(), &parsed)?;
-    Ok(parsed.0)
+    let (listing, _) = parsed;
+    Ok((listing, Source::new(source.name(), text.get_ref())))
 }
 
 /// All mistakes in a text.
