@@ -60,9 +60,7 @@ impl Forms {
                 _ => None,
             })
     }
-}
 
-impl Forms {
     /// Returns the destinations with the options that name them.
     fn targets(&self) -> [(&Option<Target>, &'static str); 3] {
         [
