@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::number::counted;
 use crate::{inputs, mark};
 
 /// The first bytes of workbooks of spreadsheet programs (`.xlsx` and `.ods`, `.xls`).
@@ -121,7 +122,10 @@ impl Source {
         let mut messages: Vec<String> = first.collect();
         match mistakes.count() {
             0 => {}
-            more => messages.push(format!("{}: and {more} more mistakes", self.name)),
+            more => {
+                let more = counted(more, "more mistake");
+                messages.push(format!("{}: and {more}", self.name));
+            }
         }
         Failure::Input(messages.join("\n"))
     }
@@ -225,15 +229,17 @@ mod tests {
     }
 
     #[test]
-    fn of_150_mistakes_the_first_100_are_printed() {
+    fn the_first_100_mistakes_are_printed() {
         let source = Source::new("a.toml", "x = 1\n");
-        let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
-        let message = source.refuse_all(mistakes.take(150)).to_string();
-        assert_eq!(message.lines().count(), 101);
-        assert!(
-            message.ends_with("a.toml: and 50 more mistakes"),
-            "{message}"
-        );
+        for (count, end) in [
+            (150, "\na.toml: and 50 more mistakes"),
+            (101, "\na.toml: and 1 more mistake"),
+        ] {
+            let mistakes = [(1, 1, 1, "wrong")].into_iter().cycle();
+            let message = source.refuse_all(mistakes.take(count)).to_string();
+            assert_eq!(message.lines().count(), 101);
+            assert!(message.ends_with(end), "{message}");
+        }
     }
 
     #[test]

@@ -29,6 +29,25 @@ fn line<'a>(output: &'a Output, heading: &str) -> &'a str {
 }
 
 #[test]
+fn a_slide_can_be_put_together_in_one_way() {
+    let slide = "\
+unit = \"m\"
+time = { instants = [0.0] }
+drives = { lift = 0.0 }
+statements = \"\"\"
+fixed: foot at [0, 0.2, -1], head at [0.1, 0.3, 1];
+free: block at [0.05, 0.25, 0];
+slide guide: block on foot -> head;
+drive lift: block.z;\"\"\"
+";
+    let output = check(slide, &["--assemblies"]);
+    let assemblies = line(&output, "assemblies");
+    let expected =
+        "  1 way to put the same parts together at the design; the search shows no sign of more";
+    assert!(assemblies.ends_with(expected), "{assemblies}");
+}
+
+#[test]
 fn the_report_on_a_healthy_arm_matches_a_calculation_by_hand() {
     let output = check(&arm("[0.0, 0.4, 0.0]"), &["--assemblies"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");

@@ -4,7 +4,7 @@ use crate::assemblies::Tally;
 use crate::commands::check::condition::Condition;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Names, describe_change_from_design};
-use crate::number::rounded;
+use crate::number::{counted, rounded};
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::reach::{DriveRange, RangeEnd};
 
@@ -81,8 +81,9 @@ impl Report<'_> {
             doubts => format!("there may be more ({})", doubts.join("; ")),
         };
         format!(
-            "{:width$}  {} ways to put the same parts together at the design; {doubts}\n",
-            "assemblies", tally.real
+            "{:width$}  {} to put the same parts together at the design; {doubts}\n",
+            "assemblies",
+            counted(tally.real, "way")
         )
     }
 
