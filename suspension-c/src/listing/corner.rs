@@ -4,7 +4,6 @@
 use suspension_core::nalgebra::Vector3;
 
 use super::loads::Wanted;
-use super::moving::Moving;
 use super::objects::{Corner, Listing};
 use super::parsed::Parsed;
 use super::placed::Placed;
@@ -15,14 +14,14 @@ use crate::of::f64::{CarrierRotation, Failure, Kingpin, Masses, Report, Wheel};
 use crate::pointer::{Create, Destroy, In, InOut, Object, Out};
 use crate::status::Status;
 
-/// Runs the work of a call that moves a suspension.
-fn moved(
-    corner: InOut<'_, Corner>,
+/// Runs the work of a call on an object. The listing names the part concerned by a failure.
+fn on<'a, O>(
+    object: Result<(O, &'a Parsed), Status>,
     failure: Out<'_, Failure>,
-    work: impl FnOnce(&mut dyn Moving, &Parsed) -> Result<(), Trouble>,
+    work: impl FnOnce(O, &'a Parsed) -> Result<(), Trouble>,
 ) -> Status {
-    match corner.object().map(Placed::parts) {
-        Ok((moving, parsed)) => respond(failure, parsed, || work(moving, parsed)),
+    match object {
+        Ok((object, parsed)) => respond(failure, parsed, || work(object, parsed)),
         Err(status) => respond(failure, &(), || Err(status.into())),
     }
 }
@@ -67,11 +66,7 @@ crate::functions! { "susp":
     /// Makes a suspension at rest at the points `points[POINTS][3]`: those that `susp_listing_design`
     /// returns, or others. If the listing states no positions, they determine the order of elimination.
     fn corner_new(listing: In<Listing>, points: In<Number>, count: usize, corner: Create<Corner>, failure: Out<Failure>) -> Status {
-        let parsed = match listing.object() {
-            Ok(parsed) => parsed,
-            Err(status) => return respond(failure, &(), || Err(status.into())),
-        };
-        respond(failure, parsed, || {
+        on(listing.object().map(|parsed| ((), parsed)), failure, |(), parsed| {
             let (points, corner) = (points.many(count)?, corner.get()?);
             check_count(count, 3 * parsed.counts().points)?;
             let (points, _) = points.as_chunks();
@@ -111,7 +106,7 @@ crate::functions! { "susp":
     /// and rates at both ends or, if these lead past a lock, straight lines from rest, in at most 200
     /// further sub-steps. `report` may be NULL.
     fn corner_step(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
-        moved(corner, failure, |moving, parsed| {
+        on(corner.object().map(Placed::parts_mut), failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
             check_count(count, 3 * parsed.counts().drives)?;
             fill(report, moving.step(dt, drives).map_err(Trouble::Solver)?);
@@ -125,7 +120,7 @@ crate::functions! { "susp":
     /// SUSP_ERROR_DIVERGING or another, and shorter steps do not help. From a lock there may be no step
     /// forwards or backwards, because rates are unbounded there.
     fn corner_advance(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
-        moved(corner, failure, |moving, parsed| {
+        on(corner.object().map(Placed::parts_mut), failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);
             check_count(count, 3 * parsed.counts().drives)?;
             fill(report, moving.step_towards(dt, drives).map_err(Trouble::Solver)?);
@@ -159,12 +154,8 @@ crate::functions! { "susp":
     /// be at rest. Derivatives are per unit of that change in place of per second. `points[3][POINTS][3]`
     /// and `measures[3][MEASURES]` may each be NULL. SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_derivatives(corner: In<Corner>, change: In<Number>, drive_count: usize, points: Out<Number>, point_count: usize, measures: Out<Number>, measure_count: usize, failure: Out<Failure>) -> Status {
-        let corner = match corner.object() {
-            Ok(corner) => corner,
-            Err(status) => return respond(failure, &(), || Err(status.into())),
-        };
-        respond(failure, corner.parsed(), || {
-            let counts = corner.parsed().counts();
+        on(corner.object().map(Placed::parts), failure, |moving, parsed| {
+            let counts = parsed.counts();
             let change = change.many(drive_count)?;
             let points = points.optional_many(point_count)?;
             let measures = measures.optional_many(measure_count)?;
@@ -176,7 +167,7 @@ crate::functions! { "susp":
                 check_count(measure_count, 3 * counts.measures)?;
             }
             let (points, measures) = (points.unwrap_or_default(), measures.unwrap_or_default());
-            let derived = corner.moving().read_per(change, points, measures);
+            let derived = moving.read_per(change, points, measures);
             derived.map_err(Trouble::Solver)
         })
     }
@@ -208,12 +199,7 @@ crate::functions! { "susp":
     /// angle between lines of parts exerts no force itself. Each of these three may be NULL.
     /// SUSP_ERROR_SINGULAR where the drives lock.
     fn corner_read_loads(corner: In<Corner>, forces: In<Number>, force_count: usize, drives: Out<Number>, drive_count: usize, tensions: Out<Number>, tension_count: usize, reactions: Out<Number>, reaction_count: usize, failure: Out<Failure>) -> Status {
-        let corner = match corner.object() {
-            Ok(corner) => corner,
-            Err(status) => return respond(failure, &(), || Err(status.into())),
-        };
-        let parsed = corner.parsed();
-        respond(failure, parsed, || {
+        on(corner.object().map(Placed::parts), failure, |moving, parsed| {
             let counts = parsed.counts();
             let forces = forces.many(force_count)?;
             check_count(force_count, 3 * counts.points)?;
@@ -229,7 +215,7 @@ crate::functions! { "susp":
             }
             let [drives, tensions, reactions] = rows.map(|(row, ..)| row.unwrap_or_default());
             let wanted = Wanted { drives, tensions, reactions };
-            let loaded = corner.moving().read_loads(&parsed.structure, forces, wanted);
+            let loaded = moving.read_loads(&parsed.structure, forces, wanted);
             loaded.map_err(Trouble::Solver)
         })
     }

@@ -44,9 +44,14 @@ impl Placed {
         }
     }
 
-    /// Returns the moving suspension and its listing.
-    pub(super) fn parts(&mut self) -> (&mut dyn Moving, &Parsed) {
+    /// Returns the suspension, to move it, and its listing.
+    pub(super) fn parts_mut(&mut self) -> (&mut dyn Moving, &Parsed) {
         (&mut *self.moving, &self.parsed)
+    }
+
+    /// Returns the suspension and its listing.
+    pub(super) fn parts(&self) -> (&dyn Moving, &Parsed) {
+        (&*self.moving, &self.parsed)
     }
 
     pub(super) fn moving(&self) -> &dyn Moving {

@@ -43,7 +43,7 @@ crate::functions! { "susp":
     /// listing and the hardpoints; SUSP_ERROR_ARGUMENT if a number is not finite.
     fn corner_set_state(corner: InOut<Corner>, state: In<Number>, count: usize) -> Status {
         answer(|| {
-            let (moving, _) = corner.object().map(Placed::parts)?;
+            let (moving, _) = corner.object().map(Placed::parts_mut)?;
             let state = state.many(count)?;
             check_count(count, moving.state_count())?;
             if !state.iter().all(|number| number.is_finite()) {
