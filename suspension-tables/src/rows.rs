@@ -128,11 +128,9 @@ impl Rows {
     ///
     /// See [`Failure::writing`].
     pub fn finish(self) -> Result<(), Failure> {
-        let csv = self.csv.map_or(Ok(()), CsvFile::finish);
-        unless_reader_gone(csv)?;
-        let json = self.json.map_or(Ok(()), JsonFile::finish);
-        unless_reader_gone(json)?;
-        self.parquet.map_or(Ok(()), ParquetFile::finish)
+        unless_reader_gone(self.csv.map_or(Ok(()), CsvFile::finish))?;
+        unless_reader_gone(self.json.map_or(Ok(()), JsonFile::finish))?;
+        unless_reader_gone(self.parquet.map_or(Ok(()), ParquetFile::finish))
     }
 }
 

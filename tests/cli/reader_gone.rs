@@ -60,6 +60,11 @@ fn files_are_written_after_the_reader_of_stdout_has_gone() {
             "motion corner.toml --csv - --plots plots",
             "plots/corner_height.svg",
         ),
+        #[cfg(feature = "parquet")]
+        (
+            "motion corner.toml --parquet - --plots of_parquet",
+            "of_parquet/corner_height.svg",
+        ),
     ] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
         succeeds_without_a_reader(folder.path(), &arguments);
