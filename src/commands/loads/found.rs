@@ -128,13 +128,13 @@ pub(super) fn along(outcome: &Outcome) -> impl Iterator<Item = f64> {
 /// Returns a sentence on the cases without an answer; `None` if all have one.
 pub(super) fn without_answer(file: &str, cases: &[&str]) -> Option<String> {
     let names: Vec<String> = cases.iter().map(|name| format!("`{name}`")).collect();
-    let what = match cases {
+    let [what, has] = match cases {
         [] => return None,
-        [_] => "case",
-        _ => "cases",
+        [_] => ["case", "has"],
+        _ => ["cases", "have"],
     };
     Some(format!(
-        "{file}: load {what} {} no answer: the drives lock, or the measure that is to bear the load of a drive does not change with it",
-        names.join(", ") + if cases.len() == 1 { " has" } else { " have" }
+        "{file}: load {what} {} {has} no answer: the drives lock, or the measure that is to bear the load of a drive does not change with it",
+        names.join(", ")
     ))
 }
