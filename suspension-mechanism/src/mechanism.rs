@@ -26,6 +26,7 @@ mod points;
 mod polynomial;
 mod positions;
 mod sensitive;
+mod sides;
 mod spring;
 mod state;
 mod suspension;
@@ -61,15 +62,14 @@ pub use points::Points;
 pub use polynomial::Polynomial;
 pub use positions::Positions;
 pub use sensitive::{CHANGES_AT_ONCE, InDesign, Sensitive};
+pub use sides::{Pair, name_on_other_side, side_of};
 pub use spring::Spring;
 pub use state::{Moved, Movement, State};
 pub use suspension::Suspension;
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
 pub use through_instants::OnState;
 pub use under_forces::Borne;
-pub use vehicle::{
-    Coupling, Pair, SteeringWheel, Vehicle, Wheel, WheelPoints, name_on_other_side, side_of,
-};
+pub use vehicle::{Coupling, SteeringWheel, Vehicle, Wheel, WheelPoints};
 pub use visit::{OnPlace, Place, VisitEnd, Visited};
 pub use words::{advice, listed};
 pub use zero_length::DrivenLength;

@@ -33,7 +33,7 @@ pub(super) fn text(
         Some(Axle::Rear) => ("SuspR", ""),
         None => ("SuspF", ASSUMED),
     };
-    let side = if wheel.side < 0.0 { "right" } else { "left" };
+    let side = wheel.side_in_words();
     let is_mirrored = opposite.is_none_or(|opposite| wheel.is_mirrored(opposite));
     let valid = if is_mirrored { "left+right" } else { side };
     let mut text = format!(

@@ -29,7 +29,7 @@ const DIGITS: usize = 7;
 
 pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
     let number = |value: f64| rounded(without_rounding(value), DIGITS);
-    let side = if wheel.side < 0.0 { "right" } else { "left" };
+    let side = wheel.side_in_words();
     let mut text = format!(
         "PARSFILE\n# Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
          # Over jounce, mm: changes from the design position, whose angles, deg, are\n\

@@ -107,6 +107,11 @@ impl Rates {
 }
 
 impl Wheel {
+    /// Returns the word for its side.
+    pub(super) fn side_in_words(&self) -> &'static str {
+        if self.side < 0.0 { "right" } else { "left" }
+    }
+
     /// Returns whether this is the mirrored wheel.
     pub(super) fn is_mirrored(&self, other: &Self) -> bool {
         let steered = match (&self.per_steer, &other.per_steer) {

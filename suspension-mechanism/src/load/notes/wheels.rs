@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::load::task::Task;
-use crate::mechanism::Wheel;
+use crate::mechanism::{Wheel, side_of};
 use crate::number::rounded;
 
 /// The angle, in degrees, by which no wheel is toed or cambered at its design position.
@@ -75,19 +75,20 @@ pub(super) fn named_side(
     placed: &[Vector3<f64>],
 ) -> Option<String> {
     let axes = task.file.axes;
-    let is_named = |side: &str| wheel.name.split('_').any(|word| word == side);
+    let named = side_of(&wheel.name)?;
     let [_, centre] = wheel.points.axis;
-    let y = task.y_in_file(&placed[centre]);
     let [_, left, _] = axes.signs();
-    let (named, is) = match (is_named("left"), is_named("right"), y * left) {
-        (true, false, to_left) if to_left < 0.0 => ("left", "right"),
-        (false, true, to_left) if to_left > 0.0 => ("right", "left"),
+    let is = match task.y_in_file(&placed[centre]) * left {
+        to_left if to_left > 0.0 => "left",
+        to_left if to_left < 0.0 => "right",
         _ => return None,
     };
-    Some(format!(
-        "the wheel `{}` is on the {named} by its name, and on the {is} by the y of `{}` in axes of {}: are the axes right?",
-        wheel.name,
-        task.names.points[centre],
-        axes.in_words()
-    ))
+    (named != is).then(|| {
+        format!(
+            "the wheel `{}` is on the {named} by its name, and on the {is} by the y of `{}` in axes of {}: are the axes right?",
+            wheel.name,
+            task.names.points[centre],
+            axes.in_words()
+        )
+    })
 }

@@ -5,9 +5,9 @@ use suspension_core::{Signal, Values};
 
 use crate::mechanism::around::Around;
 use crate::mechanism::drives::unit_change;
+use crate::mechanism::sides::Pair;
 use crate::mechanism::state::{Moved, Movement};
 use crate::mechanism::suspension::Suspension;
-use crate::mechanism::vehicle::Pair;
 
 impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
     /// See [`State::moved`](crate::mechanism::State::moved).
