@@ -124,6 +124,25 @@ impl Listing {
     /// A suspension at rest with these hardpoints, ready to be moved. It borrows the listing, and so do its failures,
     /// which print the listing's names: convert a failure to text if it leaves the function that has the listing.
     ///
+    /// Other hardpoints make another corner, also while a program runs: neither this call nor a step allocates, except for
+    /// the message where hardpoints are refused. The time of the new corner is zero, and it steps to the present drives:
+    ///
+    /// ```
+    /// use suspension_runtime::{Listing, catalogue};
+    ///
+    /// let listing = Listing::parse(catalogue::listing("double_wishbone").unwrap())?;
+    /// let mut hardpoints = listing.design().unwrap();
+    /// let mut corner = listing.corner::<15>(&hardpoints)?;
+    ///
+    /// hardpoints[listing.point("rack").unwrap()].z += 0.005;
+    /// let mut changed = listing.corner(&hardpoints)?;
+    /// changed.step(1e-3, corner.drive_signal()).map_err(|failure| failure.to_string())?;
+    /// corner = changed; // where hardpoints or the step are refused, the old one goes on
+    /// let toe = corner.wheel().map_or(0.0, |wheel| wheel.toe.to_degrees());
+    /// assert!(toe.abs() < 1e-9); // as the hardpoints are drawn
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`ModelError`].

@@ -59,11 +59,11 @@ macro_rules! model {
         }
 
         /// How many constants of each kind a plan has, how many there is room for, and what they are called.
-        pub(crate) fn counts_of_constants<const N: usize>(plan: &Plan) -> Vec<Count>
+        pub(crate) fn counts_of_constants<const N: usize>(plan: &Plan) -> impl Iterator<Item = Count>
         where
             Room<N>: Size,
         {
-            vec![$(((|$plan: &Plan| $count)(plan), <$room<u16, N> as Table<u16>>::ROOM, $what),)*]
+            [$(((|$plan: &Plan| $count)(plan), <$room<u16, N> as Table<u16>>::ROOM, $what),)*].into_iter()
         }
     };
 }

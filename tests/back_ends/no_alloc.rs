@@ -1,4 +1,5 @@
-//! No solving call on a model that was read at run time allocates, whether it succeeds or fails.
+//! No solving call on a model that was read at run time allocates, whether it succeeds or fails; nor does a corner with
+//! other hardpoints.
 
 use std::hint::black_box;
 
@@ -39,6 +40,22 @@ impl Work for Steps<'_> {
         let hardpoints = self.0.design().expect("a design");
         let model = self.0.model::<N>(&hardpoints).expect("a geometry");
         follow(&model, &Values::from_values(hardpoints));
+    }
+}
+
+/// Corners at the design, made for other hardpoints while a program runs.
+struct Corners<'a>(&'a Listing);
+
+impl Work for Corners<'_> {
+    type Answer = ();
+
+    fn on<const N: usize>(self, _: Fitted<'_, N>)
+    where
+        Room<N>: Size,
+    {
+        let hardpoints = self.0.design().expect("a design");
+        let corner = without_allocating("Listing::corner", || self.0.corner::<N>(&hardpoints));
+        assert!(corner.is_ok());
     }
 }
 
@@ -100,19 +117,29 @@ fn fail<L: Build<N, Scalar = f64>, const N: usize>(
     }
 }
 
-#[test]
-fn solving_a_model_from_text_does_not_allocate() {
+/// Calls `work` with each listing that states a design.
+fn for_each_design(work: impl Fn(&Listing)) {
     let texts = LISTINGS.iter().map(|(_, text)| *text);
     let axle = include_str!("../../suspension-runtime/benches/run_time/axle.linkage");
     let mut checked = 0;
     for text in texts.chain([axle]) {
         let listing = Listing::parse(text).expect("a listing");
         if listing.design().is_some() {
-            listing.in_its_size(Steps(&listing));
+            work(&listing);
             checked += 1;
         }
     }
     assert!(checked >= 3, "{checked} listings with a design");
+}
+
+#[test]
+fn solving_a_model_from_text_does_not_allocate() {
+    for_each_design(|listing| listing.in_its_size(Steps(listing)));
+}
+
+#[test]
+fn a_corner_with_other_hardpoints_does_not_allocate() {
+    for_each_design(|listing| listing.in_its_size(Corners(listing)));
 }
 
 #[test]
