@@ -1,5 +1,6 @@
-//! Lanes against the same steps made alone, and lanes that fail among others that succeed.
+//! Lanes against the same steps made alone, and lanes that fail or change among others that succeed.
 
 mod agreement;
 mod failures;
 mod fleet;
+mod replaced;

@@ -235,7 +235,7 @@ where
     }
 }
 
-/// Four lanes of one linkage: steps of all, and with one that fails.
+/// Four lanes of one linkage: steps of all, and with one that fails, which is then replaced.
 fn lanes<T: Lane, G: Listing<15> + 'static>(case: &Case<T, G::Model<T>>)
 where
     G::Model<T>: Build<15, Points: HasKingpin<T> + HasWheel<T>>,
@@ -258,6 +258,9 @@ where
             lanes.step(Outputs::Acceleration, &drives, T::zero())
         });
         assert!(results[2].is_err() && results[3].is_ok());
+        without_allocating("Lanes::replace", || {
+            lanes.replace(2, case.model, &starts[2]);
+        });
     }
 }
 

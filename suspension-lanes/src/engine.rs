@@ -29,6 +29,9 @@ pub trait Engine<G: Listing<N>, T: Real, const N: usize, const LANES: usize>: Se
 
     /// Sets the last motion of a lane.
     fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>);
+
+    /// Sets the models of all lanes.
+    fn set_models(&mut self, models: [&G::Model<T>; LANES]);
 }
 
 /// Lanes as vectors of numbers `V`, in code for the instructions that they need.
@@ -59,7 +62,7 @@ where
     ) -> Self {
         let at_rest = Motion::at_rest(SVector::from([Number::default(); N]));
         Self {
-            model: G::gather(models[0], |read| packed(models.map(read))),
+            model: packed_models::<G, V, N, LANES>(models),
             motions: [at_rest; 2],
             last: 0,
             proof,
@@ -86,6 +89,13 @@ fn packed<V: Vector, const LANES: usize>(lanes: [V::Lane; LANES]) -> Number<V> {
         vector.set_lane(lane, value);
     }
     Number(vector)
+}
+
+/// One model of each lane, as a model of vectors.
+fn packed_models<G: Listing<N>, V: Vector<Lane: Real>, const N: usize, const LANES: usize>(
+    lanes: [&G::Model<V::Lane>; LANES],
+) -> G::Model<Number<V>> {
+    G::gather(lanes[0], |read| packed(lanes.map(read)))
 }
 
 /// One lane of each entry.
@@ -182,6 +192,10 @@ where
         set(&mut last.velocity, &motion.velocity);
         set(&mut last.acceleration, &motion.acceleration);
     }
+
+    fn set_models(&mut self, models: [&G::Model<V::Lane>; LANES]) {
+        self.model = packed_models::<G, V, N, LANES>(models);
+    }
 }
 
 /// Lanes in two halves, for vectors that are half as long.
@@ -223,6 +237,13 @@ macro_rules! halves {
 
             fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
                 self.0[lane / $half].set_motion(lane % $half, motion);
+            }
+
+            fn set_models(&mut self, models: [&G::Model<T>; $lanes]) {
+                let halves = self.0.iter_mut().zip(models.as_chunks::<$half>().0);
+                for (half, models) in halves {
+                    half.set_models(*models);
+                }
             }
         }
     };

@@ -3,6 +3,7 @@
 //! The code that `linkage!` generates runs on vectors of numbers. [`Lanes`] find out which instructions the processor
 //! has when they are made, so a default build is fast on any processor.
 
+mod contents;
 mod engine;
 mod instructions;
 mod lane;
@@ -21,8 +22,8 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 /// All lanes are of one listing, on either side: a car whose axles have different layouts takes one `Lanes` for each.
 /// Lanes that remain may hold copies, at no cost.
 ///
-/// A lane that fails keeps its motion and returns the reason, which names the part if it is printed with the model:
-/// `error.named(model)`. The other lanes are not affected. A lane that has failed must catch up
+/// A lane that fails keeps its motion and returns the reason, which names the part if it is printed with the
+/// [`model`](Self::model): `error.named(lanes.model(lane))`. The other lanes are not affected. A lane that has failed must catch up
 /// before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion). `N` is the number of
 /// unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it. See [`Bounded`] for
 /// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together, so results differ from those of
@@ -47,7 +48,7 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 ///     }
 /// }
 /// let inputs = Inputs::still(Signal::line(start, rate, 0.02));
-/// let points = lanes.motion(2).points(corner.model(), &inputs);
+/// let points = lanes.motion(2).points(lanes.model(2), &inputs);
 /// assert!((points.value.wheel_centre.z - start.bump - 0.01).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -85,18 +86,6 @@ where
             models,
             signs: motions.map(|motion| motion.positive_determinant),
             engine,
-        }
-    }
-
-    /// The motion of a lane.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such lane.
-    pub fn motion(&self, lane: usize) -> Motion<T, N> {
-        Motion {
-            positive_determinant: self.signs[lane],
-            ..self.engine.motion(lane)
         }
     }
 
@@ -151,49 +140,5 @@ where
             .step_to(outputs, model, &inputs, dt, &mut motion)?;
         self.set_motion(lane, &motion);
         Ok(settled)
-    }
-
-    /// Sets the motion of a lane, for example to bring it back among the others after
-    /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own motion through the step that
-    /// it was refused. A lane whose drives are not finite should instead step to its last good ones,
-    /// [`Signal::still`].
-    ///
-    /// ```
-    /// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
-    /// use suspension_core::step::bounded::Outputs;
-    /// use suspension_core::{Inputs, Signal, Tracker};
-    /// use suspension_lanes::Lanes;
-    ///
-    /// let corner: Corner = Corner::design()?;
-    /// let (start, rate) = (corner.drives(), Drives { bump: 0.5, steer: 0.0 });
-    /// let drives = |tick| {
-    ///     let mut drives = [Signal::line(start, rate, 1e-3 * f64::from(tick)); 4];
-    ///     drives[2].value.bump += if tick < 10 { 0.0 } else { 0.03 }; // a jump of 30 mm
-    ///     drives
-    /// };
-    /// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
-    /// lanes.step(Outputs::Acceleration, &drives(0), 0.0);
-    /// let mut refused = 0;
-    /// for tick in 1..=20 {
-    ///     let results = lanes.step(Outputs::Acceleration, &drives(tick), 1e-3);
-    ///     for (lane, _) in results.iter().enumerate().filter(|(_, result)| result.is_err()) {
-    ///         // In the same tick, from the drives of the last one, in sub-steps.
-    ///         let ends = [tick - 1, tick].map(|tick| Inputs::still(drives(tick)[lane]));
-    ///         let mut motion = lanes.motion(lane);
-    ///         Tracker::default().step_between(corner.model(), ends.each_ref(), 1e-3, &mut motion)?;
-    ///         lanes.set_motion(lane, &motion);
-    ///         refused += 1;
-    ///     }
-    /// }
-    /// assert_eq!(refused, 1);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Panics
-    ///
-    /// If there is no such lane.
-    pub fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
-        self.signs[lane] = motion.positive_determinant;
-        self.engine.set_motion(lane, motion);
     }
 }

@@ -77,4 +77,8 @@ where
     fn set_motion(&mut self, lane: usize, motion: &Motion<T, N>) {
         self.last[lane] = *motion;
     }
+
+    fn set_models(&mut self, models: [&G::Model<T>; LANES]) {
+        self.models = models.map(|model| *model);
+    }
 }
