@@ -19,7 +19,8 @@ pub enum SolveError<T> {
     /// A correction, velocity or acceleration is NaN or infinite, or a force of [`statics`](crate::statics). Either a
     /// rate of an input or a given force is so too, or the number is too large for the number type.
     Overflow {
-        /// The unknown that changes, the point of the given force, or the equation or drive that bears it.
+        /// The unknown that changes, in a bounded step the drive whose rate is not finite; the point of the given force, or
+        /// the equation or drive that bears it.
         part: Part,
     },
     /// The determinant of the Jacobian has the opposite sign to that at the last good motion: a singularity lies in

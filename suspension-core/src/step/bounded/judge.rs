@@ -1,7 +1,5 @@
 //! The decision to accept a step, or the reason for its refusal.
 
-use nalgebra::SVector;
-
 use super::evidence::Evidence;
 use super::{Bounded, Step};
 use crate::arithmetic::magnitude::index_of_largest;
@@ -13,6 +11,7 @@ use crate::model::handedness::{is_right, most_mirrored};
 use crate::signal::ChassisMotion;
 use crate::solve::motion::Motion;
 use crate::solve::report::Report;
+use crate::values::Values;
 
 /// The test that a step failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,14 +146,10 @@ where
         let fixed = &self.prescribed.fixed.value;
         let size = self.linkage.size();
         match refusal {
-            Refusal::NotFinite => {
-                let infinite = |vector: &SVector<T, N>| vector.iter().position(|x| !x.is_finite());
-                let unknown = [&next.position, &next.velocity, &next.acceleration]
-                    .into_iter()
-                    .find_map(infinite)
-                    .unwrap_or_else(|| index_of_largest(&next.acceleration));
-                SolveError::overflow(unknown)
-            }
+            Refusal::NotFinite => SolveError::Overflow {
+                part: (self.drive_without_rate().map(Part::Drive))
+                    .unwrap_or_else(|| Part::Unknown(not_finite(next))),
+            },
             Refusal::Diverging => SolveError::Diverging {
                 part: Part::Unknown(index_of_largest(
                     &(self.prediction.position - next.position),
@@ -177,4 +172,18 @@ where
             },
         }
     }
+    /// The first drive with a rate that is not finite: all unknowns that the drive moves have rates that are not, so none of
+    /// these says where to look.
+    fn drive_without_rate(&self) -> Option<usize> {
+        let drives = &self.prescribed.drives;
+        let mut rates = drives.rate.values().zip(drives.second_rate.values());
+        rates.position(|(rate, second_rate)| !rate.is_finite() || !second_rate.is_finite())
+    }
+}
+
+/// The first unknown that is not finite, or has a rate that is not; otherwise the one with the largest acceleration.
+fn not_finite<T: Real, const N: usize>(motion: &Motion<T, N>) -> usize {
+    let vectors = [&motion.position, &motion.velocity, &motion.acceleration];
+    let first = (vectors.into_iter()).find_map(|vector| vector.iter().position(|x| !x.is_finite()));
+    first.unwrap_or_else(|| index_of_largest(&motion.acceleration))
 }
