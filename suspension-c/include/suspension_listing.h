@@ -223,7 +223,9 @@ susp_status susp_corner_read_kingpin_at(
         size_t index,
         susp_f64_kingpin *kingpin);
 
-/** Makes an independent copy of a suspension in its present state. */
+/** Makes an independent copy of a suspension in its present state, on the heap. Without the heap
+ * `susp_corner_read_state` and `susp_corner_set_state` copy the state into a suspension of the same
+ * hardpoints that is already there. */
 susp_status susp_corner_copy(
         const susp_corner *corner,
         susp_corner **copy);

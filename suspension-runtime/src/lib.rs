@@ -34,6 +34,29 @@
 //! The number in `corner::<15>` is the capacity for unknowns: 15, 30 or 60, see [`Size`]. [`Listing::size`] returns the
 //! number of unknowns of a listing; 60 is enough for any. A failure borrows the listing to name its parts: to return it from
 //! the function that owns the listing, convert it to text as above.
+//!
+//! A struct that keeps corners for as long as the program runs takes them from a listing that is never freed. Its failures
+//! borrow nothing, and `?` returns them:
+//!
+//! ```
+//! use suspension_core::{Corner, Signal};
+//! use suspension_runtime::{Listing, Model, catalogue};
+//!
+//! struct Vehicle {
+//!     corners: [Corner<Model<'static, f64, 15>, 15>; 4],
+//! }
+//!
+//! fn vehicle(text: &str) -> Result<Vehicle, Box<dyn std::error::Error>> {
+//!     let listing: &'static Listing = Box::leak(Box::new(Listing::parse(text)?));
+//!     let mut corner = listing.corner(&listing.design().ok_or("a point without a position")?)?;
+//!     corner.step(1e-3, Signal::still(corner.drives()))?;
+//!     Ok(Vehicle { corners: [corner; 4] })
+//! }
+//!
+//! let vehicle = vehicle(catalogue::listing("double_wishbone").unwrap())?;
+//! assert!(vehicle.corners.iter().all(|corner| corner.wheel().is_some()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![forbid(unsafe_code)]
 // Nothing on the solving path may panic.
 #![cfg_attr(

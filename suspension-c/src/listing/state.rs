@@ -9,7 +9,9 @@ use crate::pointer::{Create, In, InOut, Object, Out};
 use crate::status::Status;
 
 crate::functions! { "susp":
-    /// Makes an independent copy of a suspension in its present state.
+    /// Makes an independent copy of a suspension in its present state, on the heap. Without the heap
+    /// `susp_corner_read_state` and `susp_corner_set_state` copy the state into a suspension of the same
+    /// hardpoints that is already there.
     fn corner_copy(corner: In<Corner>, copy: Create<Corner>) -> Status {
         answer(|| {
             let (corner, copy) = (corner.object()?, copy.get()?);

@@ -46,7 +46,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// # Errors
     ///
     /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. Detecting that a
-    /// mechanism locks takes about two hundred times as long as a step.
+    /// mechanism locks takes about two hundred times as long as a step. The unknown that is named there is the one
+    /// that moves farthest at the lock; which link is too long or too short to go on the program's `range` says.
     pub fn step(
         &mut self,
         dt: T,
