@@ -3,4 +3,5 @@
 mod agreement;
 mod failures;
 mod fleet;
+mod on_a_road;
 mod replaced;

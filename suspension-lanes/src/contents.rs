@@ -34,7 +34,7 @@ where
     /// Sets the motion of a lane, for example to bring it back among the others after
     /// [`Tracker::step_between`](suspension_core::Tracker::step_between) has led its own motion through the step that
     /// it was refused. A lane whose drives are not finite should instead step to its last good ones,
-    /// [`Signal::still`].
+    /// [`Signal::still`](suspension_core::Signal::still).
     ///
     /// ```
     /// use suspension_core::linkages::double_wishbone::{Corner, Drives, Listing};
@@ -50,7 +50,7 @@ where
     ///     drives
     /// };
     /// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
-    /// lanes.step(Outputs::Acceleration, &drives(0), 0.0);
+    /// assert!(lanes.step(Outputs::Acceleration, &drives(0), 0.0).iter().all(Result::is_ok));
     /// let mut refused = 0;
     /// for tick in 1..=20 {
     ///     let results = lanes.step(Outputs::Acceleration, &drives(tick), 1e-3);
@@ -89,7 +89,7 @@ where
     /// let (start, rate) = (corner.drives(), Drives { bump: 0.5, steer: 0.0 });
     /// let drives = |tick| [Signal::line(start, rate, 1e-3 * f64::from(tick)); 4];
     /// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
-    /// lanes.step(Outputs::Acceleration, &drives(0), 0.0);
+    /// assert!(lanes.step(Outputs::Acceleration, &drives(0), 0.0).iter().all(Result::is_ok));
     ///
     /// let mut hardpoints = Model::design();
     /// hardpoints.rack.z += 0.005;

@@ -26,8 +26,9 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 /// [`model`](Self::model): `error.named(lanes.model(lane))`. The other lanes are not affected. A lane that has failed must catch up
 /// before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion). `N` is the number of
 /// unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it. See [`Bounded`] for
-/// `CORRECTIONS` and `ORDER`. Numbers in vectors round a product and a sum together, so results differ from those of
-/// [`Bounded::step`] by rounding.
+/// `CORRECTIONS` and `ORDER`. One correction, the default, suits drives that are smooth functions of time; in `f64` a
+/// wheel that a vehicle's equations of motion move on a road takes three: `Lanes::<Listing, f64, _, 4, 3>`. Numbers in
+/// vectors round a product and a sum together, so results differ from those of [`Bounded::step`] by rounding.
 ///
 /// ```
 /// use suspension_core::step::bounded::Outputs;
@@ -40,7 +41,8 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 /// // Of a car these would be four models.
 /// let mut lanes = Lanes::<Listing, f64, _, 4>::new([*corner.model(); 4], &[*corner.motion(); 4]);
 /// // A first step without length finds the rates.
-/// lanes.step(Outputs::Acceleration, &[Signal::line(start, rate, 0.0); 4], 0.0);
+/// let first = lanes.step(Outputs::Acceleration, &[Signal::line(start, rate, 0.0); 4], 0.0);
+/// assert!(first.iter().all(Result::is_ok));
 /// for tick in 1..=20 {
 ///     let drives = [Signal::line(start, rate, 1e-3 * f64::from(tick)); 4];
 ///     for result in lanes.step(Outputs::Acceleration, &drives, 1e-3) {
