@@ -143,13 +143,13 @@ impl Read<'_> {
     /// The curve of a number; for a measure, preceded by its motion ratio.
     fn lines(&self, column: &Column) -> Vec<Line> {
         let (scale, symbol) = self.converted(column.dimension);
-        let title = Title::new(column);
+        let title = Title::new(column, &self.mechanism.names.wheels);
         let rates = self.rates(column, scale);
         let is_measure = column.is(&MEASURES);
         let motion_ratio = is_measure.then(|| Line {
             title: Title {
-                wheel: None,
-                of_wheel: format!("motion ratio: {title} per {}", self.along.title),
+                of_wheel: format!("motion ratio: {} per {}", title.of_wheel, self.along.title),
+                ..title.clone()
             },
             symbol: symbol_per(&symbol, self.drive_dimension(), self.unit),
             rates: vec![None; rates.len()],

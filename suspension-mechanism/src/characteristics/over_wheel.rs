@@ -62,8 +62,8 @@ fn lines_over(line: &Line, travel: &Line, unit: Unit) -> Vec<Line> {
             let ratio = both.map(|(of_measure, of_wheel)| Some((*of_measure)? / (*of_wheel)?));
             let ratio = Line {
                 title: Title {
-                    wheel: None,
-                    of_wheel: format!("motion ratio: {} per wheel travel", line.title),
+                    of_wheel: format!("motion ratio: {} per wheel travel", line.title.of_wheel),
+                    ..line.title.clone()
                 },
                 symbol: symbol_per(&line.symbol, Dimension::Length, unit),
                 values: ratio

@@ -83,7 +83,7 @@ pub fn parameters(mechanism: &dyn Kinematics, unit: Unit) -> Vec<Parameter> {
                 Some((kind, place.per(*drive)?))
             })
             .collect();
-        let parameter = |column| parameter(column, [mechanism.unit, unit], &state, &per);
+        let parameter = |column| parameter(column, (mechanism, unit), &state, &per);
         columns.iter().map(parameter).collect()
     };
     mechanism.at_start(&mut read).unwrap_or_default()
@@ -94,10 +94,11 @@ type PerDrive = Option<(Dimension, State)>;
 
 fn parameter(
     column: &Column,
-    [from, unit]: [Unit; 2],
+    (mechanism, unit): (&Description, Unit),
     state: &State,
     per: &[PerDrive],
 ) -> Parameter {
+    let from = mechanism.unit;
     let (scale, symbol) = column.dimension.display_scale(unit);
     let scale = scale * column.dimension.conversion(from, unit);
     let along = |per: &PerDrive| {
@@ -110,7 +111,7 @@ fn parameter(
         })
     };
     Parameter {
-        title: Title::new(column),
+        title: Title::new(column, &mechanism.names.wheels),
         value: column.value(state) * scale,
         per: per.iter().map(along).collect(),
         symbol,

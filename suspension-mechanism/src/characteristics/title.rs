@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use suspension_motion_file::is_within;
+
+use crate::mechanism::Wheel;
 use crate::quantities::{Column, Compiled};
 
 /// The name of a number, and the wheel to which it belongs.
@@ -15,20 +18,46 @@ pub struct Title {
 
 impl Title {
     /// The title of a column, with its axis.
-    pub(super) fn new<N: Compiled>(column: &Column<N>) -> Self {
+    pub(super) fn new<N: Compiled>(column: &Column<N>, wheels: &[Wheel]) -> Self {
+        if column.quantity.name.is_empty() {
+            return Self::of_part(&column.name, wheels);
+        }
         let axis = column
             .axis
             .map_or_else(String::new, |axis| format!(" {axis}"));
-        let title = if column.quantity.name.is_empty() {
-            &column.name
-        } else {
-            column.quantity.title
-        };
         Self {
             wheel: column.wheel.clone(),
-            of_wheel: format!("{title}{axis}"),
+            of_wheel: format!("{}{axis}", column.quantity.title),
         }
     }
+
+    /// The title of a measure or a spring. It belongs to a wheel if its name has the words of one wheel's name, and others:
+    /// `left_damper`.
+    fn of_part(name: &str, wheels: &[Wheel]) -> Self {
+        let of_wheel = |wheel: &Wheel| Self {
+            wheel: Some(wheel.name.clone()),
+            of_wheel: without(&wheel.name, name),
+        };
+        let named = wheels.iter().filter(|wheel| !wheel.name.is_empty());
+        let within = named.filter(|wheel| is_within(&wheel.name, name));
+        let mut titles = within
+            .map(of_wheel)
+            .filter(|title| !title.of_wheel.is_empty());
+        match (titles.next(), titles.next()) {
+            (Some(title), None) => title,
+            _ => Self {
+                wheel: None,
+                of_wheel: name.to_owned(),
+            },
+        }
+    }
+}
+
+/// A name without the words of another.
+fn without(words: &str, name: &str) -> String {
+    let is_other = |word: &&str| !is_within(word, words);
+    let others: Vec<&str> = name.split('_').filter(is_other).collect();
+    others.join("_")
 }
 
 impl fmt::Display for Title {
@@ -36,6 +65,38 @@ impl fmt::Display for Title {
         match &self.wheel {
             Some(wheel) => write!(f, "{wheel} {}", self.of_wheel),
             None => f.write_str(&self.of_wheel),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_measure_belongs_to_the_wheel_that_its_name_has() {
+        let named = |names: &[&str]| -> Vec<Wheel> {
+            let wheel = |name: &&str| Wheel {
+                name: (*name).to_owned(),
+                ..Wheel::default()
+            };
+            names.iter().map(wheel).collect()
+        };
+        let car = named(&["front_left", "front_right", "rear_left", "rear_right"]);
+        let (axle, corner) = (named(&["left", "right"]), named(&[""]));
+        for (wheels, name, wheel, of_wheel) in [
+            (&axle, "left_damper", Some("left"), "damper"),
+            (&axle, "damper_right", Some("right"), "damper"),
+            (&axle, "left_to_right", None, "left_to_right"),
+            (&axle, "left", None, "left"),
+            (&axle, "bar_twist", None, "bar_twist"),
+            (&car, "rear_left_damper", Some("rear_left"), "damper"),
+            (&car, "rear_bar", None, "rear_bar"),
+            (&corner, "left_damper", None, "left_damper"),
+        ] {
+            let wheel = wheel.map(str::to_owned);
+            let of_wheel = of_wheel.to_owned();
+            assert_eq!(Title::of_part(name, wheels), Title { wheel, of_wheel });
         }
     }
 }

@@ -156,6 +156,25 @@ fn compare_says_what_its_curves_leave_out() {
 }
 
 #[test]
+fn the_dampers_of_both_wheels_share_a_chart_and_a_row() {
+    let (page, _) = sheet(&[]);
+    for way in ["heave", "roll"] {
+        let section = section(&page, &format!("Over {way}"));
+        for title in ["damper", &format!("motion ratio: damper per {way}")] {
+            let mut charts = section.split("<svg").skip(1);
+            let chart = charts.find(|chart| texts(chart).next() == Some(title));
+            let chart = chart.unwrap_or_else(|| panic!("no {title}"));
+            for wheel in ["left", "right"] {
+                assert_eq!(texts(chart).filter(|text| *text == wheel).count(), 1);
+            }
+        }
+        let alone = titles(section);
+        assert!(!alone.iter().any(|title| title.contains("_damper")));
+    }
+    assert!(page.contains("<td>damper</td><td>left</td>"), "{page}");
+}
+
+#[test]
 fn the_charts_that_are_looked_at_first_stand_first() {
     let (page, _) = sheet(&[]);
     let heave = titles(section(&page, "Over heave"));
@@ -164,7 +183,8 @@ fn the_charts_that_are_looked_at_first_stand_first() {
         "toe angle (bump steer)",
         "height of the roll centre above the ground",
         "roll centre of the axle z",
-        "motion ratio: left_damper per heave",
+        "motion ratio: damper per heave",
+        "damper",
     ];
     assert_eq!(heave[..expected.len()], expected);
     let steer = titles(section(&page, "Over steer"));
