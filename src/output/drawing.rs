@@ -1,4 +1,5 @@
-//! A drawing of a linkage as SVG: chassis points, links, slides, bodies, driven and measured lengths, the wheels and their axes.
+//! A drawing of a linkage as SVG: chassis points, links, racks, slides, bodies, driven and measured lengths,
+//! bars, the wheels and their axes.
 
 mod axes;
 mod disc;
@@ -7,6 +8,7 @@ mod hull;
 mod labels;
 mod legend;
 mod marks;
+mod rack;
 mod shared_labels;
 mod start;
 #[cfg(test)]
@@ -39,10 +41,14 @@ pub struct Drawing {
     pub chassis: usize,
     /// Links: each joins two points, by their indices.
     pub links: Vec<[usize; 2]>,
+    /// Steering racks: the ends of each, by their indices.
+    pub racks: Vec<[usize; 2]>,
     /// Slides: the ends of each line and the point on it, by their indices.
     pub slides: Vec<[usize; 3]>,
     /// Measured lengths, springs and dampers among them: the ends of each, by their indices.
     pub lengths: Vec<[usize; 2]>,
+    /// The lines of measured angles, anti-roll bars among them: the ends of each, by their indices.
+    pub bars: Vec<[usize; 2]>,
     /// Bodies: the points of each, by their indices.
     pub bodies: Vec<Vec<usize>>,
     /// The wheels.
@@ -120,6 +126,12 @@ impl Drawing {
         for link in &self.links {
             marks::link(area, line(link), opacity)?;
         }
+        for rack in &self.racks {
+            marks::rack(area, line(rack), opacity)?;
+        }
+        for bar in &self.bars {
+            marks::bar(area, line(bar), opacity)?;
+        }
         Ok(())
     }
 
@@ -171,6 +183,8 @@ impl Drawing {
             .links
             .iter()
             .chain(&self.lengths)
+            .chain(&self.racks)
+            .chain(&self.bars)
             .copied()
             .chain(slides);
         let lines = lines.filter_map(|[from, to]| Some([pixel(&from)?, pixel(&to)?]));

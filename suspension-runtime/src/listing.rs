@@ -5,6 +5,7 @@ use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelP
 use suspension_listing::eliminate::EliminationOrder;
 use suspension_listing::form::Form;
 use suspension_listing::include::IncludeSource;
+use suspension_listing::name::Name;
 use suspension_listing::system::{Equation, Quantity, Site, System};
 use suspension_listing::text::{self, Mistake, Mistakes};
 
@@ -161,9 +162,33 @@ impl Listing {
         let lines = drives
             .chain(measures)
             .filter_map(|quantity| match quantity {
-                Quantity::Length { line: [from, to] } => Some([from, to]),
+                Quantity::Length { line } => Some(line),
                 _ => None,
             });
+        self.places_of_lines(lines)
+    }
+
+    /// The lines of angles that are measured about a line, as those of a bar and its arms: that line, and the measured lines
+    /// that start or end on one of its two points, each by the indices of its points. An angle without such an arm has none.
+    pub fn measured_turns(&self) -> Vec<[usize; 2]> {
+        let measures = self.system.measures.iter();
+        let lines = measures.flat_map(|measure| match &measure.quantity {
+            Quantity::Between {
+                lines,
+                about: Some(axis),
+            } => {
+                let is_arm = |line: &&[Name; 2]| line.iter().any(|end| axis.contains(end));
+                let arms = lines.iter().filter(is_arm);
+                let axis = arms.clone().next().map(|_| axis);
+                axis.into_iter().chain(arms).collect()
+            }
+            _ => Vec::new(),
+        });
+        self.places_of_lines(lines)
+    }
+
+    /// The indices of the two points of each line.
+    fn places_of_lines<'a>(&self, lines: impl Iterator<Item = &'a [Name; 2]>) -> Vec<[usize; 2]> {
         let places = lines
             .filter_map(|[from, to]| Some([self.point(from.as_str())?, self.point(to.as_str())?]));
         places.collect()

@@ -29,6 +29,37 @@ fn a_damper_is_drawn_alike_whether_driven_or_measured() {
     assert_eq!(lines(&driven), lines(&measured));
 }
 
+/// The colour of a mark, which is drawn once in the legend.
+const RACK: &str = "#785A14";
+const BAR: &str = "#008CA0";
+
+#[test]
+fn racks_and_bars_are_drawn_where_the_listing_has_them() {
+    let folder = folder();
+    for (linkage, drives, racks, bars) in [
+        ("double_wishbone_pushrod", "bump = 0.3", 0, 2),
+        ("double_wishbone", "bump = 0.3", 0, 0),
+        ("steered_axle", "bump_left = 0.31\nbump_right = 0.28", 1, 0),
+    ] {
+        let file = format!(
+            "unit = 'm'\nlinkage = '{linkage}'\ntime = {{ instants = [0.0] }}\n[drives]\n{drives}\nsteer = 0.35\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["draw", "a.toml", "--out", "-"]);
+        assert!(output.status.success(), "{output:?}");
+        let svg = text(&output.stdout);
+        for (name, colour, count) in [
+            ("steering rack", RACK, racks),
+            ("bar or measured angle", BAR, bars),
+        ] {
+            let is_in_legend = svg.contains(&format!("\n{name}\n"));
+            assert_eq!(is_in_legend, count > 0, "{linkage}: {name}");
+            let lines = count + usize::from(is_in_legend);
+            assert_eq!(svg.matches(colour).count(), lines, "{linkage}: {name}");
+        }
+    }
+}
+
 /// A drawing helps to find the cause of a position out of reach.
 #[test]
 fn with_the_first_instant_out_of_reach_the_design_is_drawn() {

@@ -53,7 +53,7 @@ impl Drawing {
             let links = forces.into_iter().flat_map(|forces| &forces.links);
             links.into_iter().any(|link| link.ends == *ends)
         };
-        let marks: [(bool, &str, Mark); 8] = [
+        let marks: [(bool, &str, Mark); 10] = [
             (self.chassis > 0, "chassis point", |area, line| {
                 marks::chassis_point(area, middle(line))
             }),
@@ -66,6 +66,9 @@ impl Drawing {
             (!self.links.iter().all(has_force), "link", |area, line| {
                 marks::link(area, line.into(), 1.0)
             }),
+            (!self.racks.is_empty(), "steering rack", |area, line| {
+                marks::rack(area, line.into(), 1.0)
+            }),
             (!self.slides.is_empty(), "slide", |area, line| {
                 marks::slide(area, line.into(), 1.0)
             }),
@@ -76,6 +79,11 @@ impl Drawing {
                 !self.lengths.iter().all(has_force),
                 "measured or driven length",
                 |area, line| marks::length(area, line.into(), 1.0),
+            ),
+            (
+                !self.bars.is_empty(),
+                "bar or measured angle",
+                |area, line| marks::bar(area, line.into(), 1.0),
             ),
             (
                 !self.wheels.is_empty(),

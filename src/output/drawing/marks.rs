@@ -11,6 +11,8 @@ type Place = (i32, i32);
 pub(super) const CHASSIS: RGBColor = RGBColor(60, 60, 60);
 pub(super) const LINK: RGBColor = RGBColor(31, 90, 160);
 const TYRE: RGBColor = RGBColor(120, 120, 120);
+const RACK: RGBColor = RGBColor(120, 90, 20);
+const BAR: RGBColor = RGBColor(0, 140, 160);
 const BODY: RGBColor = RGBColor(200, 80, 20);
 const LENGTH: RGBColor = RGBColor(40, 130, 70);
 const AXIS: RGBColor = RGBColor(160, 40, 110);
@@ -32,6 +34,16 @@ pub(super) fn moving_point(area: &Area<'_>, at: Place) -> Drawn {
 
 pub(super) fn link(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
     line(area, ends, LINK.mix(opacity).stroke_width(4 * FINE))
+}
+
+/// Draws a steering rack, over the link between its ends if the listing has one.
+pub(super) fn rack(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    line(area, ends, RACK.mix(opacity).stroke_width(6 * FINE))
+}
+
+/// Draws an anti-roll bar or one of its arms.
+pub(super) fn bar(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {
+    line(area, ends, BAR.mix(opacity).stroke_width(4 * FINE))
 }
 
 pub(super) fn slide(area: &Area<'_>, ends: Vec<Place>, opacity: f64) -> Drawn {

@@ -2,6 +2,7 @@
 
 use suspension_runtime::Listing;
 
+use super::rack::racks;
 use super::{Drawing, Wheel};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{self, Description};
@@ -27,8 +28,10 @@ pub fn drawing_of(
         axes: *axes,
         chassis: names.chassis,
         links: listing.links(),
+        racks: racks(mechanism),
         slides: listing.slides(),
         lengths: listing.driven_and_measured_lengths(),
+        bars: listing.measured_turns(),
         bodies: listing.bodies(),
         wheels: names.wheels.iter().map(of_wheel).collect(),
         others: Vec::new(),

@@ -15,8 +15,10 @@ fn corner() -> Drawing {
         axes: Axes::Iso,
         chassis: 2,
         links: vec![[0, 2], [1, 2]],
+        racks: vec![[0, 1]],
         slides: vec![[2, 3, 0]],
         lengths: vec![[1, 3]],
+        bars: vec![[0, 3]],
         bodies: vec![vec![2, 3, 1]],
         wheels: vec![Wheel {
             axis: [0, 2],
@@ -60,6 +62,8 @@ fn measured_lengths_are_drawn_dashed() {
 fn the_legend_of_the_oblique_view_has_what_appears() {
     let bare = Drawing {
         lengths: Vec::new(),
+        bars: Vec::new(),
+        racks: Vec::new(),
         slides: Vec::new(),
         wheels: Vec::new(),
         ..corner()
@@ -69,8 +73,10 @@ fn the_legend_of_the_oblique_view_has_what_appears() {
         ("moving point", true),
         ("link", true),
         ("body", true),
+        ("steering rack", false),
         ("slide", false),
         ("measured or driven length", false),
+        ("bar or measured angle", false),
         ("kingpin or spin axis", false),
     ] {
         let has = |drawing: &Drawing| svg(drawing).contains(&format!("\n{name}\n"));
