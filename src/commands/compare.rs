@@ -133,7 +133,8 @@ The table of --csv has a row for each number, with the columns `of`, quantity, u
 degrees. The column `of` has design, per travel or per wheel travel, per steer, over travel or over wheel travel, over roll
 or over roll by wheel travel, over steer; for a second wheel per travel 2. The column `at`, meant for people, has the change
 of the drive, or the wheel travel, where the curves differ most; it is empty where they differ by rounding alone, or by the
-same amount everywhere. The report has `everywhere` there. The values are then those nearest to the design position.
+same amount everywhere. The report has `everywhere` there. The values are then those at the design position, or nearest
+to it where it is not within the range.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within --travel or --steer (the part
 before the lock is compared), 130 interrupted.

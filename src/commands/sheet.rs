@@ -13,13 +13,14 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Curves, Rise, Span, curves, no_steering, parameters, shorter_roll, unmet_range, ways,
+    Along, Curves, Rise, Span, curves, no_steering, parameters, shorter_roll, through_design,
+    unmet_range, ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
-use crate::mechanism::{State, Unit, evenly_spaced};
+use crate::mechanism::{State, Unit};
 use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
@@ -136,7 +137,7 @@ fn all_curves(mechanism: &dyn Kinematics, ways: &[Along], rises: &[Option<Rise>]
 fn over_wheel(curves: &Curves, unit: Unit) -> Option<Curves> {
     let mut wheels = curves.lines.iter().filter(|line| line.is_wheel_travel());
     let wheel = wheels.find(|line| line.is_rising())?;
-    let travels = evenly_spaced(wheel.ends()?, curves.changes.len());
+    let travels = through_design(wheel.ends()?, curves.changes.len());
     let over = curves.over_travel_of(wheel, travels, unit);
     let title = format!("{} ({})", over.title, curves.title);
     Some(Curves { title, ..over })

@@ -1,8 +1,8 @@
 //! Curves over the travel of the wheel, for drives of which equal changes do not move the wheels equally far.
 
-use crate::characteristics::{Curves, Does, Line};
+use crate::characteristics::{Curves, Does, Line, through_design};
 use crate::commands::compare::differences::{ALIKE, pairs, title_of_both};
-use crate::mechanism::{Unit, evenly_spaced};
+use crate::mechanism::Unit;
 
 /// Returns whether equal changes of the two drives move the wheels unequally far; `false` for drives that steer.
 pub(super) fn are_unlike(both: [&Curves; 2]) -> bool {
@@ -47,7 +47,7 @@ pub(super) fn by_wheel([a, b]: [&Curves; 2], unit: Unit) -> Option<[Curves; 2]> 
     if from >= to {
         return None;
     }
-    let travels = evenly_spaced([from, to], a.changes.len());
+    let travels = through_design([from, to], a.changes.len());
     let title = title_of_both([&of_a.title, &of_b.title]);
     let over = |(curves, wheel): (&Curves, &Line)| Curves {
         title: title.clone(),

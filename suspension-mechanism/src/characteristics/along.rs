@@ -5,13 +5,14 @@ use std::sync::atomic::AtomicBool;
 use suspension_core::listing::DriveKind;
 
 use crate::characteristics::course::Course;
+use crate::characteristics::places::through_design;
 use crate::characteristics::span::Span;
 use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, DerivativeOrder, Grid, Names, Place, State, Unit, Visited, evenly_spaced,
+    Axis, CountedFrom, DerivativeOrder, Grid, Names, Place, State, Unit, Visited,
 };
 use crate::number::number;
 
@@ -198,7 +199,7 @@ fn compute_along(
         moved,
         drives,
     } = course;
-    let changes = evenly_spaced(span, PLACES);
+    let changes = through_design(span, PLACES);
     let axis = Axis {
         drives: drives.clone(),
         values: changes.clone(),
