@@ -119,9 +119,10 @@ are in the axes and the unit of A; quantities with signs of their own, such as c
 [vehicle] tables of the files state what the listings do not, as for suspension sheet.
 
 Instant centres, swing arms and roll centres that are near infinity within the travel are not compared over it.
-`per travel` is per unit of the drive, whose values may count downwards, as in SAE axes. The curves over travel always go
-upwards. Wheels and drives of the same name are compared with each other; where only one of the files names its wheels, each
-of them is compared with the wheel of the other file.
+Derivatives are per unit of the drive, whose values may count downwards, as in SAE axes: `per travel of the wheel` where
+the drive is the height of the wheel, otherwise `per change of` the drive. The curves over travel always go upwards.
+Wheels and drives of the same name are compared with each other; where only one of the files names its wheels, each of
+them is compared with the wheel of the other file.
 
 Equal changes of the two drives may not move the same wheels equally far, for example those of a height and a damper's
 length, or of a height and heave. Then derivatives are `per wheel travel`: per rise of one wheel centre, the other wheel

@@ -233,7 +233,7 @@ fn a_constant_difference_has_no_place() {
     let (folder, output) = compare(&of_load(300.0), &of_load(500.0), &["--html", "c.html"]);
     let report = text(&output.stdout);
     let (_, over) = report
-        .split_once("Largest difference over travel")
+        .split_once("Largest difference over bump")
         .expect("curves");
     let line = over
         .lines()
@@ -256,7 +256,7 @@ fn compare_prints_a_text_table_and_writes_a_page() {
     for expected in [
         "A  a.toml (double_wishbone_pushrod)",
         "B - A",
-        "Largest difference over travel",
+        "Largest difference over bump",
     ] {
         assert!(report.contains(expected), "{report}");
     }

@@ -19,8 +19,8 @@ impl<'a> Comparison<'a> {
             |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
         let mut parts = vec![Part {
             of: "design".to_owned(),
-            moved: None,
-            across: None,
+            heading: AT_DESIGN.to_owned(),
+            is_of_curves: false,
             differences: of_parameters(sides, [&design; 2]),
         }];
         parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
@@ -51,19 +51,22 @@ fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     };
     Some(Part {
         of,
-        moved: Some(moved(sides, ways)),
-        across: None,
+        heading: format!("{AT_DESIGN}, per {}", moved(sides, ways, by_wheel)),
+        is_of_curves: false,
         differences: of_parameters(sides, [&a, &b]),
     })
 }
 
-/// Names the wheels or drives that move.
-fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> String {
-    let [of_a, of_b] = [a.moved(of_a, b), b.moved(of_b, a)];
+/// The heading of values, and the beginning of those of derivatives.
+const AT_DESIGN: &str = "At the design position";
+
+/// Names the movements with respect to which there are derivatives.
+fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2], by_wheel: bool) -> String {
+    let [of_a, of_b] = [a.moved(of_a, b, by_wheel), b.moved(of_b, a, by_wheel)];
     if of_a == of_b {
         of_a
     } else {
-        format!("{of_a} of A, {of_b} of B")
+        format!("{of_a} in A, {of_b} in B")
     }
 }
 

@@ -9,8 +9,10 @@ use crate::mechanism::{Unit, ends};
 
 /// The curves of both suspensions over the same kind of motion.
 pub(super) struct CurvePair<'a> {
-    /// The title, for example `over travel`.
+    /// The name in a table of comma-separated values, for example `over travel`.
     of: String,
+    /// What the curves are over, for people.
+    over: String,
     pub(super) curves: [Cow<'a, Curves>; 2],
 }
 
@@ -22,15 +24,21 @@ impl<'a> CurvePair<'a> {
         if are_unlike(both)
             && let Some(curves) = by_wheel(both, unit)
         {
-            let of = match a.way.does {
-                Does::Roll => format!("over {} by wheel travel", a.way),
-                Does::Travel | Does::Steer => format!("over wheel {}", a.way),
+            let (of, over) = match a.way.does {
+                Does::Roll => (
+                    format!("over {} by wheel travel", a.way),
+                    format!("{} by wheel travel", a.title),
+                ),
+                Does::Travel | Does::Steer => {
+                    (format!("over wheel {}", a.way), curves[0].title.clone())
+                }
             };
             let curves = curves.map(Cow::Owned);
-            return Some(Self { of, curves });
+            return Some(Self { of, over, curves });
         }
         (a.dimension == b.dimension).then(|| Self {
             of: format!("over {}", a.way),
+            over: a.title.clone(),
             curves: both.map(Cow::Borrowed),
         })
     }
@@ -40,10 +48,11 @@ impl<'a> CurvePair<'a> {
         let [a, b] = self.curves.each_ref().map(|curves| &**curves);
         let differences = pairs(a, b).into_iter();
         let differences = differences.filter_map(|pair| largest(a, pair));
+        let across = a.axis_label(unit);
         Part {
             of: self.of.clone(),
-            moved: None,
-            across: Some(a.axis_label(unit)),
+            heading: format!("Largest difference over {}, at a {across}", self.over),
+            is_of_curves: true,
             differences: differences.collect(),
         }
     }

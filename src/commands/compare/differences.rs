@@ -38,12 +38,12 @@ pub(super) const EVERYWHERE: &str = "everywhere";
 
 /// A table of differences, of values, derivatives or curves.
 pub(super) struct Part {
-    /// The title, for example `per travel`.
+    /// The name in a table of comma-separated values, for example `per travel`.
     pub(super) of: String,
-    /// For derivatives: the drives or the wheels that they move, in words.
-    pub(super) moved: Option<String>,
-    /// For curves: the quantity and unit of `at`.
-    pub(super) across: Option<String>,
+    /// The heading for people.
+    pub(super) heading: String,
+    /// Whether the differences are those of curves, which have a place.
+    pub(super) is_of_curves: bool,
     pub(super) differences: Vec<Difference>,
 }
 

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::characteristics::{Curves, Line};
 use crate::commands::compare::comparison::Comparison;
 use crate::commands::compare::differences::{Difference, EVERYWHERE, Part, pairs, title_of_both};
-use crate::commands::compare::report::{heading, legend, notes};
+use crate::commands::compare::report::{legend, notes};
 use crate::commands::compare::short_name::short_names;
 use crate::commands::compare::side::Side;
 use crate::output::page::{charts, numbers, page};
@@ -21,7 +21,7 @@ pub(super) fn html(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
             p { strong { "The curves are cut short: " } (missing) }
         }
         @for part in &comparison.parts {
-            h2 { (heading(part)) }
+            h2 { (part.heading) }
             (table(part))
         }
         @for over in &comparison.over {
@@ -56,19 +56,18 @@ fn table(part: &Part) -> Markup {
     let b = column(&|difference| Some(difference.values[1]));
     let more = column(&|difference| Some(difference.value()));
     let at = column(&|difference| difference.at);
-    let is_of_curves = part.across.is_some();
     html! {
         table {
             thead { tr {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
-                th.number { @if is_of_curves { "at" } }
+                th.number { @if part.is_of_curves { "at" } }
             } }
             @for (row, difference) in part.differences.iter().enumerate() {
                 tr.first {
                     td { (difference.quantity) }
                     (a[row]) (b[row]) (more[row])
                     td.unit { (difference.symbol) }
-                    @if is_of_curves && difference.at.is_none() { td.number { (EVERYWHERE) } } @else { (at[row]) }
+                    @if part.is_of_curves && difference.at.is_none() { td.number { (EVERYWHERE) } } @else { (at[row]) }
                 }
             }
         }

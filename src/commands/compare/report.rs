@@ -28,18 +28,6 @@ pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
     })
 }
 
-pub(super) fn heading(part: &Part) -> String {
-    match (part.of.as_str(), &part.across) {
-        (of, Some(across)) => format!("Largest difference {of}, at a {across}"),
-        ("design", None) => "At the design position".to_owned(),
-        (of, None) => {
-            let moved = part.moved.as_ref();
-            let moved = moved.map_or_else(String::new, |moved| format!(" ({moved})"));
-            format!("At the design position, {of}{moved}")
-        }
-    }
-}
-
 pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
     let [a, b] = legend(sides);
     let mut out = format!("A  {a}\nB  {b}\n");
@@ -48,7 +36,7 @@ pub(super) fn text(sides: [&Side; 2], comparison: &Comparison<'_>) -> String {
         let _ = writeln!(out, "{note}");
     }
     for part in &comparison.parts {
-        let (heading, table) = (heading(part), laid_out(2, columns(part)));
+        let (heading, table) = (&part.heading, laid_out(2, columns(part)));
         let _ = write!(out, "\n{heading}\n\n{table}");
     }
     out
@@ -214,7 +202,7 @@ fn columns(part: &Part) -> Vec<TextColumn> {
         numbers("B - A", &Difference::value),
         TextColumn::left(symbols).headed("unit"),
     ];
-    if part.across.is_some() {
+    if part.is_of_curves {
         let at = |difference: &Difference| difference.at.map_or(EVERYWHERE.to_owned(), in_digits);
         columns.push(TextColumn::numbers(differences().map(at)).headed("at"));
     }

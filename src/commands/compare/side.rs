@@ -4,12 +4,13 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
-    Curves, Does, Parameter, Rises, Span, Way, curves, parameters, shorter_roll, unmet_range, ways,
+    Curves, Does, Parameter, Rise, Rises, Span, Way, curves, parameters, shorter_roll, unmet_range,
+    ways,
 };
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Pair, Unit, Wheel};
+use crate::mechanism::{Pair, Unit, Wheel, listed};
 use crate::quantities::{Axis, CENTRE, TOE};
 
 /// The compared results of a suspension, with lengths in the unit of the first.
@@ -24,6 +25,8 @@ pub(super) struct Side {
     pub(super) ways: Vec<Way>,
     /// The names of these drives.
     drives: Vec<String>,
+    /// Whether each of these drives is the height of its wheel.
+    is_height: Vec<bool>,
     /// Whether a wheel has no radius, so that quantities at the ground are missing.
     pub(super) lacks_radius: bool,
     /// How far the wheels rise per unit of the drives of travel.
@@ -71,6 +74,8 @@ impl Side {
         let named = drives.iter();
         let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
         let parameters = parameters(mechanism, unit);
+        let rises = Rise::of_drives(mechanism, &parameters, unit).into_iter();
+        let is_height = rises.map(|rise| rise.is_some_and(|rise| rise.is_height));
         Ok(Self {
             file: file.to_owned(),
             linkage: mechanism.linkage.clone(),
@@ -85,6 +90,7 @@ impl Side {
             travel_of: travel_of.collect(),
             ways: does,
             drives: named.collect(),
+            is_height: is_height.collect(),
             parameters,
             curves: curves.collect(),
         })
@@ -168,17 +174,23 @@ impl Side {
         }
     }
 
-    /// Names what a drive moves: its wheels, or else the drive itself; `each wheel by its own drive` in a comparison with a
-    /// suspension whose wheel has no name.
-    pub(super) fn moved(&self, way: usize, other: &Self) -> String {
+    /// Names the movement of a drive: the travel of its wheels if the derivatives are by wheel or the drive is their height,
+    /// otherwise its own change; `each wheel by its own drive` in a comparison with a suspension whose wheel has no name.
+    pub(super) fn moved(&self, way: usize, other: &Self, by_wheel: bool) -> String {
         let named = |side: &Self| side.travel_of.iter().any(|(wheel, _)| !wheel.is_empty());
         let own = self.travel_of.iter().filter(|(_, own)| *own == way);
-        let own: Vec<&str> = own.map(|(wheel, _)| wheel.as_str()).collect();
-        match own.as_slice() {
-            [] | [""] => self.drives[way].clone(),
+        let names: Vec<String> = own.map(|(wheel, _)| wheel.replace('_', " ")).collect();
+        let wheels = match names.as_slice() {
+            [] => return format!("change of {}", self.drives[way]),
+            [name] if name.is_empty() => "the wheel".to_owned(),
             _ if !named(other) => "each wheel by its own drive".to_owned(),
-            [wheel] => format!("wheel {wheel}"),
-            wheels => format!("wheels {}", wheels.join(", ")),
+            [name] => format!("the {name} wheel"),
+            _ => format!("the {} wheels", listed(names)),
+        };
+        if by_wheel || self.is_height[way] {
+            format!("travel of {wheels}")
+        } else {
+            format!("change of {}, which moves {wheels}", self.drives[way])
         }
     }
 

@@ -83,7 +83,7 @@ fn sheets_and_comparisons_name_both_wheels_of_an_axle() {
     for part in [
         "left toe angle",
         "right toe angle",
-        "per travel 2",
+        "per travel of the right wheel",
         "total toe",
     ] {
         assert!(compared.contains(part), "{part}");

@@ -67,7 +67,7 @@ fn a_difference_within_rounding_has_no_place() {
     let (_folder, output) = compare(CORNER, CORNER, &[]);
     let report = text(&output.stdout);
     let (_, over) = report
-        .split_once("Largest difference over travel")
+        .split_once("Largest difference over bump")
         .expect("curves");
     let camber = over
         .lines()

@@ -159,14 +159,18 @@ fn headings_of_compared_derivatives_name_the_moved_wheels() {
         (
             &four,
             &two,
-            "per travel 2 (wheel front_right of A, wheel right of B)",
+            "per travel of the front right wheel in A, travel of the right wheel in B",
         ),
-        (&two, &two, "per travel 2 (wheel right)"),
-        (&damper, &damper, "per travel (bump)"),
+        (&two, &two, "per travel of the right wheel"),
+        (
+            &damper,
+            &damper,
+            "per change of bump, which moves the wheel",
+        ),
         (
             &axles(&[("", 0.0, 1.0)]),
             &two,
-            "per travel (_bump of A, each wheel by its own drive of B)",
+            "per travel of the wheel in A, travel of each wheel by its own drive in B",
         ),
     ] {
         let (_folder, output) = compare(a, b, &[]);
