@@ -1,9 +1,53 @@
-//! Points of both sides that a view shows in one place, which share a label.
+//! Points that a view shows in one place, as those of both sides, which share a label.
 
-/// The first words of the names in a label, the rest of these names, and their place.
-type Label<'a> = (Vec<&'a str>, &'a str, (i32, i32));
+/// A label of one point, or of several in one place whose names differ in one word.
+struct Label<'a> {
+    /// The words of the first name.
+    words: Vec<&'a str>,
+    /// The index of the word in which the names differ, and that word of each name.
+    varying: Option<(usize, Vec<&'a str>)>,
+    at: (i32, i32),
+}
 
-/// Returns the labels with their places: one for each name, and one for all names in one place that differ in the first word
+impl<'a> Label<'a> {
+    fn new(name: &'a str, at: (i32, i32)) -> Self {
+        Self {
+            words: name.split('_').collect(),
+            varying: None,
+            at,
+        }
+    }
+
+    /// Takes a name that differs in the one word from the others, or from the only other.
+    fn join(&mut self, name: &'a str) -> bool {
+        let words: Vec<&str> = name.split('_').collect();
+        let both = self.words.iter().zip(&words).enumerate();
+        let unlike = both.filter(|(_, (own, other))| own != other);
+        let unlike: Vec<usize> = unlike.map(|(index, _)| index).collect();
+        let has_rest = self.words.len() == words.len() && words.len() > 1;
+        let (true, [index]) = (has_rest, unlike.as_slice()) else {
+            return false;
+        };
+        let first = || (*index, vec![self.words[*index]]);
+        let (varying, each) = self.varying.get_or_insert_with(first);
+        let is_same = varying == index;
+        each.extend(is_same.then_some(words[*index]));
+        is_same
+    }
+
+    /// The name, or the words that all names have, and those in which they differ: `ball (left, right)`.
+    fn text(&self) -> String {
+        match &self.varying {
+            None => self.words.join("_"),
+            Some((index, each)) => {
+                let rest = [&self.words[..*index], &self.words[index + 1..]].concat();
+                format!("{} ({})", rest.join("_"), each.join(", "))
+            }
+        }
+    }
+}
+
+/// Returns the labels with their places: one for each name, and one for all names in one place that differ in one word
 /// alone, such as `left_ball` and `right_ball`.
 pub(super) fn labels(
     names: &[String],
@@ -12,21 +56,14 @@ pub(super) fn labels(
 ) -> Vec<(String, (i32, i32))> {
     let mut labels: Vec<Label<'_>> = Vec::new();
     for (name, &(x, y)) in names.iter().zip(places) {
-        let (first, rest) = name.split_once('_').unwrap_or(("", name));
-        let is_same = |(_, other, at): &&mut Label<'_>| {
-            !first.is_empty() && *other == rest && (at.0 - x).abs().max((at.1 - y).abs()) <= near
-        };
-        match labels.iter_mut().find(is_same) {
-            Some((firsts, ..)) => firsts.push(first),
-            None => labels.push((vec![first], rest, (x, y))),
+        let is_near = |(left, top): (i32, i32)| (left - x).abs().max((top - y).abs()) <= near;
+        let mut here = labels.iter_mut().filter(|label| is_near(label.at));
+        if !here.any(|label| label.join(name)) {
+            labels.push(Label::new(name, (x, y)));
         }
     }
-    let joined = |(firsts, rest, place): Label<'_>| match firsts[..] {
-        [""] => (rest.to_owned(), place),
-        [first] => (format!("{first}_{rest}"), place),
-        _ => (format!("{rest} ({})", firsts.join(", ")), place),
-    };
-    labels.into_iter().map(joined).collect()
+    let labels = labels.iter().map(|label| (label.text(), label.at));
+    labels.collect()
 }
 
 #[cfg(test)]
@@ -34,24 +71,35 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_of_both_sides_in_one_place_share_a_label() {
-        let names = [
-            "left_ball",
-            "rack",
-            "right_ball",
-            "left_top",
-            "rack",
-            "right_top",
+    fn points_in_one_place_whose_names_differ_in_one_word_share_a_label() {
+        let named = [
+            ("left_ball", (0, 0)),
+            ("rack", (0, 0)),
+            ("right_ball", (1, -1)),
+            ("left_top", (0, 9)),
+            ("rod", (0, 0)),
+            ("right_top", (3, 9)),
+            ("front_left_hub", (20, 0)),
+            ("front_right_hub", (20, 0)),
+            ("rear_left_hub", (20, 0)),
+            ("upper_front", (40, 0)),
+            ("upper_rear", (40, 0)),
+            ("lower_front", (40, 0)),
         ];
-        let places = [(0, 0), (0, 0), (1, -1), (0, 9), (0, 0), (3, 9)];
         let expected = [
             ("ball (left, right)", (0, 0)),
             ("rack", (0, 0)),
             ("left_top", (0, 9)),
-            ("rack", (0, 0)),
+            ("rod", (0, 0)),
             ("right_top", (3, 9)),
+            ("front_hub (left, right)", (20, 0)),
+            ("rear_left_hub", (20, 0)),
+            ("upper (front, rear)", (40, 0)),
+            ("lower_front", (40, 0)),
         ];
-        let found = labels(&names.map(str::to_owned), &places, 2);
+        let named = named.map(|(name, at)| (name.to_owned(), at));
+        let (names, places): (Vec<_>, Vec<_>) = named.into_iter().unzip();
+        let found = labels(&names, &places, 2);
         assert_eq!(found, expected.map(|(name, at)| (name.to_owned(), at)));
     }
 }
