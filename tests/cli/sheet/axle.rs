@@ -120,6 +120,27 @@ fn charts_that_would_show_nothing_are_left_out_or_show_the_change() {
     assert!(titles(roll).contains(&"roll centre of the axle z"));
 }
 
+/// The wheels of a twist beam keep their y in heave.
+#[test]
+fn charts_of_constants_are_left_out() {
+    let folder = folder();
+    let file = include_str!("../../../examples/twist_beam.toml");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let heave = section(text(&output.stdout), "Over heave");
+    let begins = "<p>Constant throughout, without a chart: ";
+    let (_, note) = heave.split_once(begins).expect("a note");
+    let (note, _) = note.split_once(".</p>").expect("its end");
+    let constant: Vec<&str> = note.split(", ").collect();
+    for title in ["wheel centre y", "contact point y", "track"] {
+        assert!(constant.contains(&title), "{note}");
+        let mut titles = titles(heave).into_iter();
+        assert!(!titles.any(|drawn| drawn.starts_with(title)), "{title}");
+    }
+    assert!(titles(heave).contains(&"wheel centre x"));
+}
+
 /// Static toe of 0.2 deg makes the percentage run to hundreds at small steer angles.
 #[test]
 fn the_ackermann_percentage_is_drawn_from_five_degrees_of_steer() {
