@@ -107,3 +107,25 @@ fn a_difference_that_is_only_rounding_is_zero() {
         assert_eq!(differs, quantity.contains("damper"), "{of}, {quantity}");
     }
 }
+
+/// Evenly spaced places of these ranges miss the design position.
+#[test]
+fn curves_that_are_equal_are_shown_with_the_values_of_the_design() {
+    let file = "linkage = \"double_wishbone_coilover\"\nunit = \"m\"\ntime = { instants = [0.0] }\n[drives]\nbump = 0.3\nsteer = 0.34\n";
+    let ranges = ["--travel=-0.047:0.06", "--steer=-0.011:0.02"];
+    let (_folder, output) = compare(file, file, &[&["--csv", "-"], &ranges[..]].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&output);
+    let value = |of: &str, quantity: &str| {
+        let found = rows.iter().find(|(names, _)| names[..2] == [of, quantity]);
+        found.map(|(_, [_, a, ..])| *a)
+    };
+    let mut count = 0;
+    for ([of, quantity, _], [.., a, _, _]) in &rows {
+        if let (true, Some(design)) = (of.starts_with("over"), value("design", quantity)) {
+            assert!((a - design).abs() < 1e-12, "{of} {quantity}: {a}, {design}");
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count}");
+}
