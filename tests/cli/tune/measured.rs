@@ -115,17 +115,27 @@ fn mistakes_in_measured_points_are_located() {
         (
             csv,
             "travel;toe\r\n0,0;1,0\r\n\r\n0,01;0,5,1\r\n",
-            "measured.csv:4:1: `0,5,1` in column `toe` is not a finite number, as -0.5",
+            "measured.csv:4:6: `0,5,1` in column `toe` is not a finite number, as -0.5",
+        ),
+        (
+            csv,
+            "",
+            "measured.csv:1:1: the file is empty; it needs a line of headings and lines of numbers",
+        ),
+        (
+            csv,
+            "travel,\"camber, left\",toe\n0.0,\"a,b\", wide\n",
+            "measured.csv:2:12: `wide` in column `toe`",
         ),
         (
             csv,
             "travel,toe\n0.0,1.0\n0.01\n",
-            "measured.csv:3:1: the line has no number in column `toe`",
+            "measured.csv:3:5: the line has no number in column `toe`",
         ),
         (
             csv,
             "toe,travel\nmm,deg\n",
-            "measured.csv:2:1: `deg` in column `travel` is not a finite number",
+            "measured.csv:2:4: `deg` in column `travel` is not a finite number",
         ),
     ] {
         let folder = folder();
