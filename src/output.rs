@@ -12,4 +12,4 @@ mod svg;
 pub mod table;
 pub mod text_table;
 
-pub use suspension_tables::{csv_file, files, heading, rows, target};
+pub use suspension_tables::{csv_file, files, heading, records, rows, target};

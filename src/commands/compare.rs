@@ -4,6 +4,7 @@ mod by_wheel;
 mod comparison;
 mod curve_pair;
 mod differences;
+mod notes;
 mod page;
 mod report;
 mod short_name;
@@ -19,8 +20,9 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
 use crate::output::files::{announce, print};
+use crate::output::rows::Forms;
 use crate::output::target::Target;
-use comparison::Comparison;
+use report::Report;
 use side::Side;
 
 /// The arguments of `suspension compare`.
@@ -45,6 +47,10 @@ pub struct Arguments {
     /// Write the differences as comma-separated values to PATH, or to standard output for `-`.
     #[arg(long, value_name = "PATH")]
     csv: Option<PathBuf>,
+    /// Write the differences as JSON to PATH, or to standard output for `-`: a header with the names of A and B, and the rows of
+    /// --csv under the same names.
+    #[arg(long, value_name = "PATH")]
+    json: Option<PathBuf>,
 }
 
 impl Arguments {
@@ -54,18 +60,19 @@ impl Arguments {
     ///
     /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let [csv, html] = [&self.csv, &self.html].map(|path| path.clone().map(Target::from));
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
-        let (first, second) = (load(&a)?, load(&b)?);
-        if let Some(html) = &html {
-            html.refuse_input("--html")?;
-        }
-        if let Some(csv) = &csv {
-            csv.refuse_input("--csv")?;
-            if let Some(html) = &html {
-                html.refuse_same(csv, ["--html", "--csv"])?;
-            }
-        }
+        let (report, failure) = self.compared([&a, &b], interrupted)?;
+        self.write(&report)?;
+        failure.map_or(Ok(()), Err)
+    }
+
+    /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.
+    fn compared(
+        &self,
+        [a, b]: [&Source; 2],
+        interrupted: &AtomicBool,
+    ) -> Result<(Report, Option<Failure>), Failure> {
+        let (first, second) = (load(a)?, load(b)?);
         let spans = [self.travel, self.steer];
         let side = |source: &Source, loaded: &Loaded<'_>| {
             let mechanism = loaded.at_design_in(first.axes())?;
@@ -78,25 +85,44 @@ impl Arguments {
                 interrupted,
             )
         };
-        let (a, b) = (side(&a, &first)?, side(&b, &second)?);
-        if self.steer.is_some() && ![&a, &b].iter().any(|side| side.steers()) {
-            return Err(no_steering(&a.file));
+        let (one, other) = (side(a, &first)?, side(b, &second)?);
+        let sides = [&one, &other];
+        if self.steer.is_some() && !sides.iter().any(|side| side.steers()) {
+            return Err(no_steering(a.name()));
         }
-        let comparison = Comparison::new([&a, &b]);
-        if ![&csv, &html].contains(&&Some(Target::Stdout)) {
-            print(&report::text([&a, &b], &comparison))?;
+        let report = comparison::compare(sides);
+        Ok((report, one.failure.or(other.failure)))
+    }
+
+    /// Prints a report, and writes it to the files that options name.
+    fn write(&self, report: &Report) -> Result<(), Failure> {
+        let [csv, json, html] = [&self.csv, &self.json, &self.html];
+        let [csv, json, html] = [csv, json, html].map(|path| path.clone().map(Target::from));
+        let forms = Forms {
+            csv,
+            json,
+            parquet: None,
+        };
+        forms.check()?;
+        if let Some(html) = &html {
+            html.refuse_input("--html")?;
+            for (other, option) in [(&forms.csv, "--csv"), (&forms.json, "--json")] {
+                if let Some(other) = other {
+                    html.refuse_same(other, ["--html", option])?;
+                }
+            }
         }
-        let mut written = Vec::new();
-        if let Some(target) = &csv {
-            report::table(&comparison, target)?;
-            written.extend(target.path().map(PathBuf::from));
+        if ![&forms.csv, &forms.json, &html].contains(&&Some(Target::Stdout)) {
+            print(&report.text())?;
         }
-        if let Some(target) = &html {
-            target.write(&page::html([&a, &b], &comparison))?;
-            written.extend(target.path().map(PathBuf::from));
+        report.write(&forms)?;
+        if let Some(html) = &html {
+            html.write(&page::html(report))?;
         }
-        announce(&written);
-        a.failure.or(b.failure).map_or(Ok(()), Err)
+        let html = html.as_ref().and_then(Target::path);
+        let files = forms.files().map(|(path, _)| path.as_path());
+        announce(files.chain(html));
+        Ok(())
     }
 }
 
@@ -130,12 +156,13 @@ centres held. Curves, including those of motion ratios, are `over wheel travel`:
 nearest of the 61 places of its drive. Roll is compared over the travel of the wheel that rises; the fall of the other wheel
 is one of the quantities compared.
 
-The table of --csv has a row for each number, with the columns `of`, quantity, unit, at, a, b and difference; angles are in
-degrees. The column `of` has design, per travel or per wheel travel, per steer, over travel or over wheel travel, over roll
+The table of --csv has a row for each number, with the columns `of`, quantity, unit, at, a, b, difference, rms and along; angles
+are in degrees. The column `of` has design, per travel or per wheel travel, per steer, over travel or over wheel travel, over roll
 or over roll by wheel travel, over steer; for a second wheel per travel 2. The column `at`, meant for people, has the change
 of the drive, or the wheel travel, where the curves differ most; it is empty where they differ by rounding alone, or by the
 same amount everywhere. The report has `everywhere` there. The values are then those at the design position, or nearest
-to it where it is not within the range.
+to it where it is not within the range. The column rms has the root of the mean square of the difference over the places of
+a curve, and along what `at` counts.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within --travel or --steer (the part
 before the lock is compared), 130 interrupted.

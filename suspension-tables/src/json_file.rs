@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde::{Serialize, Serializer};
 
-use crate::heading::{Header, Heading};
+use crate::heading::Heading;
 use crate::target::{Sink, Target};
 use suspension_mechanism::failure::Failure;
 
@@ -15,10 +15,10 @@ pub(crate) struct JsonFile {
     is_empty: bool,
 }
 
-/// The numbers of a row with their names.
-struct Row<'a>(&'a [Heading], &'a [f64]);
+/// The fields of a row with their names.
+struct Row<'a, F>(&'a [Heading], &'a [F]);
 
-impl Serialize for Row<'_> {
+impl<F: Serialize> Serialize for Row<'_, F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self(headings, values) = self;
         let names = headings.iter().map(|heading| &heading.name);
@@ -34,7 +34,7 @@ impl JsonFile {
     /// See [`Failure::writing`].
     pub(crate) fn create(
         target: &Target,
-        header: &Header,
+        header: &impl Serialize,
         headings: &[Heading],
     ) -> Result<Self, Failure> {
         let mut file = Self {
@@ -55,7 +55,7 @@ impl JsonFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub(crate) fn row(&mut self, values: &[f64]) -> Result<(), Failure> {
+    pub(crate) fn row(&mut self, values: &[impl Serialize]) -> Result<(), Failure> {
         let headings = std::mem::take(&mut self.headings);
         let separator: &[u8] = if self.is_empty { b"\n" } else { b",\n" };
         self.is_empty = false;

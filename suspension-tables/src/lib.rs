@@ -1,4 +1,4 @@
-//! Rows of numbers in files: as comma-separated values, JSON or Parquet. A file gets its name only when it is complete.
+//! Rows of numbers in files, and records of texts and numbers: as comma-separated values, JSON or Parquet. A file gets its name only when it is complete.
 //!
 //! This crate is separate so that it is optimised while commands are not: writing [`rows`] takes much of the time of a
 //! sweep.
@@ -12,5 +12,6 @@ mod json_file;
 mod parquet_file;
 #[cfg(feature = "parquet")]
 mod parquet_file;
+pub mod records;
 pub mod rows;
 pub mod target;

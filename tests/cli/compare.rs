@@ -181,6 +181,20 @@ fn the_largest_difference_of_a_curve_matches_the_closed_form() {
         (told_at - at).abs() < 1e-12 && (difference_found - largest).abs() < 1e-12,
         "{told_at} {difference_found}"
     );
+    let (_folder, output) = compare(
+        &arm("m", 1.0, 0.4),
+        &arm("m", 1.0, 0.5),
+        &["--json", "-", "--travel", "-0.2:0.1"],
+    );
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["header"]["b"], "b.toml");
+    let over = json["rows"].as_array().expect("rows").iter();
+    let mut over = over.filter(|row| row["of"] == "over travel" && row["quantity"] == "spring");
+    let row = over.next().expect("a row");
+    let squares: f64 = (0..=60).map(|place| difference(place).1.powi(2)).sum();
+    let rms = row["rms"].as_f64().expect("a number");
+    assert!((rms - (squares / 61.0).sqrt()).abs() < 1e-12, "{rms}");
+    assert_eq!(row["along"], "change of bump (m)");
 }
 
 /// The springs of both have a preload difference of 200 N everywhere, so no place is named; their force at the wheel varies.
@@ -218,7 +232,10 @@ fn a_constant_difference_has_no_place() {
         .find(|line| line.contains("  a_force "))
         .expect("a line");
     let words: Vec<&str> = line.split_whitespace().collect();
-    assert_eq!(words, ["a_force", "300", "500", "200", "N", "everywhere"]);
+    assert_eq!(
+        words,
+        ["a_force", "300", "500", "200", "N", "everywhere", "200"]
+    );
     let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
     assert!(
         page.contains("<td class=\"number\">everywhere</td>"),

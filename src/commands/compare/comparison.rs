@@ -1,36 +1,61 @@
 //! The comparison: the design positions, derivatives there, and curves.
 
-use crate::characteristics::Parameter;
+use crate::characteristics::{Curves, Line, Parameter};
 use crate::commands::compare::curve_pair::CurvePair;
 use crate::commands::compare::differences::{
-    ALIKE, Difference, Part, both, same_ways, title_of_both,
+    ALIKE, Difference, Part, both, pairs, same_ways, title_of_both,
 };
+use crate::commands::compare::notes::{legend, notes};
+use crate::commands::compare::report::Report;
+use crate::commands::compare::short_name::short_names;
 use crate::commands::compare::side::Side;
+use crate::output::plot::{Chart, Curve};
 
-/// The quantities and curves that both suspensions have.
-pub(super) struct Comparison<'a> {
-    pub(super) parts: Vec<Part>,
-    pub(super) over: Vec<CurvePair<'a>>,
+/// Compares the quantities and curves that both suspensions have.
+pub(super) fn compare(sides: [&Side; 2]) -> Report {
+    let design = |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
+    let mut parts = vec![Part {
+        of: "design".to_owned(),
+        heading: AT_DESIGN.to_owned(),
+        across: None,
+        differences: of_parameters(sides, [&design; 2]),
+    }];
+    parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
+    let unit = sides[0].unit;
+    let over = same_ways(sides).into_iter();
+    let over: Vec<CurvePair<'_>> = over.filter_map(|both| CurvePair::new(both, unit)).collect();
+    parts.extend(over.iter().map(|over| over.part(unit)));
+    parts.retain(|part| !part.differences.is_empty());
+    let charts = over.iter().map(|CurvePair { curves: [a, b], .. }| {
+        let heading = format!("Over {}", a.title);
+        (heading, drawn(sides, a, b))
+    });
+    let missing = sides.iter().flat_map(|side| side.missing.clone());
+    Report {
+        title: "Two suspensions compared",
+        files: sides.map(|side| side.file.clone()),
+        legend: legend(sides),
+        notes: notes(sides),
+        missing: missing.collect(),
+        parts,
+        charts: charts.collect(),
+    }
 }
 
-impl<'a> Comparison<'a> {
-    pub(super) fn new(sides: [&'a Side; 2]) -> Self {
-        let design =
-            |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
-        let mut parts = vec![Part {
-            of: "design".to_owned(),
-            heading: AT_DESIGN.to_owned(),
-            is_of_curves: false,
-            differences: of_parameters(sides, [&design; 2]),
-        }];
-        parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
-        let unit = sides[0].unit;
-        let over = same_ways(sides).into_iter();
-        let over: Vec<CurvePair<'_>> = over.filter_map(|both| CurvePair::new(both, unit)).collect();
-        parts.extend(over.iter().map(|over| over.part(unit)));
-        parts.retain(|part| !part.differences.is_empty());
-        Self { parts, over }
-    }
+fn drawn(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
+    let [name_a, name_b] = short_names(sides.map(|side| side.file.as_str()));
+    let curve = |name: &str, curves: &Curves, line: &Line| Curve {
+        name: name.to_owned(),
+        line: curves.points(line),
+        marks: Vec::new(),
+    };
+    let chart = |[of_a, of_b]: [&Line; 2]| Chart {
+        title: title_of_both([&of_a.title, &of_b.title]),
+        across: a.axis_label(sides[0].unit),
+        quantity: of_a.symbol.clone(),
+        curves: vec![curve(&name_a, a, of_a), curve(&name_b, b, of_b)],
+    };
+    pairs(a, b).into_iter().map(chart).collect()
 }
 
 /// Compares the derivatives with respect to a drive of the first and the drive of the second with the same purpose.
@@ -52,7 +77,7 @@ fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
     Some(Part {
         of,
         heading: format!("{AT_DESIGN}, per {}", moved(sides, ways, by_wheel)),
-        is_of_curves: false,
+        across: None,
         differences: of_parameters(sides, [&a, &b]),
     })
 }
@@ -120,6 +145,7 @@ fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Differ
             symbol,
             at: None,
             values: [value, other],
+            rms: None,
         })
     };
     let both = both([&a.parameters, &b.parameters], |parameter| &parameter.title);

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::characteristics::{Curves, Does, Line};
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel};
 use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
-use crate::mechanism::{Unit, ends};
+use crate::mechanism::Unit;
 
 /// The curves of both suspensions over the same kind of motion.
 pub(super) struct CurvePair<'a> {
@@ -52,32 +52,16 @@ impl<'a> CurvePair<'a> {
         Part {
             of: self.of.clone(),
             heading: format!("Largest difference over {}, at a {across}", self.over),
-            is_of_curves: true,
+            across: Some(across),
             differences: differences.collect(),
         }
     }
 }
 
-/// A change of the drive, and the values of both curves there.
-type Place = (f64, [f64; 2]);
-
 /// Returns the largest difference of two lines, over the places where both have values.
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
-    let both = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
-    let apart = |[a, b]: [f64; 2]| (b - a).abs();
-    let [least, greatest] = ends(both.clone().map(|(_, [a, b])| b - a))?;
-    let by = |size: &dyn Fn(&Place) -> f64| both.clone().max_by(|a, b| size(a).total_cmp(&size(b)));
-    let (at, values) = by(&|(_, values)| apart(*values))?;
-    let mut difference = Difference {
-        quantity: title_of_both([&a.title, &b.title]),
-        symbol: a.symbol.clone(),
-        at: Some(at),
-        values,
-    };
-    if difference.is_rounding_of(greatest - least) {
-        difference.at = None;
-        (_, difference.values) = by(&|(at, _)| -at.abs())?;
-    }
-    Some(difference)
+    let places = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
+    let quantity = title_of_both([&a.title, &b.title]);
+    Difference::largest(quantity, a.symbol.clone(), &places.collect::<Vec<_>>())
 }

@@ -2,6 +2,7 @@
 
 use crate::characteristics::{Curves, Line, Title};
 use crate::commands::compare::side::Side;
+use crate::mechanism::ends;
 
 /// A number of both suspensions.
 pub(super) struct Difference {
@@ -11,9 +12,41 @@ pub(super) struct Difference {
     /// then those nearest to the design position.
     pub(super) at: Option<f64>,
     pub(super) values: [f64; 2],
+    /// For curves: the root of the mean square of the difference over all places.
+    pub(super) rms: Option<f64>,
 }
 
+/// A change of the drive, and the values of both curves there.
+pub(super) type Place = (f64, [f64; 2]);
+
 impl Difference {
+    /// Returns the difference where it is largest; `None` without places.
+    pub(super) fn largest(quantity: String, symbol: String, places: &[Place]) -> Option<Self> {
+        let offs = || places.iter().map(|(_, [a, b])| b - a);
+        let [least, greatest] = ends(offs())?;
+        let by = |size: &dyn Fn(&Place) -> f64| {
+            let places = places.iter().copied();
+            places.max_by(|a, b| size(a).total_cmp(&size(b)))
+        };
+        let (at, values) = by(&|(_, [a, b])| (b - a).abs())?;
+        let squares: f64 = offs().map(|off| off * off).sum();
+        let mut difference = Self {
+            quantity,
+            symbol,
+            at: Some(at),
+            values,
+            rms: Some((squares / places.len() as f64).sqrt()),
+        };
+        if difference.value() == 0.0 {
+            difference.rms = Some(0.0);
+        }
+        if difference.is_rounding_of(greatest - least) {
+            difference.at = None;
+            (_, difference.values) = by(&|(at, _)| -at.abs())?;
+        }
+        Some(difference)
+    }
+
     /// Returns the second number minus the first; zero if they differ by rounding only.
     pub(super) fn value(&self) -> f64 {
         let [a, b] = self.values;
@@ -42,8 +75,8 @@ pub(super) struct Part {
     pub(super) of: String,
     /// The heading for people.
     pub(super) heading: String,
-    /// Whether the differences are those of curves, which have a place.
-    pub(super) is_of_curves: bool,
+    /// For curves: the quantity and unit of `at`.
+    pub(super) across: Option<String>,
     pub(super) differences: Vec<Difference>,
 }
 
