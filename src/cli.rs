@@ -49,7 +49,7 @@ pub enum Command {
     ///
     /// Reports freedom, rank, conditioning, how far drives are from locks, and what looks mistaken.
     Check(check::Arguments),
-    /// Compares the kinematics of two files' mechanisms.
+    /// Compares the kinematics of two files' mechanisms, or of one with a table of measured numbers.
     ///
     /// Prints values at the design positions, derivatives, and where curves differ most.
     Compare(compare::Arguments),

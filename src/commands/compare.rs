@@ -1,9 +1,10 @@
-//! `suspension compare`: two suspensions side by side.
+//! `suspension compare`: two suspensions side by side, or one beside measured numbers.
 
 mod by_wheel;
 mod comparison;
 mod curve_pair;
 mod differences;
+mod measured;
 mod notes;
 mod page;
 mod report;
@@ -31,7 +32,8 @@ use side::Side;
 pub struct Arguments {
     /// A motion file (TOML), see suspension motion --help.
     a: PathBuf,
-    /// Another motion file; numbers in another unit or other axes are converted to those of A.
+    /// Another motion file; numbers in another unit or other axes are converted to those of A. Or a table of measured numbers,
+    /// whose name ends in .csv, .tsv or .txt, see below.
     b: PathBuf,
     /// How far the drives that move the wheels up and down change from the design positions, in the unit of A. If the
     /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
@@ -61,9 +63,23 @@ impl Arguments {
     /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
-        let (report, failure) = self.compared([&a, &b], interrupted)?;
+        let (report, failure) = if measured::is_table(&self.b) {
+            self.refuse_spans(&b)?;
+            (measured::compare([&a, &b], interrupted)?, None)
+        } else {
+            self.compared([&a, &b], interrupted)?
+        };
         self.write(&report)?;
         failure.map_or(Ok(()), Err)
+    }
+
+    /// Refuses the options for curves, as a table has its own places.
+    fn refuse_spans(&self, table: &Source) -> Result<(), Failure> {
+        let is_none = self.travel.is_none() && self.steer.is_none();
+        is_none.then_some(()).ok_or_else(|| {
+            let message = "the table states the places; leave --travel and --steer out";
+            Failure::Input(format!("{}: {message}", table.name()))
+        })
     }
 
     /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.
@@ -164,8 +180,24 @@ same amount everywhere. The report has `everywhere` there. The values are then t
 to it where it is not within the range. The column rms has the root of the mean square of the difference over the places of
 a curve, and along what `at` counts.
 
-Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 a mechanism locks within --travel or --steer (the part
-before the lock is compared), 130 interrupted.
+If B is a table, of a rig say, the model is moved to its places. The first line has headings; commas, semicolons or tabs
+separate fields, and decimal commas are read where commas do not separate. A heading is a name that sweep has in its tables
+(left_camber_rad), or a name with a unit in brackets: left camber [deg], camber angle (deg), damper [mm]. A column whose heading
+is empty is left out. One column has the places: a drive (bump [mm]), drives that move together, as for sweep
+(\"left_bump,-right_bump [mm]\" for roll), or, without a drive, wheel travel (left wheel travel [mm]). Places count from the
+design position; drives without a column stay there. All numbers are in the units of the headings.
 
-Example:
-  suspension compare examples/double_wishbone_pushrod.toml examples/macpherson.toml --html out/compared.html";
+Rigs often set toe and camber to zero at the start. Hence the differences are stated as measured and without the offset, which
+is the mean difference at the measured place nearest to the design position; `of` in --csv has as measured, offset and without
+offset. The page has the measured points of both over the curves of the model.
+
+  bump [mm];toe [deg];camber [deg]
+  -40,0;0,41;0,21
+  0,0;0,02;0,00
+
+Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, such as a measured place out of reach, 3 a mechanism locks
+within --travel or --steer (the part before the lock is compared), 130 interrupted.
+
+Examples:
+  suspension compare examples/double_wishbone_pushrod.toml examples/macpherson.toml --html out/compared.html
+  suspension compare examples/double_wishbone_pushrod.toml examples/double_wishbone_measured.csv --html out/measured.html";

@@ -144,12 +144,15 @@ impl Chart {
             let stroke = colour.stroke_width(if is_covered { 5 } else { 2 } * FINE);
             let runs = curve.line.split(|point| !is_finite(point));
             let drawn = runs.map(|run| PathElement::new(run.to_vec(), stroke));
-            plane
-                .draw_series(drawn)?
-                .label(&curve.name)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 24 * FINE as i32, y)], stroke)
+            let drawn = plane.draw_series(drawn)?.label(&curve.name);
+            let in_legend = 24 * FINE as i32;
+            if curve.line.is_empty() {
+                drawn.legend(move |(x, y)| {
+                    Circle::new((x + in_legend / 2, y), 4 * FINE, colour.filled())
                 });
+            } else {
+                drawn.legend(move |(x, y)| PathElement::new([(x, y), (x + in_legend, y)], stroke));
+            }
             let marks = curve.marks.iter();
             plane.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
         }

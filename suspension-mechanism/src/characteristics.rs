@@ -20,7 +20,7 @@ mod way;
 
 pub use along::{Along, no_steering, shorter_roll, unmet_range, ways};
 pub use curves::{Curves, curves};
-pub use grid_table::GridTable;
+pub use grid_table::{GridTable, columns_of_positions};
 pub use instead::{not_of_this, suggest_for_wheels, zero_at_design};
 pub use line::{Line, Sort};
 pub use parameters::{Derivative, Parameter, columns, columns_in, parameters};

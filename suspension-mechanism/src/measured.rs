@@ -57,6 +57,11 @@ impl MeasuredTable {
         self.headings.iter().collect()
     }
 
+    /// The number of lines below the headings.
+    pub fn lines(&self) -> usize {
+        self.lines.len()
+    }
+
     /// The numbers of a column, with a decimal point or, where commas do not separate fields, a decimal comma.
     ///
     /// # Errors

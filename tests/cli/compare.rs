@@ -3,6 +3,7 @@
 mod alone;
 mod axles;
 mod drives;
+mod measured;
 
 use std::process::Output;
 

@@ -62,6 +62,6 @@ impl<'a> CurvePair<'a> {
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
     let places = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
-    let quantity = title_of_both([&a.title, &b.title]);
-    Difference::largest(quantity, a.symbol.clone(), &places.collect::<Vec<_>>())
+    let named = (title_of_both([&a.title, &b.title]), a.symbol.clone());
+    Difference::largest(named, &places.collect::<Vec<_>>())
 }

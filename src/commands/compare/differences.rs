@@ -20,8 +20,8 @@ pub(super) struct Difference {
 pub(super) type Place = (f64, [f64; 2]);
 
 impl Difference {
-    /// Returns the difference where it is largest; `None` without places.
-    pub(super) fn largest(quantity: String, symbol: String, places: &[Place]) -> Option<Self> {
+    /// Returns the difference of a quantity, named with its unit, where it is largest; `None` without places.
+    pub(super) fn largest((quantity, symbol): (String, String), places: &[Place]) -> Option<Self> {
         let offs = || places.iter().map(|(_, [a, b])| b - a);
         let [least, greatest] = ends(offs())?;
         let by = |size: &dyn Fn(&Place) -> f64| {
@@ -78,6 +78,14 @@ pub(super) struct Part {
     /// For curves: the quantity and unit of `at`.
     pub(super) across: Option<String>,
     pub(super) differences: Vec<Difference>,
+}
+
+impl Part {
+    /// Returns whether it has the rms of differences.
+    pub(super) fn has_rms(&self) -> bool {
+        let mut each = self.differences.iter();
+        each.any(|difference| difference.rms.is_some())
+    }
 }
 
 /// Pairs what both sides have, wheel by wheel. A wheel without a name is paired with every wheel of the other side.

@@ -40,7 +40,7 @@ fn table(part: &Part) -> Markup {
         table {
             thead { tr {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
-                th.number { @if is_of_curves { "at" } } th.number { @if is_of_curves { "rms" } }
+                th.number { @if is_of_curves { "at" } } th.number { @if part.has_rms() { "rms" } }
             } }
             @for (row, difference) in part.differences.iter().enumerate() {
                 tr.first {

@@ -106,9 +106,10 @@ fn columns(part: &Part) -> Vec<TextColumn> {
     if part.across.is_some() {
         let at = |difference: &Difference| difference.at.map_or(EVERYWHERE.to_owned(), in_digits);
         columns.push(TextColumn::numbers(differences().map(at)).headed("at"));
-        let rms =
-            differences().map(|difference| difference.rms.map_or_else(String::new, in_digits));
-        columns.push(TextColumn::numbers(rms).headed("rms"));
+    }
+    if part.has_rms() {
+        let rms = |difference: &Difference| difference.rms.map_or_else(String::new, in_digits);
+        columns.push(TextColumn::numbers(differences().map(rms)).headed("rms"));
     }
     columns
 }

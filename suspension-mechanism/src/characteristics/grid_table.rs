@@ -153,7 +153,9 @@ fn has_derivatives<N: Compiled>(column: &Column<N>) -> bool {
 }
 
 /// The columns of all quantities that positions determine.
-fn columns_of_positions<N: Compiled>(mechanism: &Description) -> impl Iterator<Item = Column<N>> {
+pub fn columns_of_positions<N: Compiled>(
+    mechanism: &Description,
+) -> impl Iterator<Item = Column<N>> {
     let all = columns_in(catalogue(), &mechanism.names).into_iter();
     all.filter(|column| {
         column.dimension.is_of_positions() && column.quantity.shown != Shown::InSummaries

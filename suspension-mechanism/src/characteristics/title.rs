@@ -18,7 +18,7 @@ pub struct Title {
 
 impl Title {
     /// The title of a column, with its axis.
-    pub(super) fn new<N: Compiled>(column: &Column<N>, wheels: &[Wheel]) -> Self {
+    pub fn new<N: Compiled>(column: &Column<N>, wheels: &[Wheel]) -> Self {
         if column.quantity.name.is_empty() {
             return Self::of_part(&column.name, wheels);
         }

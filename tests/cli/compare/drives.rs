@@ -35,7 +35,7 @@ fn a_drive_of_only_one_file_is_named() {
 }
 
 /// A skewed arm, led by the wheel's height, with a damper.
-fn led_by(drive: &str, value: f64) -> String {
+pub(super) fn led_by(drive: &str, value: f64) -> String {
     format!(
         "unit = \"mm\"\nangle = \"deg\"\nstatements = '''
 fixed: pin at [420, 230, 310], pout at [330, 600, 285], top at [-70, 560, 690];

@@ -1,0 +1,91 @@
+//! A measured quantity beside that of the model.
+
+use crate::commands::compare::differences::{Difference, Place};
+use crate::output::plot::{Chart, Curve};
+
+pub(super) struct Quantity {
+    pub(super) title: String,
+    pub(super) symbol: String,
+    /// Places with the numbers of the model and of the table there.
+    pub(super) places: Vec<Place>,
+    /// The curve of the model.
+    pub(super) curve: Vec<(f64, f64)>,
+}
+
+impl Quantity {
+    /// Says that the model has no number at any place.
+    pub(super) fn unknown(&self) -> Option<String> {
+        let title = &self.title;
+        let message = format!("{title}: the model has no value at the measured places");
+        self.places.is_empty().then_some(message)
+    }
+
+    pub(super) fn largest(&self) -> Option<Difference> {
+        self.largest_of(&self.places)
+    }
+
+    pub(super) fn largest_without_offset(&self) -> Option<Difference> {
+        self.largest_of(&self.without_offset())
+    }
+
+    fn largest_of(&self, places: &[Place]) -> Option<Difference> {
+        Difference::largest((self.title.clone(), self.symbol.clone()), places)
+    }
+
+    /// The mean difference at the place nearest to the design position, where a rig that moves both ways measures twice.
+    pub(super) fn offset(&self) -> Option<Difference> {
+        let far = |(at, _): &&Place| at.abs();
+        let nearest = self
+            .places
+            .iter()
+            .min_by(|a, b| far(a).total_cmp(&far(b)))?;
+        let there = self.places.iter().filter(|(at, _)| *at == nearest.0);
+        let there: Vec<[f64; 2]> = there.map(|(_, values)| *values).collect();
+        let mean = |side: usize| {
+            let sum: f64 = there.iter().map(|values| values[side]).sum();
+            sum / there.len() as f64
+        };
+        Some(Difference {
+            quantity: self.title.clone(),
+            symbol: self.symbol.clone(),
+            at: Some(nearest.0),
+            values: [mean(0), mean(1)],
+            rms: None,
+        })
+    }
+
+    fn without_offset(&self) -> Vec<Place> {
+        let offset = self.offset().map_or(0.0, |offset| offset.value());
+        let shifted = |(at, [model, measured]): &Place| (*at, [*model, measured - offset]);
+        self.places.iter().map(shifted).collect()
+    }
+
+    /// Draws the curve of the model and the measured points, as they are and without the offset.
+    pub(super) fn chart(&self, [model, measured]: &[String; 2], across: String) -> Chart {
+        let marks = |name: String, places: &[Place]| Curve {
+            name,
+            line: Vec::new(),
+            marks: places
+                .iter()
+                .map(|(at, [_, measured])| (*at, *measured))
+                .collect(),
+        };
+        let model = Curve {
+            name: model.clone(),
+            line: self.curve.clone(),
+            marks: Vec::new(),
+        };
+        let mut curves = vec![model, marks(measured.clone(), &self.places)];
+        let offset = self.offset().map_or(0.0, |offset| offset.value());
+        if offset != 0.0 {
+            let shifted = self.without_offset();
+            curves.push(marks("without offset".to_owned(), &shifted));
+        }
+        Chart {
+            title: self.title.clone(),
+            across,
+            quantity: self.symbol.clone(),
+            curves,
+        }
+    }
+}

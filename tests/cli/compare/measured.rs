@@ -1,0 +1,263 @@
+//! A suspension beside a table of measured numbers.
+
+use std::process::Output;
+
+use super::super::program::{CORNER, folder, run, text};
+use super::drives::led_by;
+use super::{arm, rows};
+
+fn beside(model: &str, table: &str, options: &[&str]) -> (tempfile::TempDir, Output) {
+    let folder = folder();
+    for (name, content) in [("a.toml", model), ("m.csv", table)] {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    }
+    let output = run(
+        folder.path(),
+        &[&["compare", "a.toml", "m.csv"], options].concat(),
+    );
+    (folder, output)
+}
+
+/// The spring of `arm`, upright 0.4 m above the tip, which goes up by z on a circle of 0.5 m.
+fn spring(z: f64) -> f64 {
+    (0.5 - (0.25 - z * z).sqrt()).hypot(0.4 - z)
+}
+
+/// Places in mm, unevenly spaced and in no order, with known differences of the spring in mm. The rig measures 0 twice.
+const MEASURED: [[f64; 2]; 6] = [
+    [120.0, 2.5],
+    [0.0, 2.2],
+    [-35.5, 1.0],
+    [80.0, 2.0],
+    [0.0, 1.8],
+    [-150.0, 2.0],
+];
+
+/// The table of a closed form with known differences, as a spreadsheet in Germany writes it; a column without a heading.
+fn table() -> String {
+    let line = |[at, off]: &[f64; 2]| {
+        let spring = 1000.0 * spring(at / 1000.0) + off;
+        format!("\"{spring:?}\";left;{at:?}\r\n").replace('.', ",")
+    };
+    let lines: String = MEASURED.iter().map(line).collect();
+    format!("\u{feff}Spring [mm];;bump (mm)\r\n\r\n{lines}")
+}
+
+#[test]
+fn known_differences_from_a_closed_form_are_found() {
+    let (_folder, output) = beside(&arm("m", 1.0, 0.4), &table(), &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    let [whole, offset, rest] = &found[..] else {
+        panic!("{found:?}")
+    };
+    let is_near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    for (row, of, at, off) in [
+        (whole, "as measured", 120.0, 2.5),
+        (offset, "offset", 0.0, 2.0),
+        (rest, "without offset", -35.5, -1.0),
+    ] {
+        let (names, [told, a, b, difference]) = row;
+        assert_eq!(names[..], [of, "spring", "mm"].map(str::to_owned));
+        assert_eq!(*told, at, "{of}");
+        assert!(is_near(*a, 1000.0 * spring(at / 1000.0)), "{of}: {a}");
+        assert!(is_near(*difference, off) && is_near(b - a, off), "{row:?}");
+    }
+    let (_folder, output) = beside(&arm("m", 1.0, 0.4), &table(), &["--json", "-"]);
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let squares = |from: f64| MEASURED.map(|[_, off]| (off - from).powi(2));
+    for (row, squares) in [(0, squares(0.0)), (2, squares(2.0))] {
+        let row = &json["rows"][row];
+        let rms = (squares.iter().sum::<f64>() / 6.0).sqrt();
+        assert!(
+            is_near(row["rms"].as_f64().expect("a number"), rms),
+            "{row}"
+        );
+        assert_eq!(row["along"], "change of bump (mm)");
+    }
+    assert_eq!(json["header"]["b"], "m.csv");
+}
+
+#[test]
+fn the_report_of_the_example_is_that_of_its_page() {
+    let model = "examples/double_wishbone_pushrod.toml";
+    let table = "examples/double_wishbone_measured.csv";
+    let output = run(
+        env!("CARGO_MANIFEST_DIR").as_ref(),
+        &["compare", model, table],
+    );
+    let report = text(&output.stdout);
+    let page = include_str!("../../../docs/measured.md");
+    let shown = page.split("```text\n").nth(1).expect("a report");
+    let shown = shown.split("```").next().expect("an end");
+    assert!(report.contains(shown), "{report}");
+}
+
+#[test]
+fn the_page_has_marks_over_the_curve_of_the_model() {
+    let (folder, output) = beside(&arm("m", 1.0, 0.4), &table(), &["--html", "c.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report = text(&output.stdout);
+    assert!(report.contains("B  m.csv (6 measured places)"), "{report}");
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    // As measured and without the offset, each with a mark in the legend.
+    assert_eq!(page.matches("<circle").count(), 2 * (6 + 1));
+    assert!(page.contains("\nwithout offset\n</text>"), "{page}");
+    let level = "bump [mm],spring [mm]\n0,400\n";
+    let (folder, _) = beside(&arm("m", 1.0, 0.4), level, &["--html", "c.html"]);
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    assert!(!page.contains("\nwithout offset\n</text>"), "{page}");
+}
+
+/// A table of sweep has drives' own values, but wheel travel from the design position.
+#[test]
+fn a_table_of_sweep_is_equal_to_its_own_model() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let sweep = ["sweep", "a.toml", "--drive", "bump=-0.05:0.06:12"];
+    let output = run(
+        folder.path(),
+        &[&sweep[..], &["--derivatives", "0", "--csv", "-"]].concat(),
+    );
+    let table = text(&output.stdout).replacen("bump_m,steer_m", ",", 1);
+    let (_folder, output) = beside(CORNER, &table, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    assert!(found.len() > 100);
+    for (names, [.., difference]) in &found {
+        assert!(difference.abs() < 1e-9, "{names:?} {difference}");
+    }
+}
+
+/// The same arm, led by the wheel's height, by its negative, and by the damper, at the same wheel travel.
+#[test]
+fn wheel_travel_leads_the_model_whatever_its_drive() {
+    let of_height = folder();
+    std::fs::write(
+        of_height.path().join("a.toml"),
+        led_by("wheel_centre.z", 301.0),
+    )
+    .expect("written");
+    let sweep = [
+        "sweep",
+        "a.toml",
+        "--drive",
+        "bump=-60:40:5",
+        "--derivatives",
+        "0",
+        "--csv",
+        "-",
+    ];
+    let output = run(of_height.path(), &sweep);
+    let table = text(&output.stdout).replacen("bump_mm", "", 1);
+    for (drive, value) in [
+        ("-1 wheel_centre.z", -301.0),
+        ("length(low -> top)", 451.691_266_242_773_4),
+    ] {
+        let (_folder, output) = beside(&led_by(drive, value), &table, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{drive}: {output:?}");
+        let found = rows(&output);
+        let has = |quantity: &str| found.iter().any(|(names, _)| names[1] == quantity);
+        assert!(has("camber angle") && has("damper") && !has("wheel travel"));
+        for (names, [.., difference]) in &found {
+            assert!(difference.abs() < 1e-7, "{drive}: {names:?} {difference}");
+        }
+    }
+}
+
+/// In roll one wheel rises as far as the other falls.
+#[test]
+fn drives_that_move_together_are_one_column() {
+    let axle = CORNER
+        .replace("double_wishbone_pushrod", "steered_axle")
+        .replace("bump = 0.3", "bump_left = 0.3\nbump_right = 0.3");
+    let table = "\"bump_left,-bump_right [mm]\",left wheel travel [mm],right_wheel_travel_in\n0,0,0\n25.4,25.4,-1\n";
+    let (_folder, output) = beside(&axle, table, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    assert_eq!(found.len(), 6, "{output:?}");
+    for (names, [.., difference]) in &found {
+        assert!(difference.abs() < 1e-9, "{names:?} {difference}");
+    }
+    let travel = "wheel travel [mm],left toe [deg]\n0,0\n";
+    let (_folder, output) = beside(&axle, travel, &[]);
+    let expected = "m.csv:1:1: unknown quantity `wheel travel`; did you mean `left_wheel_travel` or `right_wheel_travel`?";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+}
+
+#[test]
+fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
+    for (table, options, expected) in [
+        (
+            "",
+            &[][..],
+            "m.csv:1:1: the file is empty; it needs a line of headings",
+        ),
+        (
+            "bump [mm],camer [deg]\n",
+            &[],
+            "m.csv:1:11: unknown quantity `camer`; known are ",
+        ),
+        (
+            "bump [mm],scrub_mm,anti_dive_percent\n",
+            &[],
+            "m.csv:1:11: unknown quantity `scrub_mm`; known are ",
+        ),
+        (
+            "bump [mm],anti_dive_percent\n",
+            &[],
+            "m.csv:1:11: there is no `anti_dive` of this mechanism: it needs ",
+        ),
+        (
+            "bump [mm],caster\n",
+            &[],
+            "m.csv:1:11: `caster` states no unit; write `caster [deg]`",
+        ),
+        (
+            "bump [mm];toe [mm]\n",
+            &[],
+            "m.csv:1:11: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
+        ),
+        (
+            "toe [deg]\n0.1\n",
+            &[],
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), or with wheel travel",
+        ),
+        (
+            "bump [mm],steer [mm],toe [deg]\n",
+            &[],
+            "m.csv:1:11: `bump` and `steer` both say where the model is, and one column must",
+        ),
+        (
+            "toe [deg]\tbump [mm]\n",
+            &[],
+            "m.csv:1:11: the table needs a column of a quantity beside this one, and lines of numbers",
+        ),
+        (
+            "bump [mm]\ttoe [deg]\n-20\t0,1\n0\t-\n",
+            &[],
+            "m.csv:3:3: `-` in column `toe [deg]` is not a finite number, as -0.5",
+        ),
+        (
+            "toe [deg];bump [mm]\n0;-20,0\n0;20\n0; 900\n",
+            &[],
+            "m.csv:4:4: 900 mm is out of the model's reach, which has those from -20 to 20 mm; leave out the lines beyond, and \
+             count places from the design position. suspension range a.toml says what stops the model",
+        ),
+        (
+            "toe [deg],wheel travel [mm]\n0,-900\n",
+            &[],
+            "m.csv:2:3: -900 mm is out of the model's reach, which has none of the places; leave out",
+        ),
+        (
+            "toe [deg],bump [mm]\n0,0\n",
+            &["--travel", "-1:1"],
+            "m.csv: the table states the places; leave --travel and --steer out",
+        ),
+    ] {
+        let (_folder, output) = beside(CORNER, table, options);
+        assert_eq!(output.status.code(), Some(2), "{table}: {output:?}");
+        let message = text(&output.stderr);
+        assert!(message.starts_with(expected), "{expected}\n{message}");
+    }
+}
