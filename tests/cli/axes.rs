@@ -9,7 +9,7 @@ use suspension_core::linkages::LISTINGS;
 use suspension_core::listing::{Part, Parts};
 use suspension_runtime::Listing;
 
-use super::program::{Rows, folder, rows, run, text};
+use super::program::{Rows, folder, run, table_in, text};
 
 /// The factors of x, y and z, by the name of the axes.
 const AXES: [(&str, [f64; 3]); 3] = [
@@ -105,12 +105,10 @@ fn swept((axes, signs): (&str, [f64; 3]), stated: Stated) -> Rows {
     let [_, y, z] = signs;
     let bump = format!("bump={:?}:{:?}:5", -0.06 * z, 0.06 * z);
     let steer = format!("steer={:?}", 0.01 * y);
-    let arguments = [
-        "sweep", "a.toml", "--drive", &bump, "--drive", &steer, "--csv", "-",
-    ];
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+    table_in(
+        folder.path(),
+        &["sweep", "a.toml", "--drive", &bump, "--drive", &steer],
+    )
 }
 
 #[test]

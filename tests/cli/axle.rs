@@ -12,7 +12,7 @@ mod steering_wheel;
 
 use std::collections::BTreeMap;
 
-use super::program::{Rows, folder, rows, run, text};
+use super::program::{folder, run, table, table_in, text};
 
 type Row = BTreeMap<String, f64>;
 
@@ -28,20 +28,6 @@ fn steered(drives: &str) -> String {
 }
 
 const DESIGN: &str = "bump_left = 0.3\nbump_right = 0.3\nsteer = 0.34";
-
-/// The rows of a command on a file.
-fn table(file: &str, arguments: &[&str]) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("axle.toml"), file).expect("written");
-    let arguments: Vec<&str> = [arguments[0], "axle.toml", "--csv", "-"]
-        .iter()
-        .chain(&arguments[1..])
-        .copied()
-        .collect();
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
-}
 
 fn assert_near(found: f64, expected: f64, tolerance: f64, what: &str) {
     let off = (found - expected).abs();

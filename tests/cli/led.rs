@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
-use super::program::{Rows, example, folder, rows, run, text};
+use super::program::{example, folder, rows, run, table_in, text};
 
 /// A motion by theta between the turning points of the height.
 const BY_THETA: [(&str, &str); 2] = [
@@ -25,12 +25,6 @@ fn write(folder: &Path, name: &str, content: &str) {
     std::fs::write(folder.join(name), content).expect("written");
 }
 
-fn table(folder: &Path, arguments: &[&str]) -> Rows {
-    let output = run(folder, &[arguments, &["--csv", "-"]].concat());
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
-}
-
 /// The instants at which a motion from `from` with a constant rate has these heights.
 fn instants(heights: impl Iterator<Item = f64>, from: f64, rate: f64) -> String {
     let each: Vec<String> = heights
@@ -50,7 +44,7 @@ fn a_led_motion_has_the_configurations_of_the_driven_motion() {
         "theta.toml",
         &edited("published_five_link.toml", &BY_THETA),
     );
-    let driven = table(folder.path(), &["motion", "theta.toml"]);
+    let driven = table_in(folder.path(), &["motion", "theta.toml"]);
     let from = driven[0]["height_mm"];
     let times = instants(driven.iter().map(|row| row["height_mm"]), from, RATE);
     let by_height = [
@@ -62,7 +56,7 @@ fn a_led_motion_has_the_configurations_of_the_driven_motion() {
         "height.toml",
         &edited("published_five_link.toml", &by_height),
     );
-    let led = table(folder.path(), &["motion", "height.toml"]);
+    let led = table_in(folder.path(), &["motion", "height.toml"]);
     assert_eq!((led.len(), driven.len()), (49, 49));
     let mut worst = [0.0_f64; 3];
     for (led, driven) in led.iter().zip(&driven) {
@@ -94,13 +88,13 @@ fn a_motion_led_by_height_passes_the_turning_point_of_theta() {
     let folder = folder();
     let name = "five_link_height.toml";
     write(folder.path(), name, &example(name));
-    let motion = table(folder.path(), &["motion", name]);
+    let motion = table_in(folder.path(), &["motion", name]);
     let theta: Vec<f64> = motion.iter().map(|row| row["theta_rad"]).collect();
     let falls: Vec<bool> = theta.windows(2).map(|pair| pair[1] < pair[0]).collect();
     let turns = falls.windows(2).filter(|pair| pair[0] != pair[1]).count();
     assert_eq!((motion.len(), falls[0], turns), (184, true, 1));
     assert!((motion[183]["height_mm"] + 99.5).abs() <= 1e-9);
-    let curve = table(folder.path(), &["range", name]);
+    let curve = table_in(folder.path(), &["range", name]);
     let height = |index: usize| curve[index]["wheel_centre_z"];
     let turning = (0..curve.len())
         .find(|index| curve[*index]["turns"] == 1.0 && curve[*index]["theta_rad"] < 0.7)
@@ -122,7 +116,7 @@ fn a_motion_led_by_height_passes_the_turning_point_of_theta() {
     let times = instants(stations.iter().map(|index| height(*index)), 358.0, -50.0);
     let replaced = [("start = 0.0\nstop = 9.15\nstep = 0.05", times.as_str())];
     write(folder.path(), "there.toml", &edited(name, &replaced));
-    let led = table(folder.path(), &["motion", "there.toml"]);
+    let led = table_in(folder.path(), &["motion", "there.toml"]);
     for (row, index) in led.iter().zip(stations) {
         let station = &curve[index];
         for (column, expected) in station.iter().filter(|(column, _)| {
@@ -204,7 +198,7 @@ fn far_from_the_origin_a_leading_height_counts_from_that_of_the_file() {
     write(folder.path(), "near.toml", &near);
     write(folder.path(), "far.toml", &far.join("\n"));
     let tables =
-        |command| ["near.toml", "far.toml"].map(|name| table(folder.path(), &[command, name]));
+        |command| ["near.toml", "far.toml"].map(|name| table_in(folder.path(), &[command, name]));
     let [near, far] = tables("range");
     let off = far[0]["wheel_centre_z"] - UP - near[0]["wheel_centre_z"];
     assert!(off.abs() <= 1e-8, "{off:e}");
@@ -291,7 +285,7 @@ fn range_and_assemblies_start_at_the_led_position() {
         "a.toml",
         &edited("published_five_link.toml", &[BY_HEIGHT]),
     );
-    let theta = table(folder.path(), &["motion", "a.toml"])[0]["theta_rad"];
+    let theta = table_in(folder.path(), &["motion", "a.toml"])[0]["theta_rad"];
     for (command, before, after, digits) in [
         ("range", "deg (", " rad) at the first instant", 1e-11),
         ("assemblies", "At theta = ", " rad:", 1e-5),
@@ -327,9 +321,7 @@ fn a_measured_angle_leads_a_crank_through_two_turns() {
              drives = {{ turn = [{FRAC_PI_2:?}, {rate:?}] }}\nstatements = '''{statements}'''\n"
         );
         std::fs::write(folder.path().join("a.toml"), file).expect("written");
-        let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let rows = rows(&output.stdout);
+        let rows = table_in(folder.path(), &["motion", "a.toml"]);
         assert_eq!(rows.len(), 121);
         for row in rows {
             let turn = FRAC_PI_2 + rate * row["t_s"];

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::program::{CORNER, Rows, folder, rows, run, text};
+use super::program::{self, CORNER, Rows, folder, run, text};
 
 /// The corner with load cases of a wheel that brakes and corners.
 fn loaded(cases: &str) -> String {
@@ -27,14 +27,7 @@ fn loaded(cases: &str) -> String {
 const BRAKING: &str = "[loads.braking]\ncontact = [-3000.0, 200.0, 4000.0]\n";
 
 pub(super) fn table(file: &str, more: &[&str]) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(
-        folder.path(),
-        &[&["loads", "a.toml", "--csv", "-"], more].concat(),
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+    program::table(file, &[&["loads"], more].concat())
 }
 
 pub(super) fn force(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
@@ -42,14 +35,7 @@ pub(super) fn force(row: &BTreeMap<String, f64>, name: &str) -> Vector3<f64> {
 }
 
 pub(super) fn swept(file: &str, more: &[&str]) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(
-        folder.path(),
-        &[&["sweep", "a.toml", "--csv", "-"], more].concat(),
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+    program::table(file, &[&["sweep"], more].concat())
 }
 
 const GRID: [&str; 4] = [

@@ -5,7 +5,7 @@ mod mistakes;
 use nalgebra::{Matrix3, Vector3};
 
 use super::loads::{force, swept, table};
-use super::program::{Rows, folder, rows, run};
+use super::program::{self, Rows, folder, run};
 
 /// A corner that moves up and down and steers, with masses and a load case.
 fn corner(masses: &str, case: &str) -> String {
@@ -44,11 +44,7 @@ fn as_body(design: impl Fn(&str) -> Vector3<f64>) -> String {
 }
 
 fn moved(file: &str) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(folder.path(), &["motion", "a.toml", "--csv", "-"]);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+    program::table(file, &["motion"])
 }
 
 fn design(point: &str) -> Vector3<f64> {
@@ -198,7 +194,7 @@ fn a_centre_of_mass_stated_by_a_point_moves_with_the_point() {
     let output = run(folder.path(), &["tune", "a.toml", "--out", "b.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let tuned = std::fs::read_to_string(folder.path().join("b.toml")).expect("a motion file");
-    let mass = grid(&tuned, &["--drive", "bump=0.0"])[0]["effective_mass_kg"];
+    let mass = swept(&tuned, &["--drive", "bump=0.0"])[0]["effective_mass_kg"];
     assert!((mass - 19.25).abs() < 1e-3, "{mass}");
 }
 
@@ -235,7 +231,7 @@ fn effective_mass_gives_the_kinetic_energy_at_the_wheel_centre() {
     let around = ["--drive", "bump=-0.03:0.03:3", "--drive", "steer=0.01"];
     let rod = format!("{}\ntie_rod = 1.7", particles());
     let [of_particles, of_body, with_rod] =
-        [particles(), as_body(design), rod].map(|masses| grid(&corner(&masses, ""), &around));
+        [particles(), as_body(design), rod].map(|masses| swept(&corner(&masses, ""), &around));
     for (place, row) in of_particles.iter().enumerate() {
         let along = |point: &str| {
             Vector3::from(["x", "y", "z"].map(|axis| row[&format!("{point}_{axis}_per_bump")]))
@@ -261,15 +257,6 @@ fn effective_mass_gives_the_kinetic_energy_at_the_wheel_centre() {
             "{expected} {of_rod}"
         );
     }
-    let bare = grid(&corner("", ""), &around);
+    let bare = swept(&corner("", ""), &around);
     assert!(!bare[0].contains_key("effective_mass_kg"));
-}
-
-fn grid(file: &str, drives: &[&str]) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let arguments = [&["sweep", "a.toml", "--csv", "-"], drives].concat();
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
 }

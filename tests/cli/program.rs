@@ -80,3 +80,20 @@ pub(crate) fn rows(csv_text: &[u8]) -> Rows {
     let rows = reader.deserialize().collect::<Result<_, _>>();
     rows.expect("numbers under a header")
 }
+
+/// The table of a command on files in a folder.
+#[track_caller]
+pub(crate) fn table_in(folder: &Path, arguments: &[&str]) -> Rows {
+    let output = run(folder, &[arguments, &["--csv", "-"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    rows(&output.stdout)
+}
+
+/// The table of a command, the first of the arguments, on the text of a motion file.
+#[track_caller]
+pub(crate) fn table(file: &str, arguments: &[&str]) -> Rows {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let (command, options) = arguments.split_at(1);
+    table_in(folder.path(), &[command, &["a.toml"], options].concat())
+}

@@ -2,19 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::program::{Rows, folder, rows, run, text};
-use super::tables::{BY_DAMPERS, HEAVE_AND_ROLL, live_axle};
-
-fn swept(file: &str, drive: &str) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(
-        folder.path(),
-        &["sweep", "a.toml", "--drive", drive, "--csv", "-"],
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
-}
+use super::program::{folder, run, text};
+use super::tables::{BY_DAMPERS, HEAVE_AND_ROLL, live_axle, swept};
 
 /// First and second derivative in the middle of five values `h` apart.
 fn derivatives(values: [f64; 5], h: f64) -> [f64; 2] {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::program::{CORNER, Rows, folder, rows, run, text};
+use super::program::{CORNER, Rows, folder, run, table, text};
 
 /// The text that the command prints.
 fn tables(file: &str, options: &[&str]) -> String {
@@ -16,15 +16,8 @@ fn tables(file: &str, options: &[&str]) -> String {
     text(&output.stdout).to_owned()
 }
 
-fn swept(file: &str, drive: &str) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file).expect("written");
-    let output = run(
-        folder.path(),
-        &["sweep", "a.toml", "--drive", drive, "--csv", "-"],
-    );
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+pub(super) fn swept(file: &str, drive: &str) -> Rows {
+    table(file, &["sweep", "--drive", drive])
 }
 
 /// The rows of a table of CarSim: jounce and value.

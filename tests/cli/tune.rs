@@ -10,7 +10,7 @@ mod written;
 use std::path::Path;
 use std::process::Output;
 
-use super::program::{Rows, folder, rows, run, text};
+use super::program::{Rows, folder, run, table_in, text};
 
 /// Returns a motion file of a layout of the catalogue, with its lines on tuning.
 fn file(layout: &str, drives: &str, tune: &str) -> String {
@@ -62,17 +62,10 @@ const DRIVES: &str = "bump = 0.3\nsteer = 0.34";
 
 /// Returns the program's results for the file that it wrote, over bump.
 fn swept(folder: &Path) -> Rows {
-    let sweep = [
-        "sweep",
-        "a_tuned.toml",
-        "--drive",
-        "bump=-0.06:0.06:49",
-        "--csv",
-        "-",
-    ];
-    let output = run(folder, &sweep);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    rows(&output.stdout)
+    table_in(
+        folder,
+        &["sweep", "a_tuned.toml", "--drive", "bump=-0.06:0.06:49"],
+    )
 }
 
 #[test]

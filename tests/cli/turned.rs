@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{Rows, folder, rows, run, text};
+use super::program::{folder, run, table_in, text};
 
 const LISTING: &str =
     include_str!("../../suspension-core/src/linkages/double_wishbone_rocker.linkage");
@@ -50,15 +50,9 @@ fn write(folder: &Path, name: &str, content: &str) {
     std::fs::write(folder.join(name), content).expect("written");
 }
 
-fn table(folder: &Path, arguments: &[&str]) -> Rows {
-    let output = run(folder, &[arguments, &["--csv", "-"]].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    rows(&output.stdout)
-}
-
 /// Returns the angle of the design position, to the last digit.
 fn start(folder: &Path) -> f64 {
-    table(
+    table_in(
         folder,
         &["sweep", "by_bump.toml", "--drive", "steer=0:0.01:2"],
     )[0]["turn_rad"]
@@ -69,7 +63,7 @@ fn start(folder: &Path) -> f64 {
 fn a_motion_driven_by_an_angle_equals_the_motion_led_by_the_angle() {
     let folder = written("turn = [-2.3, 0.5, 0.125]\nsteer = [0.34, 0.01]");
     let [led, driven] =
-        ["by_bump.toml", "by_turn.toml"].map(|file| table(folder.path(), &["motion", file]));
+        ["by_bump.toml", "by_turn.toml"].map(|file| table_in(folder.path(), &["motion", file]));
     assert_eq!((led.len(), driven.len()), (21, 21));
     let mut worst = 0.0_f64;
     for (led, driven) in led.iter().zip(&driven) {
@@ -89,7 +83,7 @@ fn derivatives_by_a_driven_angle_satisfy_the_chain_rule() {
     let folder = written("bump = 0.3\nsteer = 0.34");
     let of = |file: &str, drive: &str| {
         let sweep = ["sweep", file, "--derivatives", "2", "--drive", drive];
-        table(folder.path(), &sweep)
+        table_in(folder.path(), &sweep)
     };
     let by_bump = of("by_bump.toml", "bump=-0.04:0.04:5");
     let design = start(folder.path());
@@ -124,7 +118,7 @@ fn the_moment_on_a_driven_angle_matches_virtual_work() {
     let file = std::fs::read_to_string(folder.path().join("by_turn.toml")).expect("a file");
     let file = file.replace("bump = 0.3\n", &format!("turn = {design:?}\n"));
     write(folder.path(), "by_turn.toml", &file);
-    let load = |file| table(folder.path(), &["loads", file])[0].clone();
+    let load = |file| table_in(folder.path(), &["loads", file])[0].clone();
     let (by_bump, by_turn) = (load("by_bump.toml"), load("by_turn.toml"));
     let sweep = [
         "sweep",
@@ -134,7 +128,7 @@ fn the_moment_on_a_driven_angle_matches_virtual_work() {
         "--drive",
         "bump=0:0.01:2",
     ];
-    let pace = table(folder.path(), &sweep)[0]["turn_rad_per_bump"];
+    let pace = table_in(folder.path(), &sweep)[0]["turn_rad_per_bump"];
     let force = by_bump["bump_bump_N"];
     let off = by_turn["bump_turn_Nm"] * pace - force;
     assert!(
@@ -178,7 +172,7 @@ fn sensitivities_of_an_angle_driven_rocker_agree_with_differences() {
                     "--drive",
                     "turn=0:0.1:2",
                 ];
-                table(folder.path(), &sweep)[0].clone()
+                table_in(folder.path(), &sweep)[0].clone()
             };
             let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(at);
             let changed = format!("{point}.{name}");
@@ -253,7 +247,7 @@ fn a_direction_may_end_at_the_position_of_its_point() {
     let inline = format!("statements = '''\n{listing}'''\n{motion}");
     for file in [&format!("listing = \"arm.linkage\"\n{motion}"), &inline] {
         write(folder.path(), "a.toml", file);
-        let row = table(folder.path(), &["motion", "a.toml"]).remove(0);
+        let row = table_in(folder.path(), &["motion", "a.toml"]).remove(0);
         assert!((row["tip_y"] - 0.5_f64.sin()).abs() < 1e-15, "{row:?}");
     }
     write(

@@ -1,6 +1,6 @@
 //! Assemblies of mechanisms that are combined from parts: they are distinguished by points only.
 
-use crate::program::{Rows, folder, rows, run, text};
+use crate::program::{Rows, folder, rows, run, table, text};
 
 /// A motion file of statements at one instant.
 fn file(statements: &str, drives: &str) -> String {
@@ -11,12 +11,8 @@ fn file(statements: &str, drives: &str) -> String {
 
 /// The rows of the assemblies of statements, with further arguments.
 fn listed(statements: &str, drives: &str, arguments: &[&str]) -> Rows {
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), file(statements, drives)).expect("written");
-    let arguments = [&["assemblies", "a.toml", "--csv", "-"], arguments].concat();
-    let output = run(folder.path(), &arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    rows(&output.stdout)
+    let arguments = [&["assemblies"], arguments].concat();
+    table(&file(statements, drives), &arguments)
 }
 
 /// A four-bar linkage whose crank is driven by its angle about its own axis: the rocker is on either side. The equations

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use suspension_core::baked::Curve;
 
-use super::super::program::{Rows, example, folder, rows, run, text};
+use super::super::program::{Rows, example, folder, rows, run, table_in, text};
 use super::c::{exit_of_c, has_c_compiler};
 use super::kept::is_as_kept;
 use super::kept::wheel_by_damper::{WHEEL_BY_DAMPER, WHEEL_BY_DAMPER_OUTPUTS};
@@ -44,9 +44,7 @@ fn baked(folder: &Path, language: &str) -> String {
 }
 
 fn led(folder: &Path) -> Rows {
-    let output = run(folder, &["motion", "led.toml", "--csv", "-"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    rows(&output.stdout)
+    table_in(folder, &["motion", "led.toml"])
 }
 
 /// Positions agree with the motion that the damper leads within the tolerance, rates and second rates within the errors that
