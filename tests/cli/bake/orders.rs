@@ -41,6 +41,22 @@ fn one_baked_segment_is_printed_in_the_singular() {
 }
 
 #[test]
+fn spaces_around_the_name_of_a_baked_drive_mean_nothing() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");
+    for drive in [
+        &[" theta = 1:1.0001"][..],
+        &[" theta ", "--from", "1", "--to", "1.0001"],
+    ] {
+        let output = run(
+            folder.path(),
+            &[&["bake", "a.toml", "--drive"], drive].concat(),
+        );
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+    }
+}
+
+#[test]
 fn a_refused_range_is_reported_with_a_possible_one() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), example("attia2003.toml")).expect("written");

@@ -21,16 +21,13 @@ impl FromStr for Wished {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let Some((name, range)) = text.split_once('=') else {
-            return Ok(Self {
-                drive: Some(text.to_owned()),
-                range: [None; 2],
-            });
+        let (name, range) = match text.split_once('=') {
+            Some((name, range)) => (name, own_values(range)?.map(Some)),
+            None => (text, [None; 2]),
         };
-        let range = own_values(range)?;
         Ok(Self {
             drive: Some(name.trim().to_owned()),
-            range: range.map(Some),
+            range,
         })
     }
 }
