@@ -6,7 +6,7 @@ mod checks;
 mod couple;
 mod double_wishbone;
 mod drives;
-mod four_bar;
+pub(crate) mod four_bar;
 mod hinge;
 mod joints;
 mod plane;

@@ -7,7 +7,7 @@ use super::checks;
 
 suspension_core::linkage! {
     /// Crank, coupler and rocker; the crank is turned, and all of it slid along x.
-    mod four_bar {
+    pub(crate) mod four_bar {
         fixed: crank_pin, rocker_pin;
         free:  crank_end, rocker_end;
         link crank:   crank_pin -> crank_end;

@@ -4,21 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::path::{Continuation, Curve, End};
 use suspension_core::{Build, Inputs, Linkage, Signal};
 
-suspension_core::linkage! {
-    /// Crank, coupler and rocker, held in the y-z plane.
-    mod four_bar {
-        fixed: crank_pin, rocker_pin;
-        free:  crank_end, rocker_end;
-        link crank:   crank_pin -> crank_end;
-        link coupler: crank_end -> rocker_end;
-        link rocker:  rocker_pin -> rocker_end;
-        drive turn:   angle(crank_pin -> crank_end, z);
-        drive slide:  crank_end.x;
-        drive align:  rocker_end.x - crank_end.x;
-    }
-}
-
-use four_bar::{Drives, Model, Points};
+use crate::mechanisms::four_bar::four_bar::{Drives, Model, Points};
 
 /// A four-bar with base `base` along y, its crank turned by `turn` from z.
 fn design(base: f64, turn: f64, rocker_end: Vector3<f64>) -> Points<f64> {
