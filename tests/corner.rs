@@ -207,7 +207,7 @@ fn a_corner_with_a_changed_length_is_assembled() {
 
     lengths.tie_rod += 2.0;
     let model = model.with_lengths(&lengths).expect("closed bodies");
-    let refused = Corner::assembled(model, &points).err().expect("too long");
+    let refused = Corner::assembled(model, &points).expect_err("too long");
     assert!(refused.to_string().contains('`'), "a name: {refused}");
 }
 

@@ -105,7 +105,7 @@ use clock::Clock;
 /// assert_eq!(resumed.motion(), corner.motion());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Corner<L: Linkage<N>, const N: usize>
 where
     L::Scalar: Real,
@@ -120,7 +120,7 @@ where
 
 /// Points and measures with their derivatives with respect to the change of drives that was given to [`Corner::per`],
 /// instead of time derivatives.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Derivatives<L: Linkage<N>, const N: usize> {
     /// Value, first and second derivative of every point.
     pub points: Signal<L::Points>,

@@ -1,5 +1,8 @@
 //! What a lane holds: its model and its motion.
 
+use std::array;
+use std::fmt;
+
 use suspension_core::{Listing, Motion};
 
 use crate::{Lane, Lanes};
@@ -113,5 +116,22 @@ where
         self.models[lane] = model;
         self.engine.set_models(self.models.each_ref());
         self.set_motion(lane, motion);
+    }
+}
+
+/// Writes the settings, and the model and the motion of each lane.
+impl<G, T, const N: usize, const LANES: usize, const CORRECTIONS: usize, const ORDER: usize>
+    fmt::Debug for Lanes<G, T, N, LANES, CORRECTIONS, ORDER>
+where
+    G: Listing<N, Model<T>: fmt::Debug>,
+    T: Lane,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let motions: [_; LANES] = array::from_fn(|lane| self.motion(lane));
+        f.debug_struct("Lanes")
+            .field("settings", &self.settings)
+            .field("models", &self.models)
+            .field("motions", &motions)
+            .finish()
     }
 }

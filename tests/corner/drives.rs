@@ -49,7 +49,7 @@ fn a_change_of_drives_that_is_not_finite_has_no_derivatives() {
     let corner: measured::Corner = measured::Corner::design().expect("a design");
     for slide in [f64::NAN, f64::INFINITY] {
         let change = measured::Drives { slide, height: 1.0 };
-        let refused = corner.per(change).err().expect("not finite").to_string();
+        let refused = corner.per(change).expect_err("not finite").to_string();
         assert!(refused.contains("drive `slide`"), "{refused}");
     }
 }
