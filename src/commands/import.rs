@@ -16,6 +16,7 @@ mod help;
 mod imported;
 mod known_names;
 mod layout;
+mod line_per_axis;
 mod names;
 mod orientation;
 mod rack;

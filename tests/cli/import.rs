@@ -7,6 +7,7 @@ mod designer;
 mod ends;
 mod formats;
 mod frames;
+mod line_per_axis;
 mod noted;
 mod random;
 mod rear;

@@ -33,7 +33,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         table::read(source, names)?
     };
     if stated.points.is_empty() {
-        let message = "there are no hardpoints here; a line has a name and three numbers: x, y, z";
+        let message = "there are no hardpoints here; a line has a name and three numbers: x, y, z (or each of them has a line, as `lca_front_x = 130`)";
         return Err(source.refuse(&(0..0), message));
     }
     Ok(stated)

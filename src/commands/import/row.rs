@@ -47,15 +47,19 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
     })
 }
 
+/// Returns a line without its remark.
+pub(super) fn without_remark(line: &str) -> &str {
+    let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
+    match line.starts_with(REMARK_LINE) {
+        true => "",
+        false => &line[..starts.min().unwrap_or(line.len())],
+    }
+}
+
 impl<'a> Row<'a> {
     /// Splits a line without its remark, at the separator that gives three coordinates, or else six.
     pub(super) fn parse(place: Range<usize>, line: &'a str) -> Self {
-        let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
-        let end = match line.starts_with(REMARK_LINE) {
-            true => 0,
-            false => starts.min().unwrap_or(line.len()),
-        };
-        let line = &line[..end];
+        let line = without_remark(line);
         let present = SEPARATORS
             .into_iter()
             .filter(|c| *c == ' ' || line.contains(*c));

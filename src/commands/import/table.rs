@@ -8,6 +8,7 @@ use super::hardpoints::Hardpoints;
 use super::heading::{
     check_columns, column_groups, end_of_heading, length, side_of_heading, unit, units_of_heading,
 };
+use super::line_per_axis::joined;
 use super::names::{Names, key_of, spelled};
 use super::row::{Row, lines};
 use super::row_name::{name_of, with_whole_name};
@@ -32,8 +33,8 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         columns: None,
         thousands: Thousands::default(),
     };
-    for (place, line) in lines(source.text()) {
-        table.read_line(place, line)?;
+    for (place, line) in joined(lines(source.text())) {
+        table.read_line(place, &line)?;
     }
     table.thousands.check(source)?;
     let mut stated = table.stated;
