@@ -1,4 +1,5 @@
-//! Rows of numbers in files, and records of texts and numbers: as comma-separated values, JSON or Parquet. A file gets its name only when it is complete.
+//! Rows of numbers in files, as comma-separated values, JSON or Parquet, and records of texts and numbers, as the first two. A
+//! file gets its name only when it is complete.
 //!
 //! This crate is separate so that it is optimised while commands are not: writing [`rows`] takes much of the time of a
 //! sweep.

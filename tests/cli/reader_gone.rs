@@ -53,6 +53,14 @@ fn files_are_written_after_the_reader_of_stdout_has_gone() {
             "compare corner.toml corner.toml --html both.html",
             "both.html",
         ),
+        (
+            "compare corner.toml corner.toml --csv - --json both.json",
+            "both.json",
+        ),
+        (
+            "compare corner.toml corner.toml --json - --html of_json.html",
+            "of_json.html",
+        ),
         ("sensitivities corner.toml --csv all.csv", "all.csv"),
         ("assemblies links.toml --csv found.csv", "found.csv"),
         ("motion long.toml --csv - --json rows.json", "rows.json"),
