@@ -60,6 +60,33 @@ fn racks_and_bars_are_drawn_where_the_listing_has_them() {
     }
 }
 
+/// Steering alone moves the cranks too, which are stated first.
+#[test]
+fn a_rack_between_bell_cranks_is_drawn() {
+    let listing = include_str!("../../suspension-core/src/linkages/steered_axle.linkage");
+    let (_, wishbones) = listing
+        .split_once("fixed: left_lower_front")
+        .expect("wishbones");
+    let file = format!(
+        "unit = 'm'\nstatements = '''
+mirror: left -> right;
+fixed: left_low at [0.25, 0.30, 0.20], left_high at [0.25, 0.30, 0.30], left_end at [0.15, 0.20, 0.20];
+free:  rack_left at [0.11, 0.34, 0.20], left_arm at [0.15, 0.31, 0.20], left_rack at [0.15, 0.25, 0.20];
+hinge left_crank: left_low, left_high -> rack_left, left_arm;
+slide left_guide: left_rack on right_end -> left_end;
+link rack: left_rack -> right_rack;
+link left_drag: left_rack -> left_arm;
+drive steer: left_rack.y;
+fixed: left_lower_front{wishbones}'''
+time = {{ instants = [0.0] }}\ndrives = {{ bump_left = 0.3, bump_right = 0.3, steer = 0.25 }}\n"
+    );
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["draw", "a.toml", "--out", "-"]);
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(text(&output.stdout).matches(RACK).count(), 2);
+}
+
 /// A drawing helps to find the cause of a position out of reach.
 #[test]
 fn with_the_first_instant_out_of_reach_the_design_is_drawn() {

@@ -6,6 +6,9 @@ use suspension_core::listing::DriveKind;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Place, State};
 
+/// The largest part of a velocity that is rounding; those of points are about one.
+const ROUNDING: f64 = 1e-9;
+
 /// Returns the ends of the rack of each drive that steers, by their indices. There is none where fewer than two points slide
 /// with the drive, as in a corner.
 pub(super) fn racks(mechanism: &dyn Kinematics) -> Vec<[usize; 2]> {
@@ -21,24 +24,38 @@ pub(super) fn racks(mechanism: &dyn Kinematics) -> Vec<[usize; 2]> {
     mechanism.at_start(&mut read).unwrap_or_default()
 }
 
-/// Returns the outermost of the points that a drive moves equally and no other drive of the vehicle moves.
+/// Returns the outermost of the points that a drive moves equally and no other drive of the vehicle moves: of bell cranks,
+/// which steering alone moves too, no two points move equally.
 fn rack(state: &State, drive: usize) -> Option<[usize; 2]> {
-    /// Relative to the velocity.
-    const ROUNDING: f64 = 1e-9;
     let velocities = &state.moved_by(drive)?.value;
-    let is_moved_by_another = |point: &usize| {
-        let others = (0..state.velocities.len()).filter(|other| *other != drive);
-        let mut others = others.filter_map(|other| state.moved_by(other));
-        others.any(|moved| moved.value[*point].norm() > ROUNDING)
+    let alone = moved_alone(state, drive);
+    let ends = |along: &Vector3<f64>| {
+        let is_alike =
+            |point: &&usize| (velocities[**point] - along).norm() < ROUNDING * along.norm();
+        let place = |point: &usize| state.points.value[*point].dot(along);
+        let by_place = |a: &&usize, b: &&usize| place(a).total_cmp(&place(b));
+        let alike = || alone.iter().filter(is_alike);
+        Some([*alike().min_by(by_place)?, *alike().max_by(by_place)?])
     };
-    let points = 0..velocities.len();
-    let alone = points.filter(|point| velocities[*point].norm() > ROUNDING);
-    let alone: Vec<usize> = alone.filter(|point| !is_moved_by_another(point)).collect();
-    let along: Vector3<f64> = velocities[*alone.first()?];
-    let is_alike = |point: &usize| (velocities[*point] - along).norm() < ROUNDING * along.norm();
-    let place = |point: &usize| state.points.value[*point].dot(&along);
-    let by_place = |a: &usize, b: &usize| place(a).total_cmp(&place(b));
-    let rack = || alone.iter().copied().filter(is_alike);
-    let ends = [rack().min_by(by_place)?, rack().max_by(by_place)?];
-    (ends[0] != ends[1]).then_some(ends)
+    let length =
+        |[from, to]: &[usize; 2]| (state.points.value[*to] - state.points.value[*from]).norm();
+    let each = alone.iter().filter_map(|point| ends(&velocities[*point]));
+    let longest = each.max_by(|a, b| length(a).total_cmp(&length(b)));
+    longest.filter(|[from, to]| from != to)
+}
+
+/// Returns the points that a drive moves and no other drive of the vehicle.
+fn moved_alone(state: &State, drive: usize) -> Vec<usize> {
+    let is_moved = |point: usize, by: usize| {
+        let moved = state.moved_by(by);
+        moved.is_some_and(|moved| moved.value[point].norm() > ROUNDING)
+    };
+    let drives = 0..state.velocities.len();
+    let is_moved_alone = |point: &usize| {
+        drives
+            .clone()
+            .all(|by| is_moved(*point, by) == (by == drive))
+    };
+    let points = 0..state.points.value.len();
+    points.filter(is_moved_alone).collect()
 }
