@@ -175,23 +175,30 @@ impl Side {
     }
 
     /// Names the movement of a drive: the travel of its wheels if the derivatives are by wheel or the drive is their height,
-    /// otherwise its own change; `each wheel by its own drive` in a comparison with a suspension whose wheel has no name.
+    /// otherwise its own change. In a comparison with a suspension whose wheel has no name each wheel moves by its own drive.
     pub(super) fn moved(&self, way: usize, other: &Self, by_wheel: bool) -> String {
-        let named = |side: &Self| side.travel_of.iter().any(|(wheel, _)| !wheel.is_empty());
+        let drive = &self.drives[way];
         let own = self.travel_of.iter().filter(|(_, own)| *own == way);
         let names: Vec<String> = own.map(|(wheel, _)| wheel.replace('_', " ")).collect();
+        let is_travel = by_wheel || self.is_height[way];
         let wheels = match names.as_slice() {
-            [] => return format!("change of {}", self.drives[way]),
+            [] => return format!("change of {drive}"),
             [name] if name.is_empty() => "the wheel".to_owned(),
-            _ if !named(other) => "each wheel by its own drive".to_owned(),
+            _ if !other.names_wheels() && is_travel => "each wheel by its own drive".to_owned(),
+            _ if !other.names_wheels() => return "change of each wheel's own drive".to_owned(),
             [name] => format!("the {name} wheel"),
             _ => format!("the {} wheels", listed(names)),
         };
-        if by_wheel || self.is_height[way] {
+        if is_travel {
             format!("travel of {wheels}")
         } else {
-            format!("change of {}, which moves {wheels}", self.drives[way])
+            format!("change of {drive} at {wheels}")
         }
+    }
+
+    /// Returns whether a wheel with a drive of travel has a name.
+    fn names_wheels(&self) -> bool {
+        self.travel_of.iter().any(|(wheel, _)| !wheel.is_empty())
     }
 
     /// Pairs the wheels of drives of travel with those of another suspension, by index; `None` for a wheel that the other

@@ -54,6 +54,42 @@ pub(super) fn axles(wheels: &[(&str, f64, f64)]) -> String {
     )
 }
 
+#[test]
+fn the_damper_of_an_unnamed_wheel_is_compared_with_that_of_each_wheel() {
+    let with_dampers = |wheels: &[(&str, &str, f64)]| {
+        let arms: Vec<_> = wheels
+            .iter()
+            .map(|(wheel, _, side)| (*wheel, 0.0, *side))
+            .collect();
+        let dampers = wheels.iter().map(|(wheel, damper, side)| {
+            let y = 0.4 * side;
+            format!("fixed: {wheel}_top at [0.1, {y:?}, 0.8];\nmeasure {damper}: length({wheel}_hub -> {wheel}_top);\n")
+        });
+        let dampers: String = dampers.collect();
+        axles(&arms).replacen("\"\"\"\n", &format!("\"\"\"\n{dampers}"), 1)
+    };
+    let corner = with_dampers(&[("", "damper", 1.0)]);
+    let axle = with_dampers(&[
+        ("left", "left_damper", 1.0),
+        ("right", "damper_right", -1.0),
+    ]);
+    let (_folder, output) = compare(&corner, &axle, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let rows = rows(&output);
+    for of in ["design", "per travel", "over travel"] {
+        for quantity in ["left damper", "right damper"] {
+            let mut found = rows
+                .iter()
+                .filter(|(names, _)| names[..2] == [of, quantity]);
+            let (_, [_, a, _, difference]) = found.next().expect(quantity);
+            assert!(
+                a.abs() > 0.1 && difference.abs() < 1e-12,
+                "{of} {quantity}: {a} {difference}"
+            );
+        }
+    }
+}
+
 /// Asserts the compared quantities of two files, without places and differences.
 fn assert_same(a: &str, b: &str, wanted: &str) {
     let (_folder, output) = compare(a, b, &["--csv", "-"]);

@@ -155,6 +155,12 @@ fn headings_of_compared_derivatives_name_the_moved_wheels() {
     let [left, right] = [("left", 0.0, 1.0), ("right", 0.0, -1.0)];
     let (four, two) = (axles(&front), axles(&[left, right]));
     let damper = led_by("length(low -> top)", 451.691_266_242_773_4);
+    // Drives that are half the height.
+    let half = |file: &str| {
+        file.replace("_bump: ", "_bump: 0.5 ")
+            .replace("_bump = 0.3", "_bump = 0.15")
+    };
+    let (one, halves) = (axles(&[("", 0.0, 1.0)]), half(&two));
     for (a, b, expected) in [
         (
             &four,
@@ -162,13 +168,19 @@ fn headings_of_compared_derivatives_name_the_moved_wheels() {
             "per travel of the front right wheel in A, travel of the right wheel in B",
         ),
         (&two, &two, "per travel of the right wheel"),
+        (&damper, &damper, "per change of bump at the wheel"),
         (
-            &damper,
-            &damper,
-            "per change of bump, which moves the wheel",
+            &halves,
+            &halves,
+            "per change of right_bump at the right wheel",
         ),
         (
-            &axles(&[("", 0.0, 1.0)]),
+            &half(&one),
+            &halves,
+            "per change of _bump at the wheel in A, change of each wheel's own drive in B",
+        ),
+        (
+            &one,
             &two,
             "per travel of the wheel in A, travel of each wheel by its own drive in B",
         ),
