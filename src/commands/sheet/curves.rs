@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::characteristics::{Curves, Does, Line, Parameter, Title};
 use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
 use crate::commands::sheet::grouped::grouped;
-use crate::mechanism::{Unit, ends};
+use crate::mechanism::Unit;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{CAMBER, TOE};
@@ -13,7 +13,8 @@ use crate::quantities::{CAMBER, TOE};
 /// The charts along what moves, under their heading. The parameters have the values at the design position.
 pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Markup {
     let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
-    let (flat, drawn): (Vec<_>, Vec<_>) = groups.into_iter().partition(|lines| are_flat(lines));
+    let varies = |lines: &Vec<&Line>| lines.iter().any(|line| line.varies());
+    let (drawn, flat): (Vec<_>, Vec<_>) = groups.into_iter().partition(varies);
     let (zero, constant): (Vec<_>, Vec<_>) = flat.into_iter().partition(|lines| are_zero(lines));
     let chart = |lines: Vec<&Line>| chart(curves, parameters, (lines, unit));
     let drawn: Vec<Chart> = drawn.into_iter().map(chart).collect();
@@ -64,20 +65,11 @@ fn designs(lines: &[&Line], parameters: &[Parameter]) -> Option<Vec<f64>> {
     lines.iter().map(design).collect()
 }
 
-/// In units for people, or relative to a larger value.
-const ROUNDING: f64 = 1e-9;
-
 fn are_zero(lines: &[&Line]) -> bool {
+    /// In units for people.
+    const ROUNDING: f64 = 1e-9;
     let mut values = lines.iter().flat_map(|line| line.values.iter().flatten());
     values.all(|value| value.abs() < ROUNDING)
-}
-
-fn are_flat(lines: &[&Line]) -> bool {
-    let is_flat = |line: &&Line| {
-        let ends = ends(line.values.iter().flatten().copied());
-        ends.is_none_or(|[low, high]| high - low < ROUNDING * low.abs().max(1.0))
-    };
-    lines.iter().all(is_flat)
 }
 
 /// The title of a chart, with the name that the curve has over wheel travel.

@@ -84,7 +84,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let left_out = left_out.map(|line| line.title).collect();
     lines.retain(|line| !is_short(line));
     if Pair::all(&mechanism.names.wheels).len() > 1 {
-        lines.retain(varies);
+        lines.retain(Line::varies);
     }
     let dimension = read.drive_dimension();
     let (per_change, _) = read.converted(dimension);
@@ -185,14 +185,4 @@ fn rate(column: &Column, along: &Along, per: &[Option<State>]) -> Option<f64> {
     drives.try_fold(0.0, |sum, ((_, part), state)| {
         Some(sum + part * column.along(state.as_ref()?).rate)
     })
-}
-
-/// Whether it varies, unlike a quantity of one axle when another moves.
-fn varies(line: &Line) -> bool {
-    const ROUNDING: f64 = 1e-9;
-    let mut values = line.values.iter().flatten();
-    let Some(first) = values.next() else {
-        return false;
-    };
-    values.any(|value| (value - first).abs() > ROUNDING * first.abs().max(1.0))
 }

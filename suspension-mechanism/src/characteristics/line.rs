@@ -1,6 +1,7 @@
 //! One curve over travel or steering.
 
 use crate::characteristics::title::Title;
+use crate::mechanism::ends;
 
 /// A quantity along a drive, in units for people.
 #[derive(Clone)]
@@ -18,6 +19,16 @@ pub struct Line {
     pub is_cut: bool,
     /// The kind of number.
     pub sort: Sort,
+}
+
+impl Line {
+    /// Whether its values differ by more than rounding.
+    pub fn varies(&self) -> bool {
+        /// In units for people, or relative to a larger value.
+        const ROUNDING: f64 = 1e-9;
+        let ends = ends(self.values.iter().flatten().copied());
+        ends.is_some_and(|[low, high]| high - low > ROUNDING * low.abs().max(1.0))
+    }
 }
 
 /// The kind of number that a line shows.
