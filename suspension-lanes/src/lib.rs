@@ -23,12 +23,14 @@ use suspension_core::{Bounded, Inputs, Linkage, Listing, Motion, Signal, SolveEr
 /// Lanes that remain may hold copies, at no cost.
 ///
 /// A lane that fails keeps its motion and returns the reason, which names the part if it is printed with the
-/// [`model`](Self::model): `error.named(lanes.model(lane))`. The other lanes are not affected. A lane that has failed must catch up
-/// before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion). `N` is the number of
-/// unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it. See [`Bounded`] for
-/// `CORRECTIONS` and `ORDER`. One correction, the default, suits drives that are smooth functions of time; in `f64` a
-/// wheel that a vehicle's equations of motion move on a road takes three: `Lanes::<Listing, f64, _, 4, 3>`. Numbers in
-/// vectors round a product and a sum together, so results differ from those of [`Bounded::step`] by rounding.
+/// [`model`](Self::model): `error.named(lanes.model(lane))`. The other lanes are not affected. A lane that has failed
+/// must catch up before the next step, whose length is the same for all: see [`set_motion`](Self::set_motion).
+///
+/// `N` is the number of unknowns of the listing, `Listing::PARTS.unknowns.len()`, or `_` if the models determine it.
+/// See [`Bounded`] for `CORRECTIONS` and `ORDER`. One correction, the default, suits drives that are smooth functions
+/// of time; in `f64` a wheel that a vehicle's equations of motion move on a road takes three:
+/// `Lanes::<Listing, f64, _, 4, 3>`. Numbers in vectors round a product and a sum together, so results differ from
+/// those of [`Bounded::step`] by rounding.
 ///
 /// ```
 /// use suspension_core::step::bounded::Outputs;

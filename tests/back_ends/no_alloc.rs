@@ -43,7 +43,7 @@ impl Work for Steps<'_> {
     }
 }
 
-/// Corners at the design, made for other hardpoints while a program runs.
+/// Makes a corner with hardpoints that differ from the design: a larger suspension of the same shape.
 struct Corners<'a>(&'a Listing);
 
 impl Work for Corners<'_> {
@@ -53,7 +53,8 @@ impl Work for Corners<'_> {
     where
         Room<N>: Size,
     {
-        let hardpoints = self.0.design().expect("a design");
+        let mut hardpoints = self.0.design().expect("a design");
+        hardpoints.iter_mut().for_each(|point| *point *= 1.01);
         let corner = without_allocating("Listing::corner", || self.0.corner::<N>(&hardpoints));
         assert!(corner.is_ok());
     }

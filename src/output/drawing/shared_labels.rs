@@ -18,7 +18,7 @@ impl<'a> Label<'a> {
         }
     }
 
-    /// Takes a name that differs in the one word from the others, or from the only other.
+    /// Takes in a name that differs from the others in one word alone, the same word for all names; returns whether it does.
     fn join(&mut self, name: &'a str) -> bool {
         let words: Vec<&str> = name.split('_').collect();
         let both = self.words.iter().zip(&words).enumerate();

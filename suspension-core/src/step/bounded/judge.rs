@@ -172,8 +172,9 @@ where
             },
         }
     }
-    /// The first drive with a rate that is not finite: all unknowns that the drive moves have rates that are not, so none of
-    /// these says where to look.
+
+    /// The first drive with a rate that is not finite. It is the cause: the rates of all unknowns that it moves are not
+    /// finite either.
     fn drive_without_rate(&self) -> Option<usize> {
         let drives = &self.prescribed.drives;
         let mut rates = drives.rate.values().zip(drives.second_rate.values());
