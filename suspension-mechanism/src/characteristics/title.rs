@@ -19,20 +19,22 @@ pub struct Title {
 impl Title {
     /// The title of a column, with its axis.
     pub fn new<N: Compiled>(column: &Column<N>, wheels: &[Wheel]) -> Self {
-        if column.quantity.name.is_empty() {
-            return Self::of_part(&column.name, wheels);
+        let mut title = if column.quantity.name.is_empty() {
+            Self::of_part(&column.name, wheels)
+        } else {
+            Self {
+                wheel: column.wheel.clone(),
+                of_wheel: column.quantity.title.to_owned(),
+            }
+        };
+        if let Some(axis) = column.axis {
+            title.of_wheel += &format!(" {axis}");
         }
-        let axis = column
-            .axis
-            .map_or_else(String::new, |axis| format!(" {axis}"));
-        Self {
-            wheel: column.wheel.clone(),
-            of_wheel: format!("{}{axis}", column.quantity.title),
-        }
+        title
     }
 
-    /// The title of a measure or a spring. It belongs to a wheel if its name has the words of one wheel's name, and others:
-    /// `left_damper`.
+    /// The title of a part of the listing, such as a measure. It belongs to a wheel if its name has the words of one wheel's
+    /// name, and others: `left_damper`.
     fn of_part(name: &str, wheels: &[Wheel]) -> Self {
         let of_wheel = |wheel: &Wheel| Self {
             wheel: Some(wheel.name.clone()),

@@ -129,6 +129,22 @@ fn a_table_of_sweep_is_equal_to_its_own_model() {
     }
 }
 
+#[test]
+fn coordinates_of_points_have_their_axes_in_names() {
+    let table = "bump [mm],lower_ball_y,Lower_ball z [m]\n0,0.7,0.17\n";
+    let (_folder, output) = beside(CORNER, table, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    let named: Vec<&str> = found[..2]
+        .iter()
+        .map(|(names, _)| names[1].as_str())
+        .collect();
+    assert_eq!(named, ["lower_ball y", "lower_ball z"]);
+    let (_folder, output) = beside(CORNER, "bump [mm],lower_ball [m]\n0,0.7\n", &[]);
+    let expected = "m.csv:1:11: unknown quantity `lower_ball`";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+}
+
 /// The same arm, led by the wheel's height, by its negative, and by the damper, at the same wheel travel.
 #[test]
 fn wheel_travel_leads_the_model_whatever_its_drive() {
