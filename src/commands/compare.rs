@@ -75,11 +75,11 @@ impl Arguments {
 
     /// Refuses the options for curves, as a table has its own places.
     fn refuse_spans(&self, table: &Source) -> Result<(), Failure> {
-        let is_none = self.travel.is_none() && self.steer.is_none();
-        is_none.then_some(()).ok_or_else(|| {
-            let message = "the table states the places; leave --travel and --steer out";
-            Failure::Input(format!("{}: {message}", table.name()))
-        })
+        if self.travel.is_none() && self.steer.is_none() {
+            return Ok(());
+        }
+        let message = "the table states the places; leave --travel and --steer out";
+        Err(Failure::Input(format!("{}: {message}", table.name())))
     }
 
     /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.

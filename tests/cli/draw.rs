@@ -60,6 +60,22 @@ fn racks_and_bars_are_drawn_where_the_listing_has_them() {
     }
 }
 
+#[test]
+fn a_line_that_arms_turn_about_is_drawn_whatever_its_name() {
+    for (lines, drawn_lines) in [
+        ("front -> centre, rear -> low", 3),
+        ("top -> centre, rear -> low", 2),
+        ("top -> centre, top -> low", 0),
+    ] {
+        let measures = format!(
+            "measure swing: angle({lines} about front -> rear);\nmeasure damper: length(low -> top);"
+        );
+        let svg = drawn(&format!("{measures}\ndrive led: centre.z;"), 0.2);
+        let in_legend = usize::from(drawn_lines > 0);
+        assert_eq!(svg.matches(BAR).count(), drawn_lines + in_legend, "{lines}");
+    }
+}
+
 /// Steering alone moves the cranks too, which are stated first.
 #[test]
 fn a_rack_between_bell_cranks_is_drawn() {

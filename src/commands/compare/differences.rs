@@ -37,6 +37,7 @@ impl Difference {
             values,
             rms: Some((squares / places.len() as f64).sqrt()),
         };
+        // Where the largest difference is rounding, all are.
         if difference.value() == 0.0 {
             difference.rms = Some(0.0);
         }
