@@ -18,8 +18,30 @@ const TO_NEXT: f64 = 9.0;
 const ROW: f64 = 14.0;
 const FOOT: f64 = 12.0;
 
-/// Draws a mark in the middle of a line between two places on the sheet, in pixels.
-type Mark = fn(&Area<'_>, [(i32, i32); 2]) -> Drawn;
+/// A place on the sheet, in pixels.
+type Place = (i32, i32);
+
+/// A mark, by what it is drawn at.
+#[derive(Clone, Copy)]
+enum Mark {
+    Point(fn(&Area<'_>, Place) -> Drawn),
+    Line(fn(&Area<'_>, Vec<Place>, f64) -> Drawn),
+    Polygon(fn(&Area<'_>, Vec<Place>, f64) -> Drawn),
+    Arrow(fn(&Area<'_>, [Place; 2]) -> Drawn),
+}
+
+impl Mark {
+    /// Draws it along a line, or in the middle of this.
+    fn draw(self, area: &Area<'_>, line: [Place; 2]) -> Drawn {
+        const OPACITY: f64 = 1.0;
+        match self {
+            Self::Point(mark) => mark(area, middle(line)),
+            Self::Line(mark) => mark(area, line.into(), OPACITY),
+            Self::Polygon(mark) => mark(area, around(line).into(), OPACITY),
+            Self::Arrow(mark) => mark(area, line),
+        }
+    }
+}
 
 impl Drawing {
     /// Draws the legend and returns its box: left, top, right and bottom.
@@ -35,7 +57,7 @@ impl Drawing {
             let y = top + ROW * (number as f64 + 0.5);
             let mut x = ends[0];
             for (name, mark) in row {
-                mark(area, [pixels([x, y]), pixels([x + MARK, y])])?;
+                mark.draw(area, [pixels([x, y]), pixels([x + MARK, y])])?;
                 let font = ("sans-serif", FONT * f64::from(FINE)).into_font();
                 let style = font.color(&CHASSIS).pos(Pos::new(HPos::Left, VPos::Center));
                 area.draw(&Text::new(*name, pixels([x + MARK + TO_NAME, y]), style))?;
@@ -48,53 +70,30 @@ impl Drawing {
 
     /// Returns the marks that appear, with their meanings.
     fn marks(&self) -> Vec<(&'static str, Mark)> {
+        use Mark::{Arrow, Line, Point, Polygon};
         let forces = self.forces.as_ref();
         let has_force = |ends: &[usize; 2]| {
             let links = forces.into_iter().flat_map(|forces| &forces.links);
             links.into_iter().any(|link| link.ends == *ends)
         };
-        let marks: [(bool, &str, Mark); 10] = [
-            (self.chassis > 0, "chassis point", |area, line| {
-                marks::chassis_point(area, middle(line))
-            }),
-            (
-                self.points.len() > self.chassis,
-                "moving point",
-                |area, line| marks::moving_point(area, middle(line)),
-            ),
-            // The title of a drawing with forces has their colours.
-            (!self.links.iter().all(has_force), "link", |area, line| {
-                marks::link(area, line.into(), 1.0)
-            }),
-            (!self.racks.is_empty(), "steering rack", |area, line| {
-                marks::rack(area, line.into(), 1.0)
-            }),
-            (!self.slides.is_empty(), "slide", |area, line| {
-                marks::slide(area, line.into(), 1.0)
-            }),
-            (!self.bodies.is_empty(), "body", |area, line| {
-                marks::body(area, around(line).into(), 1.0)
-            }),
-            (
-                !self.lengths.iter().all(has_force),
-                "measured or driven length",
-                |area, line| marks::length(area, line.into(), 1.0),
-            ),
-            (
-                !self.bars.is_empty(),
-                "bar or measured angle",
-                |area, line| marks::bar(area, line.into(), 1.0),
-            ),
-            (
-                !self.wheels.is_empty(),
-                "kingpin or spin axis",
-                |area, line| marks::axis(area, line.into(), 1.0),
-            ),
-            (
-                forces.is_some_and(|forces| !forces.acting.is_empty()),
-                "load",
-                |area, line| marks::load(area, line),
-            ),
+        let has_loads = forces.is_some_and(|forces| !forces.acting.is_empty());
+        // The title of a drawing with forces has the colours of links and lengths with a force.
+        let [links, lengths] =
+            [&self.links, &self.lengths].map(|lines| !lines.iter().all(has_force));
+        let [racks, bars] = [&self.racks, &self.bars].map(|lines| !lines.is_empty());
+        let [fixed, moving] = [self.chassis > 0, self.points.len() > self.chassis];
+        let wheels = !self.wheels.is_empty();
+        let marks = [
+            (fixed, "chassis point", Point(marks::chassis_point)),
+            (moving, "moving point", Point(marks::moving_point)),
+            (links, "link", Line(marks::link)),
+            (racks, "steering rack", Line(marks::rack)),
+            (!self.slides.is_empty(), "slide", Line(marks::slide)),
+            (!self.bodies.is_empty(), "body", Polygon(marks::body)),
+            (lengths, "measured or driven length", Line(marks::length)),
+            (bars, "bar or measured angle", Line(marks::bar)),
+            (wheels, "kingpin or spin axis", Line(marks::axis)),
+            (has_loads, "load", Arrow(marks::load)),
         ];
         let appear = marks.into_iter().filter(|(appears, ..)| *appears);
         appear.map(|(_, name, mark)| (name, mark)).collect()
@@ -124,12 +123,12 @@ fn across(name: &str) -> f64 {
     MARK + TO_NAME + labels::width(name, FONT) + TO_NEXT
 }
 
-fn middle([from, to]: [(i32, i32); 2]) -> (i32, i32) {
+fn middle([from, to]: [Place; 2]) -> Place {
     (i32::midpoint(from.0, to.0), i32::midpoint(from.1, to.1))
 }
 
 /// Returns the corners of a box about a line.
-fn around([from, to]: [(i32, i32); 2]) -> [(i32, i32); 4] {
+fn around([from, to]: [Place; 2]) -> [Place; 4] {
     let half = (ROW / 3.0 * f64::from(FINE)) as i32;
     [
         (from.0, from.1 - half),
