@@ -1,5 +1,7 @@
 //! A lane that gets another model goes on as if it had always had it, and its neighbours are not affected.
 
+use nalgebra::Vector3;
+use suspension_core::Values;
 use suspension_core::linkages::five_link;
 use suspension_core::step::bounded::Outputs;
 use suspension_lanes::{Lane, Lanes};
@@ -17,7 +19,11 @@ where
 {
     let rough = support::five_link_rough();
     let fleet = Fleet::<five_link::Listing, T, LANES>::displaced(&rough);
-    let other = Fleet::<five_link::Listing, T, LANES>::new([rough; LANES]);
+    // The suspension on the other side of the vehicle.
+    let across = rough
+        .values()
+        .map(|point| Vector3::new(point.x, -point.y, point.z));
+    let other = Fleet::<five_link::Listing, T, LANES>::new([Values::from_values(across); LANES]);
     let dt = T::constant(STEP);
     for instructions in ALL {
         let [mut lanes, mut sound] = [0; 2].map(|_| fleet.lanes(instructions));
