@@ -47,7 +47,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. Detecting that a
     /// mechanism locks takes about two hundred times as long as a step. The unknown that is named there is the one
-    /// that moves farthest at the lock; which link is too long or too short to go on the program's `range` says.
+    /// that moves farthest at the lock; the program's `range` says which link is too long or too short to go on.
     pub fn step(
         &mut self,
         dt: T,
