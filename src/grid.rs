@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, evenly_spaced, extent,
+    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, Unit, evenly_spaced, extent,
 };
 
 /// A drive and its values, for example `bump=-0.08:0.08:161`.
@@ -116,6 +116,22 @@ fn doubts(
     (swept, axes): (&[Swept], &[Axis]),
     absolute: bool,
 ) -> Vec<String> {
+    let of_one = |(of_one, axis): (&Swept, &Axis)| {
+        let (drive, _) = axis.drives.first()?;
+        let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
+        doubt_of_option(mechanism, *drive, (ends, mechanism.unit), absolute)
+    };
+    let doubts = swept.iter().zip(axes).filter_map(of_one);
+    doubts.map(|doubt| format!("--drive: {doubt}")).collect()
+}
+
+/// Returns a sentence if the range of a drive in a unit is doubtful with or without the option `--absolute`.
+pub fn doubt_of_option(
+    mechanism: &dyn Kinematics,
+    drive: usize,
+    range: ([f64; 2], Unit),
+    absolute: bool,
+) -> Option<String> {
     let (from, way) = if absolute {
         (CountedFrom::Zero, "; leave out --absolute to state changes")
     } else {
@@ -124,32 +140,29 @@ fn doubts(
             "; use --absolute to state its own values",
         )
     };
-    let of_one = |(of_one, axis): (&Swept, &Axis)| {
-        let (drive, _) = axis.drives.first()?;
-        let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
-        doubt(mechanism, *drive, ends, from, way)
-    };
-    let doubts = swept.iter().zip(axes).filter_map(of_one);
-    doubts.map(|doubt| format!("--drive: {doubt}")).collect()
+    doubt(mechanism, drive, range, from, way)
 }
 
-/// Returns a sentence if the range `between` of a drive, in the file's unit and counted `from`, is doubtful; `way` says what
-/// to write instead.
+/// Returns a sentence if the range of a drive between `ends`, in the unit of the file that states it and counted `from`, is
+/// doubtful; `way` says what to write instead.
 pub fn doubt(
     mechanism: &dyn Kinematics,
     drive: usize,
-    ends: [f64; 2],
+    (ends, unit): ([f64; 2], Unit),
     from: CountedFrom,
     way: &str,
 ) -> Option<String> {
     let named = &mechanism.names.drives[drive];
+    let dimension = Dimension::from(named.kind);
+    let converted = |of: Dimension, number: f64| number * of.conversion(mechanism.unit, unit);
+    let size = extent(mechanism.points()).norm();
     let at_design = DriveAtDesign {
         drive: named,
-        design: mechanism.design[drive],
-        size: extent(mechanism.points()).norm(),
-        unit: mechanism.unit,
+        design: converted(dimension, mechanism.design[drive]),
+        size: converted(Dimension::Length, size),
+        unit,
     };
-    let scale = Dimension::from(named.kind).file_factor(mechanism.unit);
+    let scale = dimension.file_factor(unit);
     at_design.doubt(ends.map(|end| end / scale), from, way)
 }
 

@@ -124,7 +124,8 @@ fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[tune::Target]) -> Vec<
         };
         let way = format!("; write {key} = [{from}, {to}]");
         let ends = ends.map(|end| end * scale);
-        let doubt = doubt(mechanism, drive, ends, CountedFrom::Start, &way)?;
+        let range = (ends, mechanism.unit);
+        let doubt = doubt(mechanism, drive, range, CountedFrom::Start, &way)?;
         Some(format!("[tune.targets.{}]: {doubt}", target.name))
     };
     let each = targets.iter();

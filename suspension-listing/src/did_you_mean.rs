@@ -42,18 +42,26 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
     // A known name may be used where another kind is required.
     let known = known.into_iter().filter(|name| *name != wanted);
     let known: Vec<&str> = known.collect();
+    let within = known.iter().filter(|name| has_words_of(wanted, name));
+    let within = within.max_by_key(|name| name.len()).copied();
+    mistyped(wanted, known.iter().copied())
+        .or(within)
+        .or_else(|| {
+            let mut related = known.iter().filter(|name| share_a_word(wanted, name));
+            related.next().filter(|_| related.next().is_none()).copied()
+        })
+}
+
+/// The nearest of the known names that differ from the wanted one by a few letters.
+pub fn mistyped<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let off = |name: &str| {
         let mut letters = 1..=MISTYPED.min(name.len().min(wanted.len()).saturating_sub(1) / 2);
         letters.find(|off| is_within(*off, wanted.as_bytes(), name.as_bytes()))
     };
-    let near = known.iter().filter_map(|name| Some((off(name)?, *name)));
-    let nearest = near.min_by_key(|(off, _)| *off).map(|(_, name)| name);
-    let within = known.iter().filter(|name| has_words_of(wanted, name));
-    let within = within.max_by_key(|name| name.len()).copied();
-    nearest.or(within).or_else(|| {
-        let mut related = known.iter().filter(|name| share_a_word(wanted, name));
-        related.next().filter(|_| related.next().is_none()).copied()
-    })
+    let near = known
+        .into_iter()
+        .filter_map(|name| Some((off(name)?, name)));
+    near.min_by_key(|(off, _)| *off).map(|(_, name)| name)
 }
 
 /// Whether one text becomes the other if at most `off` letters are changed.

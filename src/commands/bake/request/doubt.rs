@@ -20,8 +20,8 @@ impl Baking<'_> {
         let design = self.mechanism.design[along.drive] * Dimension::from(*kind).file_factor(*unit);
         let [from, to] = stated.map(|end| rounded(design + end, DIGITS));
         let way = format!("; for that range about the design write --drive {name}={from}:{to}");
-        let Some(doubt) = doubt(self.mechanism, along.drive, stated, CountedFrom::Zero, &way)
-        else {
+        let range = (stated, self.mechanism.unit);
+        let Some(doubt) = doubt(self.mechanism, along.drive, range, CountedFrom::Zero, &way) else {
             return Ok(());
         };
         let ([low, high], _) = self.reach(along);
