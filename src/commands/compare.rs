@@ -43,6 +43,9 @@ pub struct Arguments {
     /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     steer: Option<Span>,
+    /// Take the values of drives in a table as the drives' own, as sweep prints them, not as changes.
+    #[arg(long)]
+    absolute: bool,
     /// Draw the curves of both files on a page of HTML, one chart for each quantity, at PATH or on standard output for `-`.
     #[arg(long, value_name = "PATH")]
     html: Option<PathBuf>,
@@ -65,8 +68,10 @@ impl Arguments {
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let (report, failure) = if measured::is_table(&self.b) {
             self.refuse_spans(&b)?;
-            (measured::compare([&a, &b], interrupted)?, None)
+            let report = measured::compare([&a, &b], self.absolute, interrupted)?;
+            (report, None)
         } else {
+            self.refuse_absolute(&b)?;
             self.compared([&a, &b], interrupted)?
         };
         self.write(&report)?;
@@ -80,6 +85,15 @@ impl Arguments {
         }
         let message = "the table states the places; leave --travel and --steer out";
         Err(Failure::Input(format!("{}: {message}", table.name())))
+    }
+
+    /// Refuses the option for the values of a table.
+    fn refuse_absolute(&self, b: &Source) -> Result<(), Failure> {
+        (!self.absolute).then_some(()).ok_or_else(|| {
+            let message =
+                "--absolute is for the drives of a table of measured numbers; leave it out";
+            Failure::Input(format!("{}: {message}", b.name()))
+        })
     }
 
     /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.
@@ -180,12 +194,14 @@ same amount everywhere. The report has `everywhere` there. The values are then t
 to it where it is not within the range. The column rms has the root of the mean square of the difference over the places of
 a curve, and along what `at` counts.
 
-If B is a table, of a rig say, the model is moved to its places. The first line has headings; commas, semicolons or tabs
-separate fields, and decimal commas are read where commas do not separate. A heading is a name that sweep has in its tables
-(left_camber_rad), or a name with a unit in brackets: left camber [deg], camber angle (deg), damper [mm]. A column whose heading
-is empty is left out. One column has the places: a drive (bump [mm]), drives that move together, as for sweep
-(\"left_bump,-right_bump [mm]\" for roll), or, without a drive, wheel travel (left wheel travel [mm]). Places count from the
-design position; drives without a column stay there. All numbers are in the units of the headings.
+If B is a table, of a rig say, the model is moved to its places. The first line has headings, the second perhaps units for those
+without; lines that begin with # are left out. Commas, semicolons or tabs separate fields, and decimal commas are read where
+commas do not separate. A heading is a name that sweep has in its tables (left_camber_rad), or a name with a unit in brackets:
+left camber [deg], camber angle (deg), damper [mm]. Other columns are left out, with a note. One column that changes has the
+places: a drive (bump [mm]), drives that move together, as for sweep (\"left_bump,-right_bump [mm]\" for roll), or, without a
+drive, wheel travel (left wheel travel [mm]) or steering wheel angle [deg]. Places count from the design position, but with
+--absolute drives have their own values. A drive whose column does not change is held there, and drives without a column
+stay at the design position. All numbers are in the units of the headings.
 
 Rigs often set toe and camber to zero at the start. Hence the differences are stated as measured and without the offset, which
 is the mean difference at the measured place nearest to the design position; `of` in --csv has as measured, offset and without

@@ -1,4 +1,4 @@
-//! Tables of measured numbers in text: a line of headings, then lines of numbers.
+//! Tables of measured numbers in text: a line of headings, perhaps one of units, then lines of numbers.
 
 use std::iter;
 
@@ -17,11 +17,12 @@ pub struct MeasuredTable {
 }
 
 impl MeasuredTable {
-    /// Splits a text into fields, which commas, semicolons or tabs separate.
+    /// Splits a text into fields, which commas, semicolons or tabs separate. Lines without content, and lines that begin with
+    /// `#`, are left out.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the text has no line of headings.
+    /// [`Failure::Input`] if the text has no line of headings, and at a field beyond the last heading.
     pub fn new(file: &Source) -> Result<Self, Failure> {
         // The mark with which spreadsheets begin a file is not part of its first heading.
         let source = Source::new(file.name(), file.text().trim_start_matches('\u{feff}'));
@@ -29,6 +30,7 @@ impl MeasuredTable {
         let mut reader = ReaderBuilder::new()
             .delimiter(separator)
             .trim(Trim::All)
+            .comment(Some(b'#'))
             .flexible(true)
             .from_reader(source.text().as_bytes());
         let unread = |error: csv::Error| source.refuse(&(0..0), error);
@@ -37,14 +39,32 @@ impl MeasuredTable {
             let message = "the file is empty; it needs a line of headings and lines of numbers";
             return Err(source.refuse(&(0..0), message));
         }
-        let lines = reader.records().collect::<Result<_, _>>();
-        let lines = lines.map_err(unread)?;
-        Ok(Self {
+        let lines = reader.records().collect::<Result<Vec<_>, _>>();
+        let mut lines = lines.map_err(unread)?;
+        lines.retain(|line| line.iter().any(|field| !field.is_empty()));
+        let table = Self {
             source,
             separator,
             headings,
             lines,
-        })
+        };
+        table.check_lengths()?;
+        Ok(table)
+    }
+
+    /// Refuses decimal commas between commas, which would be read as fields of their own.
+    fn check_lengths(&self) -> Result<(), Failure> {
+        let headings = self.headings.len();
+        let beyond =
+            |line: &StringRecord| line.iter().skip(headings).any(|field| !field.is_empty());
+        match self.lines.iter().position(beyond) {
+            Some(line) => Err(self.refuse_number(
+                line,
+                headings,
+                "the line has more fields than there are headings; with decimal commas, separate the fields by semicolons or tabs",
+            )),
+            None => Ok(()),
+        }
     }
 
     /// The file's name.
@@ -57,7 +77,19 @@ impl MeasuredTable {
         self.headings.iter().collect()
     }
 
-    /// The number of lines below the headings.
+    /// Removes the first line below the headings if it has no number, and returns its fields, which are units.
+    pub fn take_units(&mut self) -> Vec<String> {
+        let is_number = |field: &str| parsed(field, self.separator).is_some();
+        let units = self.lines.first();
+        let Some(units) = units.filter(|line| !line.iter().any(is_number)) else {
+            return Vec::new();
+        };
+        let units = units.iter().map(str::to_owned).collect();
+        self.lines.remove(0);
+        units
+    }
+
+    /// The number of lines of numbers.
     pub fn lines(&self) -> usize {
         self.lines.len()
     }
@@ -68,14 +100,32 @@ impl MeasuredTable {
     ///
     /// [`Failure::Input`] at the first field without a finite number.
     pub fn numbers(&self, column: usize) -> Result<Vec<f64>, Failure> {
+        let numbers = self.numbers_or_nan(column)?;
+        match numbers.iter().position(|number| number.is_nan()) {
+            Some(line) => {
+                let heading = &self.headings[column];
+                let message = format!("the line has no number in column `{heading}`");
+                Err(self.refuse_number(line, column, message))
+            }
+            None => Ok(numbers),
+        }
+    }
+
+    /// The same, with NaN where a field is empty or says `NaN`.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the first field with anything else.
+    pub fn numbers_or_nan(&self, column: usize) -> Result<Vec<f64>, Failure> {
         let number = |(line, record): (usize, &StringRecord)| {
             let field = record.get(column).unwrap_or_default();
-            let heading = &self.headings[column];
+            if field.is_empty() || field.eq_ignore_ascii_case("nan") {
+                return Ok(f64::NAN);
+            }
             parsed(field, self.separator).ok_or_else(|| {
-                let message = match field {
-                    "" => format!("the line has no number in column `{heading}`"),
-                    _ => format!("`{field}` in column `{heading}` is not a finite number, as -0.5"),
-                };
+                let heading = &self.headings[column];
+                let message =
+                    format!("`{field}` in column `{heading}` is not a finite number, as -0.5");
                 self.refuse_number(line, column, message)
             })
         };
@@ -107,14 +157,10 @@ impl MeasuredTable {
         let begin = record
             .position()
             .map_or(0, |position| position.byte() as usize);
-        // The record may begin at the end of the line before.
-        let text = self.source.text()[begin..].trim_start_matches(['\r', '\n']);
+        // The record may begin before lines that it does not have.
+        let text = content(&self.source.text()[begin..]);
         let line = text.lines().next().unwrap_or_default();
-        let mut is_quoted = false;
-        let ends = line.bytes().enumerate().filter(|(_, byte)| {
-            is_quoted ^= *byte == b'"';
-            !is_quoted && *byte == self.separator
-        });
+        let ends = unquoted(line).filter(|(_, byte)| *byte == self.separator);
         let mut starts = iter::once(0).chain(ends.map(|(end, _)| end + 1));
         let field = starts
             .nth(column)
@@ -124,12 +170,31 @@ impl MeasuredTable {
     }
 }
 
+/// The text from its first line that is neither empty nor a comment.
+fn content(mut text: &str) -> &str {
+    loop {
+        text = text.trim_start_matches(['\r', '\n']);
+        let Some(comment) = text.strip_prefix('#') else {
+            return text;
+        };
+        text = comment.split_once('\n').map_or("", |(_, rest)| rest);
+    }
+}
+
+/// The bytes of a line that are not in quotes, each with its index.
+fn unquoted(line: &str) -> impl Iterator<Item = (usize, u8)> {
+    let mut is_quoted = false;
+    line.bytes().enumerate().filter(move |(_, byte)| {
+        is_quoted ^= *byte == b'"';
+        !is_quoted
+    })
+}
+
 /// What is between the fields of the first line.
 fn separator(text: &str) -> u8 {
-    let headings = text.trim_start().lines().next().unwrap_or_default();
-    let mut others = [b';', b'\t'].into_iter();
-    let other = others.find(|separator| headings.as_bytes().contains(separator));
-    other.unwrap_or(b',')
+    let headings = content(text).lines().next().unwrap_or_default();
+    let has = |separator: &u8| unquoted(headings).any(|(_, byte)| byte == *separator);
+    [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
 }
 
 fn parsed(field: &str, separator: u8) -> Option<f64> {

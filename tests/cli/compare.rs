@@ -4,6 +4,7 @@ mod alone;
 mod axles;
 mod drives;
 mod measured;
+mod rig;
 
 use std::process::Output;
 

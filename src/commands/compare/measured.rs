@@ -1,5 +1,6 @@
 //! A suspension beside a table of measured numbers.
 
+mod columns;
 mod heading;
 mod places;
 mod quantity;
@@ -17,7 +18,7 @@ use crate::measured::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced};
 use crate::number::counted;
 use crate::quantities::Column;
-use heading::Stated;
+use columns::Known;
 use places::Places;
 use quantity::Quantity;
 
@@ -27,33 +28,31 @@ pub(super) fn is_table(path: &Path) -> bool {
     ["csv", "tsv", "txt"].iter().any(|table| ending == *table)
 }
 
-/// Compares a suspension with a table.
+/// Compares a suspension with a table, in which drives have changes or, if `absolute`, their own values.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at a heading, at a field without a number, and at a place out of reach.
 pub(super) fn compare(
     [model, measured]: [&Source; 2],
+    absolute: bool,
     interrupted: &AtomicBool,
 ) -> Result<Report, Failure> {
     let loaded = load(model)?;
     let mechanism = &*loaded.at_design()?;
-    let table = MeasuredTable::new(measured)?;
-    let headings = table.headings().into_iter().enumerate();
-    let stated = headings.filter(|(_, heading)| !heading.is_empty());
-    let stated = stated.map(|(column, heading)| {
-        let stated = Stated::read(mechanism, column, heading);
-        stated.map_err(|message| table.refuse_heading(column, message))
-    });
-    let mut stated: Vec<Stated> = stated.collect::<Result<_, _>>()?;
-    let place = stated.remove(place_column(&table, mechanism, &stated)?);
+    let mut table = MeasuredTable::new(measured)?;
+    let mut known = Known::all(&mut table, mechanism, absolute)?;
+    let place = known.remove(place_column(&table, mechanism, &known)?);
+    let (held, known): (Vec<Known>, Vec<Known>) = known.into_iter().partition(Known::is_drive);
     let places = Places {
         file: model.name(),
         mechanism,
-        stated: place,
+        stated: place.stated,
+        held: held.iter().map(Known::held).collect(),
         interrupted,
     };
-    let quantities = quantities(&table, &places, stated)?;
+    let at = (place.column, &*place.numbers);
+    let quantities = quantities(&table, &places, at, known)?;
     let files = [model, measured].map(|file| file.name().to_owned());
     let names = short_names([&files[0], &files[1]]);
     let charts = quantities.iter();
@@ -103,65 +102,67 @@ fn parts(quantities: &[Quantity], across: &str) -> Vec<Part> {
     ]
 }
 
-/// Finds the column that says where the model is: that of drives, or else that of wheel travel.
+/// Finds the column that says where the model is: that of a drive, or else that of wheel travel or of the steering wheel's
+/// angle. Drives that do not change are held.
 fn place_column(
     table: &MeasuredTable,
     mechanism: &Description,
-    stated: &[Stated],
+    known: &[Known],
 ) -> Result<usize, Failure> {
-    let columns = |is_place: fn(&Stated) -> bool| -> Vec<usize> {
-        let all = 0..stated.len();
-        all.filter(|index| is_place(&stated[*index])).collect()
+    let columns = |is_place: &dyn Fn(&Known) -> bool| -> Vec<usize> {
+        let all = 0..known.len();
+        all.filter(|index| is_place(&known[*index])).collect()
     };
     let found = [
-        columns(|stated| stated.named.quantity.is_none()),
-        columns(|stated| !stated.named.drives.is_empty()),
+        columns(&|known| known.is_drive() && known.changes()),
+        columns(&|known| known.leads() && known.changes()),
+        columns(&Known::is_drive),
+        columns(&Known::leads),
     ];
     let found = found.into_iter().find(|columns| !columns.is_empty());
     match found.unwrap_or_default()[..] {
-        [place] => Ok(place),
-        [one, other, ..] => {
-            let [one, other] = [one, other].map(|place| &stated[place]);
+        [place, other, ..] if known[place].changes() => {
+            let [one, other] = [place, other].map(|place| &known[place]);
             let message = format!(
                 "`{}` and `{}` both say where the model is, and one column must; empty the heading of the one that is held, or \
                  name drives that move together in one heading, as `left_bump,right_bump [mm]`",
-                one.named.title, other.named.title
+                one.stated.named.title, other.stated.named.title
             );
             Err(table.refuse_heading(other.column, message))
         }
+        [place, ..] => Ok(place),
         [] => {
             let names = mechanism.names.drive_names().join(", ");
             let message = format!(
-                "no column says where the model is; head one with a drive and its unit (the drives are {names}), or with wheel travel, \
-                 for which [vehicle] may have to state travel = \"DRIVE\""
+                "no column says where the model is; head one with a drive and its unit (the drives are {names}), with wheel travel, for \
+                 which [vehicle] may have to state travel = \"DRIVE\", or with steering_wheel_angle, for which it states rack_per_turn. \
+                 The headings are the first line that does not begin with #"
             );
             Err(table.refuse_heading(0, message))
         }
     }
 }
 
-/// Reads the quantities of a table, and those of the model at the same places.
+/// Reads the quantities of a table, and those of the model at the places of a column.
 fn quantities(
     table: &MeasuredTable,
     places: &Places<'_>,
-    stated: Vec<Stated>,
+    (column, at): (usize, &[f64]),
+    known: Vec<Known>,
 ) -> Result<Vec<Quantity>, Failure> {
     /// The number of places along the model's curves.
     const ALONG: usize = 61;
-    let column = places.stated.column;
-    let at = table.numbers(column)?;
-    let Some(range) = ends(at.iter().copied()).filter(|_| !stated.is_empty()) else {
-        let message =
-            "the table needs a column of a quantity beside this one, and lines of numbers";
+    // Wheel travel may lack a number where it does not say where the model is.
+    table.numbers(column)?;
+    let Some(range) = ends(at.iter().copied()).filter(|_| !known.is_empty()) else {
+        let message = "the table needs a column of a quantity beside this one, as `toe [deg]`, and lines of numbers; suspension \
+                       sweep writes a table with the names of all";
         return Err(table.refuse_heading(column, message));
     };
-    let measured = stated.iter().map(|stated| table.numbers(stated.column));
-    let measured: Vec<Vec<f64>> = measured.collect::<Result<_, _>>()?;
-    let columns = stated
-        .iter()
-        .filter_map(|stated| stated.named.quantity.as_ref());
+    let columns = known.iter();
+    let columns = columns.filter_map(|known| known.stated.named.quantity.as_ref());
     let columns: Vec<&Column> = columns.collect();
-    let model = places.read(&at, &columns)?;
+    let model = places.read(at, &columns)?;
     if let Some(line) = model.iter().position(Option::is_none) {
         let reached = at.iter().zip(&model).filter(|(_, model)| model.is_some());
         let message = places.out_of_reach(at[line], ends(reached.map(|(at, _)| *at)));
@@ -169,29 +170,27 @@ fn quantities(
     }
     let along = evenly_spaced(range, ALONG);
     let curves = places.read(&along, &columns)?;
-    let quantity = |(index, (stated, measured)): (usize, (Stated, Vec<f64>))| {
-        let scale = stated.scale;
-        let of_model = |numbers: &Option<Vec<f64>>| {
-            let number = numbers.as_ref().map_or(f64::NAN, |numbers| numbers[index]);
-            number * scale
+    let quantity = |(
+        index,
+        Known {
+            stated, numbers, ..
+        },
+    ): (usize, Known)| {
+        let of_model = |read: &Option<Vec<f64>>| {
+            let number = read.as_ref().map_or(f64::NAN, |numbers| numbers[index]);
+            number * stated.scale
         };
-        let pairs = model.iter().map(of_model).zip(measured);
+        let pairs = model.iter().map(of_model).zip(numbers);
         let pairs = at.iter().copied().zip(pairs.map(<[f64; 2]>::from));
+        let curve = along.iter().copied().zip(curves.iter().map(of_model));
         Quantity {
+            places: pairs
+                .filter(|(_, [model, measured])| (model - measured).is_finite())
+                .collect(),
+            curve: curve.collect(),
             title: stated.named.title,
             symbol: stated.symbol,
-            places: pairs.filter(|(_, [model, _])| model.is_finite()).collect(),
-            curve: along
-                .iter()
-                .copied()
-                .zip(curves.iter().map(of_model))
-                .collect(),
         }
     };
-    Ok(stated
-        .into_iter()
-        .zip(measured)
-        .enumerate()
-        .map(quantity)
-        .collect())
+    Ok(known.into_iter().enumerate().map(quantity).collect())
 }

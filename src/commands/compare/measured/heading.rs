@@ -1,17 +1,19 @@
 //! Headings of measured tables: a drive or a quantity, and its unit.
 
-use suspension_listing::did_you_mean::unknown;
+use std::collections::BTreeSet;
 
-use crate::characteristics::{Title, columns_of_positions, not_of_this, suggest_for_wheels};
+use suspension_listing::did_you_mean::mistyped;
+
+use crate::characteristics::{Title, columns_of_positions, suggest_for_wheels};
 use crate::file::Dimension;
 use crate::mechanism::{Angle, Axis, Description, Length, Unit};
-use crate::quantities::{Column, DRIVES, WHEEL_TRAVEL};
+use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
-/// A column of a table.
+/// What a heading states.
 pub(super) struct Stated {
-    /// Its index.
-    pub(super) column: usize,
     pub(super) named: Named,
+    pub(super) unit: Unit,
+    /// That of the number in this unit.
     pub(super) symbol: String,
     /// The factor from the mechanism's number to that of the table.
     pub(super) scale: f64,
@@ -21,43 +23,46 @@ pub(super) struct Stated {
 pub(super) struct Named {
     pub(super) title: String,
     dimension: Dimension,
-    /// The drives, by number, each with its part of the change; of wheel travel the one that lifts the wheel, of other
-    /// quantities none.
+    /// The drives, by number, each with its change per unit; of wheel travel the one that lifts the wheel, of other
+    /// quantities than that and the steering wheel's angle none.
     pub(super) drives: Vec<(usize, f64)>,
     /// The quantity; `None` if drives are named.
     pub(super) quantity: Option<Column>,
 }
 
 impl Stated {
-    /// Reads a heading: the name of a column in CSV files, or a name with a unit, as `left toe [deg]`.
+    /// Reads a heading: the name of a column in CSV files, or a name with a unit, as `left toe [deg]`; without one it has the
+    /// unit `below`. Returns `None` if the model has nothing of this name.
     ///
     /// # Errors
     ///
-    /// A sentence with the remedy if it names nothing, or no unit.
+    /// A sentence with the remedy if a name seems mistyped, and if its unit is missing.
     pub(super) fn read(
         mechanism: &Description,
-        column: usize,
         heading: &str,
-    ) -> Result<Self, String> {
+        below: &str,
+    ) -> Result<Option<Self>, String> {
         let own = mechanism.unit;
         let mut known: Vec<Column> = columns_of_positions(mechanism).collect();
         let in_csv = |unit: Unit| known.iter().position(|each| each.csv_name(unit) == heading);
         let (named, unit) = match units(own).find_map(|unit| Some((in_csv(unit)?, unit))) {
             Some((found, unit)) => (Named::new(mechanism, known.swap_remove(found)), unit),
             None => {
-                let (name, symbol) = name_and_symbol(heading);
-                let named = Named::find(mechanism, known, name)?;
+                let (name, symbol) = name_and_symbol(heading, below);
+                let Some(named) = Named::find(mechanism, known, name)? else {
+                    return Ok(None);
+                };
                 let unit = unit_of(named.dimension, name, symbol, own)?;
                 (named, unit)
             }
         };
         let dimension = named.dimension;
-        Ok(Self {
-            column,
+        Ok(Some(Self {
             named,
+            unit,
             symbol: dimension.symbol(unit),
             scale: dimension.conversion(own, unit) * dimension.file_factor(unit),
-        })
+        }))
     }
 }
 
@@ -67,41 +72,50 @@ impl Named {
         let is_drive = column.is(&DRIVES);
         let drive = if is_drive {
             let mut drives = names.drives.iter();
-            drives.position(|drive| drive.name == column.name)
+            let drive = drives.position(|drive| drive.name == column.name);
+            drive.map(|drive| (drive, 1.0))
+        } else if column.is(&STEERING_WHEEL_ANGLE) {
+            let wheel = names.vehicle.steering_wheel.as_ref();
+            wheel.map(|wheel| (wheel.drive, 1.0 / wheel.per_drive()))
         } else {
             let of_wheel = column.wheel.as_deref().unwrap_or_default();
             let mut wheels = names.wheels.iter();
             let wheel = wheels.find(|wheel| wheel.name == of_wheel);
-            wheel.and_then(|wheel| wheel.travel.filter(|_| column.is(&WHEEL_TRAVEL)))
+            let wheel = wheel.filter(|_| column.is(&WHEEL_TRAVEL));
+            wheel.and_then(|wheel| Some((wheel.travel?, 1.0)))
         };
         Self {
             title: Title::new(&column, &names.wheels).to_string(),
             dimension: column.dimension,
-            drives: drive.map(|drive| (drive, 1.0)).into_iter().collect(),
+            drives: drive.into_iter().collect(),
             quantity: (!is_drive).then_some(column),
         }
     }
 
     /// Finds drives joined by commas, as sweep takes them, or a number by its name in tables or for people.
-    fn find(mechanism: &Description, mut known: Vec<Column>, name: &str) -> Result<Self, String> {
+    fn find(
+        mechanism: &Description,
+        mut known: Vec<Column>,
+        name: &str,
+    ) -> Result<Option<Self>, String> {
         if name.contains(',') {
             let Axis { drives, .. } = Axis::named(mechanism, name, &[], &[])?;
-            return Ok(Self {
+            return Ok(Some(Self {
                 title: name.to_owned(),
                 dimension: mechanism.names.drives[drives[0].0].kind.into(),
                 drives,
                 quantity: None,
-            });
+            }));
         }
-        let wanted = plain(name);
+        let wanted = words(name);
         let is_called = |column: &Column| {
             let for_people = Title::new(column, &mechanism.names.wheels).to_string();
             let names = [column.title(), for_people];
-            names.iter().any(|name| plain(name) == wanted)
+            names.iter().any(|name| words(name) == wanted)
         };
         match known.iter().position(is_called) {
-            Some(found) => Ok(Self::new(mechanism, known.swap_remove(found))),
-            None => Err(unknown_name(mechanism, &known, name)),
+            Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
+            None => meant(mechanism, &known, name).map_or(Ok(None), Err),
         }
     }
 }
@@ -111,24 +125,29 @@ fn plain(name: &str) -> String {
     name.to_lowercase().replace(' ', "_")
 }
 
-/// Says what may be meant by a name that no number has.
-fn unknown_name(mechanism: &Description, known: &[Column], wanted: &str) -> String {
-    // Coordinates would make the list long.
-    let known = known.iter().filter(|column| column.axis.is_none());
-    let titles: Vec<String> = known.map(Column::title).collect();
-    let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
+/// Returns the words of a name in the order of the alphabet, as rigs write `Toe (left)`.
+fn words(name: &str) -> BTreeSet<String> {
+    let name = plain(name);
+    let words = name.split(['_', '(', ')']);
+    let words = words.filter(|word| !word.is_empty());
+    words.map(str::to_owned).collect()
+}
+
+/// Says what is near to a name that no number has.
+fn meant(mechanism: &Description, known: &[Column], wanted: &str) -> Option<String> {
+    let wheels = &mechanism.names.wheels;
+    let names = known.iter();
+    let names = names.flat_map(|each| [each.title(), Title::new(each, wheels).to_string()]);
+    let names: BTreeSet<String> = names.map(|name| plain(&name)).collect();
+    let names = names.iter().map(String::as_str);
     let name = plain(wanted);
-    let without_unit = name.rsplit_once('_').map(|(name, _)| name);
-    let mut names = [Some(&*name), without_unit].into_iter().flatten();
-    let why = names.find_map(|name| {
-        let meant = suggest_for_wheels(name, titles.iter().copied());
-        let meant =
-            meant.map(|meant| format!("unknown quantity `{wanted}`; did you mean {meant}?"));
-        meant.or_else(|| not_of_this(name, mechanism))
-    });
-    let why = why.unwrap_or_else(|| unknown("quantity", wanted, &titles));
-    let stop = if why.ends_with('?') { "" } else { "." };
-    format!("{why}{stop} A column whose heading is empty is left out")
+    // A single letter is an axis, behind many names.
+    let of_wheels = suggest_for_wheels(&name, names.clone()).filter(|_| name.len() > 1);
+    let near = || mistyped(&name, names).map(|near| format!("`{near}`"));
+    let near = of_wheels.or_else(near)?;
+    Some(format!(
+        "unknown quantity `{wanted}`; did you mean {near}? A column whose heading is empty is left out"
+    ))
 }
 
 /// Returns the units in which a file may be, its own first.
@@ -139,33 +158,25 @@ fn units(own: Unit) -> impl Iterator<Item = Unit> {
     [own].into_iter().chain(all)
 }
 
-/// Splits `toe [deg]` or `toe (deg)`.
-fn name_and_symbol(heading: &str) -> (&str, Option<&str>) {
-    match heading.rsplit_once(['[', '(']) {
-        Some((name, symbol)) => {
-            let symbol = symbol.trim_end_matches([']', ')']).trim();
-            (name.trim(), Some(symbol))
-        }
-        None => (heading, None),
-    }
+/// Splits `toe [deg]` or `toe (deg)`. With a unit below, which may be in brackets too, `toe (left)` is a name.
+fn name_and_symbol<'a>(heading: &'a str, below: &'a str) -> (&'a str, &'a str) {
+    let round = || heading.rsplit_once('(').filter(|_| below.is_empty());
+    let split = heading.rsplit_once('[').or_else(round);
+    let (name, symbol) = split.unwrap_or((heading, below));
+    let symbol = symbol.trim_matches(['[', '(', ')', ']']);
+    (name.trim(), symbol.trim())
 }
 
 /// Returns the unit that a symbol means for a dimension.
-fn unit_of(
-    dimension: Dimension,
-    name: &str,
-    symbol: Option<&str>,
-    own: Unit,
-) -> Result<Unit, String> {
+fn unit_of(dimension: Dimension, name: &str, symbol: &str, own: Unit) -> Result<Unit, String> {
     let (_, usual) = dimension.display_scale(own);
-    let Some(symbol) = symbol else {
-        return Err(format!("`{name}` states no unit; write `{name} [{usual}]`"));
-    };
     let wanted = symbol.replace('\u{b0}', "deg").replace('%', "percent");
-    let found = units(own).find(|unit| dimension.symbol(*unit) == wanted);
-    found.ok_or_else(|| {
-        format!(
+    let mut units = units(own);
+    let found = units.find(|unit| dimension.symbol(*unit).eq_ignore_ascii_case(&wanted));
+    found.ok_or_else(|| match symbol {
+        "" => format!("`{name}` states no unit; write `{name} [{usual}]`"),
+        _ => format!(
             "`{symbol}` is no unit of `{name}` here; convert the column and write `{name} [{usual}]`"
-        )
+        ),
     })
 }

@@ -7,14 +7,16 @@ use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
 use crate::number::number;
-use crate::quantities::{Column, Reader};
+use crate::quantities::{Column, Reader, WHEEL_TRAVEL};
 
 /// What moves the model to places, which count from the design position.
 pub(super) struct Places<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a dyn Kinematics,
-    /// The column of the places.
+    /// The heading of the places.
     pub(super) stated: Stated,
+    /// The drives that stay at one value each, perhaps not that of the design position.
+    pub(super) held: Vec<Axis>,
     pub(super) interrupted: &'a AtomicBool,
 }
 
@@ -40,8 +42,8 @@ impl Places<'_> {
             |[least, greatest]| format!("those from {least} to {greatest} {symbol}"),
         );
         format!(
-            "{} {symbol} is out of the model's reach, which has {reached}; leave out the lines beyond, and count places from the \
-             design position. suspension range {} says what stops the model",
+            "{} {symbol} from the design position is out of the model's reach, which has {reached}; leave out the lines beyond. \
+             suspension range {} says what stops the model",
             number(at),
             self.file
         )
@@ -61,7 +63,8 @@ impl Places<'_> {
             each.map(|column| column.read(&reader).value).collect()
         };
         let drives = self.stated.named.drives.clone();
-        let Some(travel) = &self.stated.named.quantity else {
+        let quantity = self.stated.named.quantity.as_ref();
+        let Some(travel) = quantity.filter(|quantity| quantity.is(&WHEEL_TRAVEL)) else {
             let values = wanted;
             return self.visit(Axis { drives, values }, &mut read);
         };
@@ -106,7 +109,8 @@ impl Places<'_> {
     }
 
     fn visit<R>(&self, axis: Axis, read: &mut dyn FnMut(&dyn Place) -> R) -> Found<R> {
-        let grid = Grid::new(self.mechanism, vec![axis], CountedFrom::Start);
+        let axes = self.held.iter().cloned().chain([axis]).collect();
+        let grid = Grid::new(self.mechanism, axes, CountedFrom::Start);
         let grid = grid.map_err(Failure::Input)?;
         let order = DerivativeOrder::First;
         let visited = self.mechanism.visit(&grid, order, self.interrupted, read);

@@ -13,10 +13,10 @@ pub(super) struct Quantity {
 }
 
 impl Quantity {
-    /// Says that the model has no number at any place.
+    /// Says that no place has a number of both.
     pub(super) fn unknown(&self) -> Option<String> {
         let title = &self.title;
-        let message = format!("{title}: the model has no value at the measured places");
+        let message = format!("{title}: no measured place has a value of both");
         self.places.is_empty().then_some(message)
     }
 

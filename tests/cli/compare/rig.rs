@@ -1,0 +1,160 @@
+//! Tables as rigs and other programs write them.
+
+use super::super::program::{CORNER, folder, run, text};
+use super::measured::beside;
+use super::rows;
+
+fn axle() -> String {
+    CORNER
+        .replace("double_wishbone_pushrod", "steered_axle")
+        .replace("bump = 0.3", "bump_left = 0.3\nbump_right = 0.3")
+}
+
+/// The table that sweep writes for options.
+fn swept(model: &str, options: &[&str]) -> String {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), model).expect("written");
+    let output = run(
+        folder.path(),
+        &[&["sweep", "a.toml", "--csv", "-"], options].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    text(&output.stdout).to_owned()
+}
+
+/// Drives that do not change are held, here away from the design position too.
+#[test]
+fn a_table_of_sweep_is_equal_to_its_own_model() {
+    let five_link = include_str!("../../../examples/five_link_height.toml");
+    for (model, options, count) in [
+        (CORNER, &["--drive", "bump=-0.05:0.06:12"][..], 100),
+        (five_link, &["--drive", "theta=0.7:0.8:5", "--absolute"], 60),
+        (
+            &axle(),
+            &["--drive", "steer=-0.02:0.02:5", "--drive", "bump_left=0.02"],
+            300,
+        ),
+    ] {
+        let (_folder, output) =
+            beside(model, &swept(model, options), &["--absolute", "--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let found = rows(&output);
+        assert!(found.len() > count, "{}", found.len());
+        for (names, [.., difference]) in &found {
+            assert!(difference.abs() < 1e-9, "{names:?} {difference}");
+        }
+        let notes = text(&output.stderr);
+        assert!(!notes.contains("--absolute"), "{notes}");
+        assert!(notes.contains(" more; suspension motion --help"), "{notes}");
+    }
+}
+
+#[test]
+fn drives_that_seem_to_be_counted_otherwise_are_noted() {
+    let own = swept(
+        CORNER,
+        &["--drive", "bump=-0.05:0.06:12", "--derivatives", "0"],
+    );
+    let changes = "bump [mm],toe [deg]\n-20,0\n20,0\n";
+    for (table, options, expected) in [
+        (
+            &*own,
+            &[][..],
+            "`bump` takes a change from the design position, not the drive's own value: `bump` is 0.3 m at the design position; \
+             use --absolute to state its own values",
+        ),
+        (
+            changes,
+            &["--absolute"],
+            "`bump` takes the drive's own value, not a change from the design position: `bump` is 300 mm at the design position; \
+             leave out --absolute to state changes",
+        ),
+        (
+            "bump [mm],toe [deg]\n-0.05,0\n0.05,0\n",
+            &[],
+            "is `bump` in m? The file is in mm",
+        ),
+    ] {
+        let (_folder, output) = beside(CORNER, table, options);
+        let message = text(&output.stderr);
+        assert!(
+            message.contains(&format!("note: m.csv: {expected}\n")),
+            "{message}"
+        );
+    }
+    let (folder, _) = beside(CORNER, changes, &[]);
+    let output = run(
+        folder.path(),
+        &["compare", "a.toml", "a.toml", "--absolute"],
+    );
+    let expected =
+        "a.toml: --absolute is for the drives of a table of measured numbers; leave it out";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+}
+
+/// The rows of a table in standard form, and of the same numbers as rigs write them.
+#[test]
+fn the_forms_of_rigs_are_read_alike() {
+    let plain = "left wheel travel [mm],left toe [deg]\n-20,0.2\n0,0.05\n10,-0.1\n0,0.03\n";
+    let compared = |table: &str| {
+        let (_folder, output) = beside(&axle(), table, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{table}: {output:?}");
+        (
+            text(&output.stdout).to_owned(),
+            text(&output.stderr).to_owned(),
+        )
+    };
+    let left_out = |names: &str| {
+        format!(
+            "note: m.csv: left out, as the model has no such quantities: {names}; suspension motion --help says what each quantity \
+             needs\n"
+        )
+    };
+    let (expected, notes) = compared(plain);
+    assert_eq!((expected.lines().count(), &*notes), (4, ""));
+    for (table, notes) in [
+        (
+            "\u{feff}# Rig 17; run 3\r\nZeit;Wheel Travel (left);Toe angle left;Kommentar;\r\ns;[mm];\u{b0};;\r\n0,0;-20,0;0,2;start;\r\n\
+             \r\n0,1;0;0,05;;\r\n0,2;10;-0,1;;\r\n0,3;0,0;0,03;;\r\n;;;;\r\n",
+            left_out("`Zeit`, `Kommentar`"),
+        ),
+        (
+            "time [s]\tFz [N]\tLEFT_TOE [Deg]\tleft_wheel_travel [mm]\n0\t3000\t0.2\t-20\n1\t3000\t0.05\t0\n# back\n2\t3000\t-0.1\t10\n3\t-\t0.03\t0",
+            left_out("`time [s]`, `Fz [N]`"),
+        ),
+        (
+            "\"load; left [N]\",left toe [deg],left wheel travel [mm],right toe [deg]\n1,0.2,-20,\n1,0.05,0,NaN\n\"2\",\"-0.1\",1e1,\n1,0.03,0\n",
+            left_out("`load; left [N]`"),
+        ),
+    ] {
+        let (found, told) = compared(table);
+        assert_eq!((found, told), (expected.clone(), notes), "{table}");
+    }
+}
+
+/// One turn moves the rack by 50 mm.
+#[test]
+fn the_steering_wheel_leads_the_model() {
+    let model = axle().replace(
+        "vehicle = { wheel_radius = 0.3 }",
+        "vehicle = { wheel_radius = 0.3, rack_per_turn = 0.05 }",
+    );
+    let options = ["--drive", "steer=-0.02:0.02:5", "--derivatives", "0"];
+    let table = swept(&model, &options);
+    let table = table.replacen("steer_m,bump_left_m,bump_right_m", ",,", 1);
+    let table =
+        table
+            .replacen("left_wheel_travel_m", "", 1)
+            .replacen("right_wheel_travel_m", "", 1);
+    let (_folder, output) = beside(&model, &table, &["--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let found = rows(&output);
+    assert!(found.len() > 300, "{}", found.len());
+    for (names, [.., difference]) in &found {
+        assert!(difference.abs() < 1e-9, "{names:?} {difference}");
+    }
+    assert!(
+        text(&output.stdout).contains(",angle of the steering wheel (rad)"),
+        "{output:?}"
+    );
+}
