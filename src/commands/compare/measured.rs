@@ -123,10 +123,16 @@ fn place_column(
     match found.unwrap_or_default()[..] {
         [place, other, ..] if known[place].changes() => {
             let [one, other] = [place, other].map(|place| &known[place]);
+            let drive =
+                |known: &Known| &mechanism.names.drives[known.stated.named.drives[0].0].name;
             let message = format!(
-                "`{}` and `{}` both say where the model is, and one column must; empty the heading of the one that is held, or \
-                 name drives that move together in one heading, as `left_bump,right_bump [mm]`",
-                one.stated.named.title, other.stated.named.title
+                "`{}` and `{}` both say where the model is, and one column must; empty the heading of one or, where drives move alike, \
+                 name them in one heading, as `{},{} [{}]`",
+                one.stated.named.title,
+                other.stated.named.title,
+                drive(one),
+                drive(other),
+                one.stated.symbol
             );
             Err(table.refuse_heading(other.column, message))
         }

@@ -175,6 +175,13 @@ fn drives_that_move_together_are_one_column() {
     for (names, [.., difference]) in &found {
         assert!(difference.abs() < 1e-9, "{names:?} {difference}");
     }
+    let each = "left wheel travel [mm],right wheel travel [mm],left toe [deg]\n0,0,0\n9,9,0\n";
+    let (_folder, output) = beside(&axle, each, &[]);
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("as `bump_left,bump_right [mm]`"),
+        "{message}"
+    );
     let travel = "wheel travel [mm],left toe [deg]\n0,0\n";
     let (_folder, output) = beside(&axle, travel, &[]);
     let expected = "m.csv:1:1: unknown quantity `wheel travel`; did you mean `left_wheel_travel` or `right_wheel_travel`?";
@@ -217,7 +224,8 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "bump [mm],steer [mm],toe [deg]\n0,0,0\n1,1,0\n",
             &[],
-            "m.csv:1:11: `bump` and `steer` both say where the model is, and one column must",
+            "m.csv:1:11: `bump` and `steer` both say where the model is, and one column must; empty the heading of one or, where drives move alike, name them in one \
+             heading, as `bump,steer [mm]`",
         ),
         (
             "toe [deg]\tbump [mm]\n",

@@ -154,7 +154,7 @@ fn the_steering_wheel_leads_the_model() {
         assert!(difference.abs() < 1e-9, "{names:?} {difference}");
     }
     assert!(
-        text(&output.stdout).contains(",angle of the steering wheel (rad)"),
+        text(&output.stdout).contains("change of angle of the steering wheel (rad)"),
         "{output:?}"
     );
 }

@@ -24,13 +24,17 @@ pub(super) struct Places<'a> {
 type Found<R> = Result<Vec<Option<R>>, Failure>;
 
 impl Places<'_> {
+    /// Returns the wheel travel that the places count; `None` if they count changes of drives, or of the steering wheel.
+    fn travel(&self) -> Option<&Column> {
+        let quantity = self.stated.named.quantity.as_ref();
+        quantity.filter(|quantity| quantity.is(&WHEEL_TRAVEL))
+    }
+
     /// Returns what the places count, with their unit.
     pub(super) fn label(&self) -> String {
         let Stated { named, symbol, .. } = &self.stated;
-        match named.quantity {
-            None => format!("change of {} ({symbol})", named.title),
-            Some(_) => format!("{} ({symbol})", named.title),
-        }
+        let change = self.travel().map_or("change of ", |_| "");
+        format!("{change}{} ({symbol})", named.title)
     }
 
     /// Says that a place is out of reach, and which others are not.
@@ -63,8 +67,7 @@ impl Places<'_> {
             each.map(|column| column.read(&reader).value).collect()
         };
         let drives = self.stated.named.drives.clone();
-        let quantity = self.stated.named.quantity.as_ref();
-        let Some(travel) = quantity.filter(|quantity| quantity.is(&WHEEL_TRAVEL)) else {
+        let Some(travel) = self.travel() else {
             let values = wanted;
             return self.visit(Axis { drives, values }, &mut read);
         };
