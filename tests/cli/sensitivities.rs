@@ -158,16 +158,24 @@ fn sensitivities_are_sorted_and_unknown_quantities_refused() {
         "{report}"
     );
     assert!(!report.contains("\ntoe"), "{report}");
-    let output = run(
-        folder.path(),
-        &["sensitivities", "a.toml", "--of", "chamber"],
-    );
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(
-        text(&output.stderr)
-            .contains("no quantity begins with `chamber`; did you mean `camber`? Without --of all quantities are printed\n"),
-        "{output:?}"
-    );
+    for (of, expected) in [
+        (
+            "chamber",
+            "no quantity begins with `chamber`; did you mean `camber`? Without --of all quantities are printed\n",
+        ),
+        (
+            "Kingpin angle",
+            "no quantity begins with `Kingpin angle`; did you mean `kingpin`? Without",
+        ),
+        (
+            "camber gain",
+            "`camber_gain` is the derivative of `camber` with respect to a drive of travel",
+        ),
+    ] {
+        let output = run(folder.path(), &["sensitivities", "a.toml", "--of", of]);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        assert!(text(&output.stderr).contains(expected), "{output:?}");
+    }
 }
 
 #[test]

@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::characteristics::{not_of_this, suggest_for_wheels, zero_at_design};
+use crate::characteristics::{
+    as_in_tables, named_in_reports, not_of_this, suggest_for_wheels, zero_at_design,
+};
 use crate::commands::sensitivities::number::{DIGITS, Number};
 use crate::commands::sensitivities::scatter::Scatter;
 use crate::mechanism::{Description, Length};
@@ -78,14 +80,16 @@ impl Report<'_> {
         if let Some(zero) = zero_at_design(wanted, self.mechanism) {
             return Err(zero);
         }
-        let of_wheels = suggest_for_wheels(wanted, titles.iter().map(String::as_str));
-        if let Some(message) = not_of_this(wanted, self.mechanism).filter(|_| of_wheels.is_none()) {
+        let named = as_in_tables(wanted);
+        let meant = named_in_reports(wanted, self.mechanism).map(|name| format!("`{name}`"));
+        let meant = meant.or_else(|| suggest_for_wheels(&named, titles.iter().map(String::as_str)));
+        if let Some(message) = not_of_this(&named, self.mechanism).filter(|_| meant.is_none()) {
             return Err(message);
         }
         let known = titles.iter().filter(|title| !title.contains(' '));
         let known: Vec<&str> = known.map(String::as_str).collect();
-        let meant = match of_wheels {
-            Some(of_wheels) => format!("; did you mean {of_wheels}?"),
+        let meant = match meant {
+            Some(meant) => format!("; did you mean {meant}?"),
             None => did_you_mean(wanted, known.iter().copied()),
         };
         let then = if meant.is_empty() {

@@ -1,6 +1,7 @@
 //! Suggestions for a quantity that a design does not have under the given name.
 
 use crate::characteristics::parameters::columns;
+use crate::characteristics::title::Title;
 use crate::mechanism::{Description, Names, SteeringWheel};
 use crate::quantities::{
     Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
@@ -61,6 +62,15 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
         lines => format!("it needs {lines} under [vehicle], see suspension motion --help"),
     };
     Some(format!("there is no `{wanted}` of this mechanism: {needs}"))
+}
+
+/// The name in tables of the quantity that reports or tables call so: `roll_centre` for `Roll centre`, or for `height of the
+/// roll centre above the ground`.
+pub fn named_in_reports(wanted: &str, mechanism: &Description) -> Option<String> {
+    let mut columns = columns(mechanism).into_iter();
+    let wheels = &mechanism.names.wheels;
+    let found = columns.find(|column| Title::is_called(column, wheels, wanted))?;
+    Some(found.title())
 }
 
 /// The name of a quantity without that of a wheel of the mechanism: `camber` for `left_camber`; any other name

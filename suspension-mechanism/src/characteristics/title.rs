@@ -1,5 +1,6 @@
 //! Titles of numbers for people.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use suspension_motion_file::is_within;
@@ -33,6 +34,14 @@ impl Title {
         title
     }
 
+    /// Whether a name is that of a column in tables or in reports. Capital letters, brackets and the order of the words do not
+    /// matter: `Toe (left)` is `left_toe`.
+    pub fn is_called<N: Compiled>(column: &Column<N>, wheels: &[Wheel], name: &str) -> bool {
+        let names = [column.title(), Self::new(column, wheels).to_string()];
+        let wanted = words(name);
+        names.iter().any(|name| words(name) == wanted)
+    }
+
     /// The title of a part of the listing, such as a measure. It belongs to a wheel if its name has the words of one wheel's
     /// name, and others: `left_damper`.
     fn of_part(name: &str, wheels: &[Wheel]) -> Self {
@@ -53,6 +62,19 @@ impl Title {
             },
         }
     }
+}
+
+/// A name in small letters, in the form of those in tables: `toe_angle` for `Toe angle`.
+pub fn as_in_tables(name: &str) -> String {
+    name.to_lowercase().replace(' ', "_")
+}
+
+/// The words of a name in the order of the alphabet.
+fn words(name: &str) -> BTreeSet<String> {
+    let name = as_in_tables(name);
+    let words = name.split(['_', '(', ')']);
+    let words = words.filter(|word| !word.is_empty());
+    words.map(str::to_owned).collect()
 }
 
 /// A name without the words of another.

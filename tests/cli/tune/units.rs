@@ -91,6 +91,16 @@ fn an_invalid_tune_table_is_refused_at_its_place() {
             "`change` counts from the design position: state the drives that move",
         ),
         (
+            &FLAT.replace("of = \"toe\"", "of = \"Toe angle\""),
+            2,
+            "unknown quantity `Toe angle`; did you mean `toe`?\n",
+        ),
+        (
+            &FLAT.replace("of = \"toe\"", "of = \"Bump steer\""),
+            2,
+            "`bump_steer` is the derivative of `toe` with respect to a drive of travel; name `toe` in its place",
+        ),
+        (
             &FLAT.replace("of = \"toe\"", "of = \"toe_deg\""),
             2,
             "unknown quantity `toe_deg`; did you mean `toe`? Quantities are named without a unit",

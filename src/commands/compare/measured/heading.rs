@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use suspension_listing::did_you_mean::mistyped;
 
-use crate::characteristics::{Title, columns_of_positions, suggest_for_wheels};
+use crate::characteristics::{Title, as_in_tables, columns_of_positions, suggest_for_wheels};
 use crate::file::Dimension;
 use crate::mechanism::{Angle, Axis, Description, Length, Unit};
 use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
@@ -107,12 +107,8 @@ impl Named {
                 quantity: None,
             }));
         }
-        let wanted = words(name);
-        let is_called = |column: &Column| {
-            let for_people = Title::new(column, &mechanism.names.wheels).to_string();
-            let names = [column.title(), for_people];
-            names.iter().any(|name| words(name) == wanted)
-        };
+        let wheels = &mechanism.names.wheels;
+        let is_called = |column: &Column| Title::is_called(column, wheels, name);
         match known.iter().position(is_called) {
             Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
             None => meant(mechanism, &known, name).map_or(Ok(None), Err),
@@ -120,27 +116,14 @@ impl Named {
     }
 }
 
-/// Returns a name in small letters, in the form of those in tables.
-fn plain(name: &str) -> String {
-    name.to_lowercase().replace(' ', "_")
-}
-
-/// Returns the words of a name in the order of the alphabet, as rigs write `Toe (left)`.
-fn words(name: &str) -> BTreeSet<String> {
-    let name = plain(name);
-    let words = name.split(['_', '(', ')']);
-    let words = words.filter(|word| !word.is_empty());
-    words.map(str::to_owned).collect()
-}
-
 /// Says what is near to a name that no number has.
 fn meant(mechanism: &Description, known: &[Column], wanted: &str) -> Option<String> {
     let wheels = &mechanism.names.wheels;
     let names = known.iter();
     let names = names.flat_map(|each| [each.title(), Title::new(each, wheels).to_string()]);
-    let names: BTreeSet<String> = names.map(|name| plain(&name)).collect();
+    let names: BTreeSet<String> = names.map(|name| as_in_tables(&name)).collect();
     let names = names.iter().map(String::as_str);
-    let name = plain(wanted);
+    let name = as_in_tables(wanted);
     // A single letter is an axis, behind many names.
     let of_wheels = suggest_for_wheels(&name, names.clone()).filter(|_| name.len() > 1);
     let near = || mistyped(&name, names).map(|near| format!("`{near}`"));

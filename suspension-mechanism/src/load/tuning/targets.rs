@@ -3,7 +3,9 @@
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
-use crate::characteristics::{columns, not_of_this, suggest_for_wheels, zero_at_design};
+use crate::characteristics::{
+    as_in_tables, columns, named_in_reports, not_of_this, suggest_for_wheels, zero_at_design,
+};
 use crate::failure::Failure;
 use crate::file::TargetTable;
 use crate::load::tuning::naming::Naming;
@@ -52,12 +54,15 @@ impl Naming<'_> {
         if let Some(found) = names.iter().position(|name| name == wanted) {
             return Ok(columns.swap_remove(found));
         }
-        if let Some(meant) = suggest_for_wheels(wanted, names.iter().copied()) {
+        let named = as_in_tables(wanted);
+        let meant = named_in_reports(wanted, self.mechanism).map(|name| format!("`{name}`"));
+        let meant = meant.or_else(|| suggest_for_wheels(&named, names.iter().copied()));
+        if let Some(meant) = meant {
             return refuse(format!(
                 "unknown quantity `{wanted}`; did you mean {meant}?"
             ));
         }
-        if let Some(message) = not_of_this(wanted, self.mechanism) {
+        if let Some(message) = not_of_this(&named, self.mechanism) {
             return refuse(message);
         }
         let begun = |name: &&&str| wanted.starts_with(&format!("{name}_"));
