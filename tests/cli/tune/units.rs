@@ -197,6 +197,29 @@ fn an_invalid_tune_table_is_refused_at_its_place() {
     }
 }
 
+/// In mm the example was [-6e1, 6e1].
+#[test]
+fn an_example_of_a_range_has_the_numbers_of_the_files_unit() {
+    let tune = FLAT.replace("over = { bump = [-0.06, 0.06] }\n", "");
+    for (unit, scale, expected) in [
+        ("m", 1.0, "[-0.06, 0.06] in m\n"),
+        ("mm", 1000.0, "[-60, 60] in mm\n"),
+        ("in", 1.0 / 0.0254, "[-2, 2] in in\n"),
+    ] {
+        let drives = format!("bump = {}\nsteer = {}", 0.3 * scale, 0.34 * scale);
+        let points = corner::POINTS.map(|(name, point)| {
+            let point = point.map(|coordinate| coordinate * scale);
+            format!("{name} = {point:?}\n")
+        });
+        let file = file("double_wishbone", &drives, &tune) + "[points]\n" + &points.concat();
+        let file = file.replace("unit = \"m\"", &format!("unit = \"{unit}\""));
+        let folder = folder();
+        let output = tuned(folder.path(), &file);
+        assert_eq!(output.status.code(), Some(2), "{unit}: {output:?}");
+        assert!(text(&output.stderr).ends_with(expected), "{output:?}");
+    }
+}
+
 /// In a file in metres a box in millimetres is noted before the search.
 #[test]
 fn the_limits_of_a_move_in_another_unit_are_noted() {

@@ -6,7 +6,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Description;
-use crate::number::rounded;
+use crate::number::number;
 
 /// A mechanism, and the file that names parts of it.
 #[derive(Clone, Copy)]
@@ -29,7 +29,9 @@ impl Naming<'_> {
     /// A range of lengths as an example of what to write: about so many metres either way, in the file's unit.
     pub(super) fn example(&self, metres: f64) -> String {
         let unit = self.mechanism.unit;
-        let end = rounded(metres * unit.metre(), 1);
+        let end = metres * unit.metre();
+        let digit = 10.0_f64.powf(end.log10().floor());
+        let end = number((end / digit).round() * digit);
         format!("[-{end}, {end}] in {}", unit.symbol())
     }
 
