@@ -86,6 +86,8 @@ fn title_over(does: Does, quantity: &str) -> String {
 fn near_infinity(curves: &Curves) -> Vec<String> {
     let cut = curves.lines.iter().filter(|line| line.is_cut);
     let cut: Vec<&Title> = cut.map(|line| &line.title).collect();
+    let drawn = curves.lines.iter().map(|line| &line.title);
+    let all: Vec<&Title> = drawn.chain(&curves.left_out).collect();
     let left_out: Vec<&Title> = curves.left_out.iter().collect();
     let what = [
         ("Cut where they are near infinity", cut),
@@ -97,14 +99,24 @@ fn near_infinity(curves: &Curves) -> Vec<String> {
     let what = what.into_iter().filter(|(_, titles)| !titles.is_empty());
     let sentence = |(what, titles): (&str, Vec<&Title>)| {
         let groups = grouped(&titles, |title| &title.of_wheel);
-        let names = groups.iter().map(|group| group[0].of_wheel.as_str());
-        let names: Vec<&str> = names.collect();
+        let names = groups.iter().flat_map(|group| of_wheels(group, &all));
+        let names: Vec<String> = names.collect();
         format!(
             "{what}: {}. suspension sweep writes all values.",
             names.join(", ")
         )
     };
     what.map(sentence).collect()
+}
+
+/// The name of a quantity of all wheels, or those of the wheels that some of its titles have.
+fn of_wheels(some: &[&&Title], all: &[&Title]) -> Vec<String> {
+    let of_wheel = &some[0].of_wheel;
+    let all = all.iter().filter(|title| title.of_wheel == *of_wheel);
+    if some.len() == all.count() {
+        return vec![of_wheel.clone()];
+    }
+    some.iter().map(ToString::to_string).collect()
 }
 
 /// The names of groups of lines.

@@ -141,6 +141,24 @@ fn charts_of_constants_are_left_out() {
     assert!(titles(heave).contains(&"wheel centre x"));
 }
 
+/// The right wheel's curve of this height is long enough to be cut, the left one's is left out.
+#[test]
+fn notes_on_curves_of_one_wheel_name_the_wheel() {
+    let folder = folder();
+    let file = include_str!("../../../examples/live_axle_panhard.toml");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let heave = section(text(&output.stdout), "Over heave");
+    for note in [
+        "<p>Cut where they are near infinity: instant centre in the side view x, right instant centre in the side view z, \
+         swing arm in the side view. ",
+        "<p>Left out, as they are at infinity or pass through it: left instant centre in the side view z. ",
+    ] {
+        assert!(heave.contains(note), "{heave}");
+    }
+}
+
 /// Static toe of 0.2 deg makes the percentage run to hundreds at small steer angles.
 #[test]
 fn the_ackermann_percentage_is_drawn_from_five_degrees_of_steer() {
