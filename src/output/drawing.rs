@@ -117,13 +117,13 @@ impl Drawing {
         for axis in self.axes(at) {
             marks::axis(area, axis.map(|at| view.pixels(&at)).into(), opacity)?;
         }
-        for length in &self.lengths {
+        for length in self.without_force(&self.lengths) {
             marks::length(area, line(length), opacity)?;
         }
         for slide in &self.slides {
             marks::slide(area, line(slide), opacity)?;
         }
-        for link in &self.links {
+        for link in self.without_force(&self.links) {
             marks::link(area, line(link), opacity)?;
         }
         for rack in &self.racks {

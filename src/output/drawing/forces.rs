@@ -62,6 +62,18 @@ impl Drawing {
         forces.acting.iter().map(arrow).collect()
     }
 
+    /// Returns the lines with marks of their own: a line with a force is drawn by the force.
+    pub(super) fn without_force<'a>(
+        &self,
+        lines: &'a [[usize; 2]],
+    ) -> impl Iterator<Item = &'a [usize; 2]> {
+        let has_force = |ends: &[usize; 2]| {
+            let mut links = self.forces.iter().flat_map(|forces| &forces.links);
+            links.any(|link| link.ends == *ends)
+        };
+        lines.iter().filter(move |ends| !has_force(ends))
+    }
+
     /// Draws links with width and colour by their force, and the arrows.
     pub(super) fn draw_forces(&self, area: &Area<'_>, view: &View) -> Drawn {
         let Some(forces) = &self.forces else {

@@ -71,15 +71,9 @@ impl Drawing {
     /// Returns the marks that appear, with their meanings.
     fn marks(&self) -> Vec<(&'static str, Mark)> {
         use Mark::{Arrow, Line, Point, Polygon};
-        let forces = self.forces.as_ref();
-        let has_force = |ends: &[usize; 2]| {
-            let links = forces.into_iter().flat_map(|forces| &forces.links);
-            links.into_iter().any(|link| link.ends == *ends)
-        };
-        let has_loads = forces.is_some_and(|forces| !forces.acting.is_empty());
+        let any_without_force = |lines: &[[usize; 2]]| self.without_force(lines).next().is_some();
         // The title of a drawing with forces has the colours of links and lengths with a force.
-        let [links, lengths] =
-            [&self.links, &self.lengths].map(|lines| !lines.iter().all(has_force));
+        let [links, lengths] = [&self.links, &self.lengths].map(|lines| any_without_force(lines));
         let [racks, bars] = [&self.racks, &self.bars].map(|lines| !lines.is_empty());
         let [fixed, moving] = [self.chassis > 0, self.points.len() > self.chassis];
         let wheels = !self.wheels.is_empty();
@@ -93,7 +87,7 @@ impl Drawing {
             (lengths, "measured or driven length", Line(marks::length)),
             (bars, "bar or measured angle", Line(marks::bar)),
             (wheels, "kingpin or spin axis", Line(marks::axis)),
-            (has_loads, "load", Arrow(marks::load)),
+            (!self.arrows().is_empty(), "load", Arrow(marks::load)),
         ];
         let appear = marks.into_iter().filter(|(appears, ..)| *appears);
         appear.map(|(_, name, mark)| (name, mark)).collect()

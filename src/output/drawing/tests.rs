@@ -116,6 +116,32 @@ fn a_mechanism_without_points_has_no_drawing() {
     assert!(Drawing::default().svg(Seen::Oblique, SIZE).is_none());
 }
 
+/// A small pressure was a red line on the wider blue one of the link.
+#[test]
+fn a_line_with_a_force_has_the_colour_of_the_force_alone() {
+    let force = |ends, tension| InLink { ends, tension };
+    let loaded = Drawing {
+        slides: Vec::new(),
+        forces: Some(Forces {
+            title: "load case".to_owned(),
+            links: vec![
+                force([0, 2], -4.0),
+                force([1, 2], -4000.0),
+                force([1, 3], -4000.0),
+            ],
+            acting: Vec::new(),
+        }),
+        ..corner()
+    };
+    let svg = svg(&loaded);
+    let mut lines = svg.lines().filter(|line| !line.contains("<circle"));
+    let own = ["#1F5AA0", "#288246"];
+    assert_eq!(
+        lines.find(|line| own.iter().any(|own| line.contains(own))),
+        None
+    );
+}
+
 /// A number may overlap a thick bar.
 #[test]
 fn force_numbers_are_drawn_over_their_bars_in_a_darker_colour() {
