@@ -53,14 +53,15 @@ where
         for index in 0..20 {
             let jump = if index % 2 == 0 { other_side } else { 0.0 };
             let jump = jump + (random.uniform() - 0.5) * 0.04;
-            let mut truth = start;
-            let way = |t: f64| at(steer + jump * t, jump);
-            let followed = tracker.advance(&model, way, 0.0, 1.0, &mut truth);
             let mut motion = start;
             let between = [&at(steer, 0.0), &at(steer + jump, 0.0)];
             match tracker.step_between(&model, between, dt, &mut motion) {
                 Ok(_) => {
-                    followed.expect("no configuration, and yet a success");
+                    let mut truth = start;
+                    let way = |t: f64| at(steer + jump * t, jump);
+                    tracker
+                        .advance(&model, way, 0.0, 1.0, &mut truth)
+                        .expect("no configuration, and yet a success");
                     let off = (motion.position - truth.position).amax();
                     assert!(off < 1e-7, "another assembly, {off} m away, case {case}");
                     ends[0] += 1;
