@@ -50,10 +50,8 @@ pub(crate) fn near<T: Number, P: Values<Vector3<T>>>(
     by: f64,
     random: &mut fastrand::Rng,
 ) -> P {
-    let moved = points
-        .values()
-        .map(|point| point.map(|x| x + T::constant(by * (2.0 * random.f64() - 1.0))));
-    P::from_values(moved.collect::<Vec<_>>())
+    let mut near = |x| x + T::constant(by * (2.0 * random.f64() - 1.0));
+    P::from_values(points.values().map(|point| point.map(&mut near)))
 }
 
 /// Returns the points that the listing states, and random ones for the others.

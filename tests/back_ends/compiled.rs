@@ -31,8 +31,8 @@ macro_rules! listings {
                     walked: walked.expect("a geometry"),
                 };
                 for _ in 0..20 {
-                    let points = [0.05, 2.0, 30.0];
-                    let points = points.map(|by| near(&design, by, &mut random));
+                    let mut near = |by| near(&design, by, &mut random);
+                    let points = [near(0.05), near(2.0), near(30.0)];
                     twins.compare_functions(&points);
                     twins.with_lengths_of(&points[0]);
                 }

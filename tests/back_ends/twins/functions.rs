@@ -184,25 +184,25 @@ where
     }
 
     /// The unknowns of points and their rates, by each back end.
-    fn unknowns(&self, points: &[L::Points; 3]) -> ([SVector<T, N>; 3], [SVector<T, M>; 3]) {
-        let written = points
-            .each_ref()
-            .map(|points| self.written.unknowns(points));
-        let walked = points
-            .each_ref()
-            .map(|points| self.walked.unknowns(&as_other(points)));
-        for (written, walked) in written.iter().zip(&walked) {
-            self.same_vector("unknowns", written, walked);
-        }
-        (written, walked)
+    fn unknowns(
+        &self,
+        [at, rate, second]: &[L::Points; 3],
+    ) -> ([SVector<T, N>; 3], [SVector<T, M>; 3]) {
+        let of = |points| {
+            let written = self.written.unknowns(points);
+            let walked = self.walked.unknowns(&as_other(points));
+            self.same_vector("unknowns", &written, &walked);
+            (written, walked)
+        };
+        let ((q, q_walked), (v, v_walked), (w, w_walked)) = (of(at), of(rate), of(second));
+        ([q, v, w], [q_walked, v_walked, w_walked])
     }
 
     /// Returns their chassis points.
-    fn chassis(points: &[L::Points; 3]) -> ([L::Fixed; 3], [R::Fixed; 3]) {
-        let written = points
-            .each_ref()
-            .map(|points| L::Fixed::from_values(points.values()));
-        let walked = written.each_ref().map(as_other);
-        (written, walked)
+    fn chassis([at, rate, second]: &[L::Points; 3]) -> ([L::Fixed; 3], [R::Fixed; 3]) {
+        let of = |points: &L::Points| L::Fixed::from_values(points.values());
+        let [at, rate, second] = [of(at), of(rate), of(second)];
+        let walked = [as_other(&at), as_other(&rate), as_other(&second)];
+        ([at, rate, second], walked)
     }
 }
