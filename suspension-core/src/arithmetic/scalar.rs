@@ -31,13 +31,13 @@ pub trait Scalar:
 
     /// `self + a b`. Types with a fused multiply-add round once; `f32` and `f64` round the product too, so that they
     /// give the same bits on every target.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn plus_product(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
     /// `self - a b`, rounded as [`plus_product`](Self::plus_product).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn minus_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
@@ -62,12 +62,12 @@ pub trait Real: Scalar + RealField {
 }
 
 impl Scalar for f32 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         value as f32
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn nearest_integer(self) -> Self {
         // A sum with a number this large has no digits left for a fraction.
         const LARGE: f32 = 1.5 / f32::EPSILON;
@@ -79,7 +79,7 @@ impl Real for f32 {
     const EPSILON: Self = f32::EPSILON;
     const SMALLEST: Self = f32::MIN_POSITIVE;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
         f32::max(f32::abs(self), f32::abs(other))
     }
@@ -91,12 +91,12 @@ impl Real for f32 {
 }
 
 impl Scalar for f64 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn constant(value: f64) -> Self {
         value
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn nearest_integer(self) -> Self {
         // A sum with a number this large has no digits left for a fraction.
         const LARGE: f64 = 1.5 / f64::EPSILON;
@@ -108,7 +108,7 @@ impl Real for f64 {
     const EPSILON: Self = f64::EPSILON;
     const SMALLEST: Self = f64::MIN_POSITIVE;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[inline(always)]
     fn larger_magnitude(self, other: Self) -> Self {
         f64::max(f64::abs(self), f64::abs(other))
     }
