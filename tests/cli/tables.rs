@@ -47,8 +47,10 @@ fn carmaker_rows(text: &str) -> BTreeMap<String, [f64; 3]> {
 #[test]
 fn tables_over_jounce_equal_the_changes_in_a_sweep() {
     let text = tables(CORNER, &["carsim", "--travel", "-0.04:0.05"]);
-    let swept = swept(CORNER, "bump=-0.04:0.05:61");
+    let mut swept = swept(CORNER, "bump=-0.04:0.05:61");
     let design = &self::swept(CORNER, "bump=0")[0];
+    // Tables have the design position in place of the nearest.
+    swept[27] = design.clone();
     assert!(
         text.starts_with("PARSFILE\n") && text.ends_with("END\n"),
         "{text}"
