@@ -50,7 +50,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 // Functions of the solving path are `inline(always)` in release builds, so that a step is straight-line code. A build
-// with debug assertions, such as that of the tests, compiles each function once, which takes less time.
+// with debug assertions, such as that of the tests, compiles all but the smallest functions once, which takes less time.
 
 // Nothing on the solving path may panic.
 #![cfg_attr(

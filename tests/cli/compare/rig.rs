@@ -49,6 +49,18 @@ fn a_table_of_sweep_is_equal_to_its_own_model() {
     }
 }
 
+/// Quantities of this name would be called `left bump`, which no option takes.
+#[test]
+fn a_drive_of_a_wheel_keeps_its_name() {
+    let table = "bump_left [mm],left toe [deg]\n0,0\n10,0\n";
+    let (_folder, output) = beside(&axle(), table, &[]);
+    let printed = text(&output.stdout);
+    assert!(
+        printed.contains("at a change of bump_left (mm)"),
+        "{printed}"
+    );
+}
+
 #[test]
 fn drives_that_seem_to_be_counted_otherwise_are_noted() {
     let own = swept(

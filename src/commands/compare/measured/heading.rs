@@ -85,7 +85,11 @@ impl Named {
             wheel.and_then(|wheel| Some((wheel.travel?, 1.0)))
         };
         Self {
-            title: Title::new(&column, &names.wheels).to_string(),
+            // A drive has the name by which options take it.
+            title: match is_drive {
+                true => column.name.clone(),
+                false => Title::new(&column, &names.wheels).to_string(),
+            },
             dimension: column.dimension,
             drives: drive.into_iter().collect(),
             quantity: (!is_drive).then_some(column),
