@@ -170,3 +170,20 @@ fn the_steering_wheel_leads_the_model() {
         "{output:?}"
     );
 }
+
+/// The order of words does not matter unless it tells two names apart.
+#[test]
+fn the_exact_name_is_found_before_others_of_the_same_words() {
+    let arm = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.0 }\nstatements = \"\"\"\n\
+               fixed: front at [0.3, 0, 0], rear at [-0.2, 0, 0];\nfree: tip at [0, 0.5, 0];\n\
+               hinge arm: front, rear -> tip;\ndrive bump: tip.z;\n\
+               measure front_to_tip: length(front -> tip);\nmeasure tip_to_front: length(rear -> tip);\n\"\"\"\n";
+    for (name, x) in [("front_to_tip", 0.3_f64), ("Tip to front", 0.2)] {
+        let table = format!("bump [m],{name} [m]\n0,{}\n", x.hypot(0.5));
+        let (_folder, output) = beside(arm, &table, &["--csv", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        for (names, [.., difference]) in rows(&output) {
+            assert!(difference.abs() < 1e-12, "{names:?} {difference}");
+        }
+    }
+}

@@ -112,8 +112,11 @@ impl Named {
             }));
         }
         let wheels = &mechanism.names.wheels;
+        let in_tables = as_in_tables(name);
+        let is_exact = |column: &Column| column.title() == in_tables;
         let is_called = |column: &Column| Title::is_called(column, wheels, name);
-        match known.iter().position(is_called) {
+        let found = known.iter().position(is_exact);
+        match found.or_else(|| known.iter().position(is_called)) {
             Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
             None => meant(mechanism, &known, name).map_or(Ok(None), Err),
         }
