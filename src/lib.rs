@@ -17,5 +17,5 @@ pub mod output;
 
 pub use suspension_mechanism::{
     assemblies, bake, characteristics, detail, failure, file, interrupt, kinematics, load, loads,
-    measured, mechanism, number, quantities, reach, sensitivities, tolerances, tune,
+    measured_table, mechanism, number, quantities, reach, sensitivities, tolerances, tune,
 };

@@ -3,10 +3,10 @@
 //! The code that `linkage!` generates runs on vectors of numbers. [`Lanes`] find out which instructions the processor
 //! has when they are made, so a default build is fast on any processor.
 
-mod contents;
 mod engine;
 mod instructions;
 mod lane;
+mod model_and_motion;
 mod number;
 mod plain;
 

@@ -12,7 +12,7 @@
 //!   until curves are met;
 //! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
 //! - [`assemblies`]: all ways to put a mechanism together;
-//! - [`measured`]: tables of measured numbers;
+//! - [`measured_table`]: tables of measured numbers;
 //! - [`detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
 
 pub mod assemblies;
@@ -23,7 +23,7 @@ pub mod dual;
 pub mod kinematics;
 pub mod load;
 pub mod loads;
-pub mod measured;
+pub mod measured_table;
 pub mod mechanism;
 pub mod quantities;
 pub mod reach;

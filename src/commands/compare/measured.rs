@@ -14,7 +14,7 @@ use crate::commands::compare::short_name::short_names;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::measured::MeasuredTable;
+use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced};
 use crate::number::counted;
 use crate::quantities::Column;

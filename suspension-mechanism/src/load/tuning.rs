@@ -5,7 +5,7 @@ mod moves;
 mod naming;
 pub(super) mod one_sided;
 mod targets;
-mod wanted;
+mod wanted_values;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Source, TuneTable, in_order};

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::file::tell;
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
-use crate::measured::MeasuredTable;
+use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Axis, Description, ends};
 
 /// A column that the model knows.

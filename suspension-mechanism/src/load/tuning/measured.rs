@@ -6,7 +6,7 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{CsvTable, Source};
 use crate::load::beside::read_beside;
-use crate::measured::MeasuredTable;
+use crate::measured_table::MeasuredTable;
 
 /// The points of the two columns that a motion file names.
 ///
