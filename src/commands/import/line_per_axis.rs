@@ -67,6 +67,7 @@ impl<'a> Coordinate<'a> {
         let (left, value) = line
             .split_once(['=', ':', ';', '\t', '|', ','])
             .or_else(|| line.rsplit_once(' '))?;
+        let is_between_commas = line[left.len()..].starts_with(',');
         let (left, unit) = left.split_once(['[', '(']).unwrap_or((left, ""));
         // A column behind the numbers may have the unit.
         let (value, unit) = match value.split_once([';', '\t', '|', ',']) {
@@ -76,7 +77,9 @@ impl<'a> Coordinate<'a> {
         let left = trimmed(left);
         let before = left.rfind(|c: char| !c.is_alphanumeric());
         let (name, axis) = left.split_at(before.map_or(0, |before| before + 1));
-        is_number(value).then(|| Self {
+        // Between commas `130,2` may be two columns.
+        let is_one = is_number(value) && !(is_between_commas && value.contains(','));
+        is_one.then(|| Self {
             name: trimmed(name),
             axis,
             value: value.trim(),

@@ -57,6 +57,15 @@ fn coordinates_without_their_point_or_order_are_no_point() {
     }
 }
 
+/// The number behind a comma may be decimals, or a tolerance.
+#[test]
+fn a_second_number_between_commas_is_not_read_as_decimals() {
+    let file = lines(|name, axis, value| format!("{name} {axis},{value},2\n"));
+    let said = refusal("a.csv", &file, &[]);
+    let expected = "a.csv:1:1: point `lca_front` needs three numbers in a row";
+    assert!(said.starts_with(expected), "{said}");
+}
+
 #[test]
 fn inches_behind_coordinates_are_the_unit() {
     let folder = folder();
