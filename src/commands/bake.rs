@@ -60,7 +60,7 @@ pub struct Arguments {
     language: Form,
     /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs,
     /// .h or .toml, where NAME is the motion file's name.
-    #[arg(long, alias = "output", value_name = "PATH")]
+    #[arg(short, long, alias = "output", value_name = "PATH")]
     out: Option<PathBuf>,
 }
 

@@ -21,7 +21,7 @@ pub struct Arguments {
     file: PathBuf,
     /// Write the SVG to PATH, or to standard output for `-`. Without it the SVG goes to out/NAME.svg, where NAME is the
     /// motion file's name.
-    #[arg(long, value_name = "PATH")]
+    #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
     /// The wheel radius, in the unit of the file. Without it the file's wheel_radius is used, or else 0.3 m.
     #[arg(

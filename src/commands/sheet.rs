@@ -44,7 +44,7 @@ pub struct Arguments {
     steer: Option<Span>,
     /// Write the page to PATH, or to standard output for `-`. Without it the page goes to out/NAME_sheet.html, where NAME
     /// is the motion file's name.
-    #[arg(long, value_name = "PATH")]
+    #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
 

@@ -41,7 +41,7 @@ pub struct Arguments {
     travel: Option<Span>,
     /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_carsim.par or out/NAME_carmaker.txt,
     /// where NAME is the motion file's name, followed by that of the wheel if --wheel is given.
-    #[arg(long, value_name = "PATH")]
+    #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
 

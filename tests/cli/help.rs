@@ -2,17 +2,35 @@
 
 use super::program::{folder, run, text};
 
-#[test]
-fn the_help_of_every_command_states_its_exit_codes() {
+/// The name of each command and its help.
+fn commands() -> Vec<(String, String)> {
     let folder = folder();
-    let help = run(folder.path(), &["--help"]);
-    let (_, behind) = text(&help.stdout)
-        .split_once("Commands:\n")
-        .expect("commands");
+    let help = |words: &[&str]| text(&run(folder.path(), words).stdout).to_owned();
+    let all = help(&["--help"]);
+    let (_, behind) = all.split_once("Commands:\n").expect("commands");
     let (commands, _) = behind.split_once("\n\n").expect("their end");
     let names = commands.lines().filter_map(|line| line.split(' ').nth(2));
-    for name in names.filter(|&name| name != "help") {
-        let help = run(folder.path(), &[name, "--help"]);
-        assert!(text(&help.stdout).contains("\nExit codes"), "{name}");
+    let names = names.filter(|&name| name != "help");
+    names
+        .map(|name| (name.to_owned(), help(&[name, "--help"])))
+        .collect()
+}
+
+#[test]
+fn the_help_of_every_command_states_its_exit_codes() {
+    for (name, help) in commands() {
+        assert!(help.contains("\nExit codes"), "{name}");
+    }
+}
+
+#[test]
+fn every_command_with_out_takes_its_first_letter_too() {
+    let with_out = commands()
+        .into_iter()
+        .filter(|(_, help)| help.contains("--out <PATH>"));
+    let with_out: Vec<_> = with_out.collect();
+    assert!(with_out.len() > 5);
+    for (name, help) in with_out {
+        assert!(help.contains("  -o, --out <PATH>"), "{name}");
     }
 }
