@@ -86,14 +86,39 @@ pub fn flat(
     includes: &dyn IncludeSource,
     at: &dyn Fn(&str) -> Option<[f64; 3]>,
 ) -> Result<String, Mistakes> {
-    let print = |input: ParseStream<'_>| flat::printed(input, includes, at);
-    let printed = with_lexer_places(|| {
-        let printed = tokens(text)?;
-        let printed = print.parse2(printed);
-        printed.map_err(|error| mistakes(text, &[], error))
+    parsed(text, file, |input| flat::printed(input, includes, at))
+}
+
+/// The names that a text declares, and their kinds: points first, then in the order stated.
+///
+/// # Errors
+///
+/// The mistakes of statements that cannot be read, in a text of any size. What else [`parse`](fn@parse) checks is not checked.
+pub fn declared(
+    text: &str,
+    file: &str,
+    includes: &dyn IncludeSource,
+) -> Result<Vec<(Name, Kind)>, Mistakes> {
+    parsed(text, file, |input| {
+        let (listing, errors) = parse::statements(input, Span::call_site(), includes)?;
+        errors.into_result()?;
+        Ok(listing.names())
+    })
+}
+
+/// What a parser makes of a text.
+fn parsed<R>(
+    text: &str,
+    file: &str,
+    parser: impl FnOnce(ParseStream<'_>) -> syn::Result<R>,
+) -> Result<R, Mistakes> {
+    let parsed = with_lexer_places(|| {
+        let tokens = tokens(text)?;
+        let parsed = parser.parse2(tokens);
+        parsed.map_err(|error| mistakes(text, &[], error))
     });
     proc_macro2::extra::invalidate_current_thread_spans();
-    printed.map_err(|mistakes| Mistakes {
+    parsed.map_err(|mistakes| Mistakes {
         file: file.to_owned(),
         mistakes,
     })

@@ -29,16 +29,16 @@ pub(super) struct Candidate<'a> {
 }
 
 impl<'a> Candidate<'a> {
-    pub(super) fn new(layout: &'a Layout, points: &[&'a Hardpoint], names: &Names) -> Self {
+    /// The layout with the points that the file has for it, given by the forms of their names.
+    pub(super) fn new(
+        layout: &'a Layout,
+        by_form: &BTreeMap<String, &'a Hardpoint>,
+        names: &Names,
+    ) -> Self {
         let (mut found, mut missing) = (Vec::new(), Vec::new());
-        // Points of one name are in one place, or `named_twice` refuses them: the first is taken.
-        let by_name = points.iter().rev();
-        let by_name: BTreeMap<String, &Hardpoint> = by_name
-            .map(|point| (names.normal(&point.key), *point))
-            .collect();
-        let named = |name: &str| by_name.get(&names.normal(name));
         for name in layout.points.iter().cloned() {
-            let point = names.of_point(&name).find_map(named).copied();
+            let mut forms = names.forms_of(&name).iter();
+            let point = forms.find_map(|form| by_form.get(form)).copied();
             match point {
                 Some(point) => found.push((name, point)),
                 None => missing.push(name),
@@ -118,7 +118,7 @@ impl<'a> Candidate<'a> {
             used.any(|used| std::ptr::eq(used, point))
         };
         self.found.iter().find_map(|(name, taken)| {
-            let forms: Vec<String> = names.of_point(name).map(|name| names.normal(name)).collect();
+            let forms = names.forms_of(name);
             let mut others = points.iter().filter(|point| !is_used(point) && point.at != taken.at);
             let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
             let [other, taken] = [*other, *taken].map(|point| {

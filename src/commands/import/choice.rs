@@ -1,6 +1,7 @@
 //! The choice of the layout for a file: the one that uses most of its points and lacks none.
 
 use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 use suspension_runtime::{Listing, Mistakes, catalogue};
 
@@ -78,7 +79,13 @@ pub(super) fn choose<'a>(
 ) -> Result<Choice<'a>, String> {
     let layouts = names.layouts.iter();
     let layouts = layouts.filter(|layout| wanted.is_none_or(|wanted| wanted == layout.name));
-    let candidates = layouts.map(|layout| Candidate::new(layout, points, names));
+    // Points of one name are in one place, or the candidate refuses them: the first is taken.
+    let by_form = points
+        .iter()
+        .rev()
+        .map(|point| (names.normal(&point.key), *point));
+    let by_form: BTreeMap<String, &Hardpoint> = by_form.collect();
+    let candidates = layouts.map(|layout| Candidate::new(layout, &by_form, names));
     let mut candidates: Vec<Candidate<'a>> = candidates.collect();
     candidates.sort_by_key(|candidate| {
         let (found, needed) = (candidate.found.len(), candidate.needed().len());

@@ -1,7 +1,7 @@
 //! The layouts of the catalogue with the names of their points.
 
 use suspension_core::linkages::LISTINGS;
-use suspension_listing::text;
+use suspension_listing::{Kind, text};
 use suspension_runtime::{CatalogueAndFiles, Mistakes};
 
 /// A layout of the catalogue.
@@ -15,7 +15,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Reads all layouts, without the search for an order of elimination.
+    /// Reads the names that all layouts declare.
     ///
     /// # Errors
     ///
@@ -26,11 +26,11 @@ impl Layout {
     }
 
     fn read(name: &'static str, text: &'static str) -> Result<Self, Mistakes> {
-        let system = text::parse(text, name, &CatalogueAndFiles::beside(name))?;
-        let points = system.fixed.iter().chain(&system.free);
-        let points = points.map(|point| &point.named.name);
-        let markers = system.markers.iter().map(|marker| &marker.named.name);
-        let points = points.chain(markers).map(ToString::to_string).collect();
+        let declared = text::declared(text, name, &CatalogueAndFiles::beside(name))?;
+        let points = declared.into_iter().filter(|(_, kind)| {
+            [Kind::CHASSIS_POINT, Kind::FREE_POINT, Kind::MARKER].contains(kind)
+        });
+        let points = points.map(|(name, _)| name.to_string()).collect();
         Ok(Self { name, text, points })
     }
 }

@@ -48,7 +48,9 @@ pub(super) struct Names {
     pub(super) unsaid: Vec<String>,
     pub(super) arrangement: Arrangement,
     words: Words,
-    /// The names of all points, and of all numbers, in their normal forms.
+    /// The normal forms of the names of each point.
+    forms: BTreeMap<String, Vec<String>>,
+    /// The normal forms of the names of all points, and of all numbers.
     known_points: BTreeSet<String>,
     known_numbers: BTreeSet<String>,
 }
@@ -70,11 +72,22 @@ impl Names {
         }
         let names = all(&table.points).chain(all(&table.numbers));
         let words = Words::new(names, &table.words, &table.unsaid);
-        let known = |rows| all(rows).map(|name| words.normal(name)).collect();
+        let forms: BTreeMap<String, Vec<String>> = table
+            .points
+            .keys()
+            .map(|point| {
+                let names = spellings(&table.points, point);
+                (
+                    point.clone(),
+                    names.map(|name| words.normal(name)).collect(),
+                )
+            })
+            .collect();
         Ok(Self {
             layouts,
-            known_points: known(&table.points),
-            known_numbers: known(&table.numbers),
+            known_points: forms.values().flatten().cloned().collect(),
+            forms,
+            known_numbers: all(&table.numbers).map(|name| words.normal(name)).collect(),
             points: table.points,
             numbers: table.numbers,
             synonyms: table.words,
@@ -87,6 +100,11 @@ impl Names {
     /// Returns the names of a point of a listing, its own name first.
     pub(super) fn of_point<'a>(&'a self, point: &'a str) -> impl Iterator<Item = &'a str> {
         spellings(&self.points, point)
+    }
+
+    /// Returns the forms of the names of a point of a listing, that of its own name first.
+    pub(super) fn forms_of(&self, point: &str) -> &[String] {
+        self.forms.get(point).map_or(&[], Vec::as_slice)
     }
 
     /// Returns the form that all spellings of a name have.

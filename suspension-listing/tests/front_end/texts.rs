@@ -56,6 +56,21 @@ drive z: p.z;
     );
 }
 
+/// Statements that cannot be read are mistakes; that two equations do not determine three unknowns is not looked for.
+#[test]
+fn declared_names_come_from_statements_alone() {
+    let read = |text| text::declared(text, "corner.linkage", &NoIncludes);
+    let names = read("fixed: a;\nlink rod: a -> p;\nfree: p;\ndrive z: p.z;").expect("names");
+    let names = names.iter().map(|(name, kind)| format!("{kind} {name}"));
+    assert_eq!(
+        names.collect::<Vec<_>>().join(", "),
+        "chassis point a, free point p, link rod, drive z"
+    );
+    let refused = read("fixed: a;\nlink rod: a => p;").map(|_| ());
+    let message = refused.expect_err("a mistake").to_string();
+    assert!(message.starts_with("corner.linkage:2:13: "), "{message}");
+}
+
 #[test]
 fn after_a_point_of_a_list_a_comma_or_semicolon_is_expected() {
     let message = only_message("fixed: a at [0, 0, 0]\nfree: p;\nlink rod: a -> p;");
