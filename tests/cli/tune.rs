@@ -229,7 +229,9 @@ within = 0.1
     );
     let written = std::fs::read_to_string(folder.path().join("a_tuned.toml")).expect("a file");
     assert!(
-        written.contains("upper_rear = [-0.15, 0.42, 0.432] # both\n"),
+        written.contains(
+            "upper_rear = [-0.15, 0.42, 0.432] # moved by tune from [-0.15, 0.42, 0.42]; both\n"
+        ),
         "{written}"
     );
     let found = &swept(folder.path())[48];

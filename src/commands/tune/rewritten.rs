@@ -45,7 +45,11 @@ pub(super) fn rewritten(
             continue;
         }
         match file.points.get_ref().get(name.as_str()) {
-            Some(stated) => edits.push((place(stated), coordinates(&after))),
+            Some(stated) => {
+                let place = place(stated);
+                edits.extend(remark(source.text(), &place));
+                edits.push((place, coordinates(&after)));
+            }
             None => added.push(format!("{name} = {}", coordinates(&after))),
         }
     }
@@ -62,6 +66,21 @@ fn place(stated: &Spanned<Position>) -> Range<usize> {
         Position::At(_) => stated.span(),
         Position::Off(Offset { offset, .. }) => offset.span(),
     }
+}
+
+/// How the remark on a point that has moved begins.
+const MOVED: &str = "moved by tune from";
+
+/// Returns the edit that adds the former position, at `place`, to a comment behind it, such as the one by which `import` says
+/// where a point is from. A comment that has a former position keeps it.
+fn remark(text: &str, place: &Range<usize>) -> Option<(Range<usize>, String)> {
+    let line = &text[place.end..line_end(text, place.end)];
+    let (between, comment) = line.split_once('#')?;
+    let is_behind = between.chars().all(|c| matches!(c, ' ' | '\t' | '}'));
+    let is_said = comment.trim_start().starts_with(MOVED);
+    let at = place.end + between.len() + 1;
+    let remark = format!(" {MOVED} {};", &text[place.clone()]);
+    (is_behind && !is_said).then_some((at..at, remark))
 }
 
 fn coordinates(point: &Vector3<f64>) -> String {
@@ -175,6 +194,31 @@ mod tests {
             (-1e-12, "0.0"),
         ] {
             assert_eq!(decimal(value), expected);
+        }
+    }
+
+    #[test]
+    fn a_comment_behind_a_moved_point_gets_the_former_position() {
+        let remarked = |text: &str| {
+            let place = text.find('[').expect("a list")..text.find(']').expect("its end") + 1;
+            remark(text, &place).map(|edit| edited(text, vec![edit]))
+        };
+        assert_eq!(
+            remarked("a = [1, 2, 3]  # LCA front, h.csv:3\n# b").as_deref(),
+            Some("a = [1, 2, 3]  # moved by tune from [1, 2, 3]; LCA front, h.csv:3\n# b")
+        );
+        assert_eq!(
+            remarked("a = { from = \"b\", offset = [0, 1, 2] } # h.csv:3").as_deref(),
+            Some(
+                "a = { from = \"b\", offset = [0, 1, 2] } # moved by tune from [0, 1, 2]; h.csv:3"
+            )
+        );
+        for unchanged in [
+            "a = [1, 2, 3]\n# the next line",
+            "a = [1, 2, 3] # moved by tune from [1, 2, 2]; h.csv:3",
+            "points = { a = [1, 2, 3], b = [4, 5, 6] } # both",
+        ] {
+            assert_eq!(remarked(unchanged), None, "{unchanged}");
         }
     }
 
