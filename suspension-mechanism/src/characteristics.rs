@@ -18,7 +18,7 @@ mod span;
 mod title;
 mod way;
 
-pub use along::{Along, no_steering, shorter_roll, unmet_range, ways};
+pub use along::{Along, no_steering, shorter_roll, unmet_range, usual_change, ways};
 pub use curves::{Curves, curves};
 pub use grid_table::{GridTable, columns_of_positions};
 pub use instead::{named_in_reports, not_of_this, suggest_for_wheels, zero_at_design};

@@ -132,6 +132,16 @@ impl MeasuredTable {
         self.lines.iter().enumerate().map(number).collect()
     }
 
+    /// The number of a line in the file, from one, as failures state it; the argument counts from zero below the headings.
+    pub fn line_in_file(&self, line: usize) -> u64 {
+        let position = self.lines[line].position();
+        let (start, number) = position.map_or((0, 1), |it| (it.byte() as usize, it.line()));
+        // The record may begin before lines that it does not have.
+        let text = &self.source.text()[start..];
+        let before = &text[..text.len() - content(text).len()];
+        number + before.matches('\n').count() as u64
+    }
+
     /// The failure at a heading.
     pub fn refuse_heading(&self, column: usize, message: impl std::fmt::Display) -> Failure {
         self.refuse(&self.headings, column, message)

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::characteristics::{Curves, Does, Line};
 use crate::commands::compare::by_wheel::{are_unlike, by_wheel};
-use crate::commands::compare::differences::{Difference, Part, pairs, title_of_both};
+use crate::commands::compare::differences::{Difference, Part, Place, pairs, title_of_both};
 use crate::mechanism::Unit;
 
 /// The curves of both suspensions over the same kind of motion.
@@ -61,7 +61,14 @@ impl<'a> CurvePair<'a> {
 /// Returns the largest difference of two lines, over the places where both have values.
 fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
     let places = curves.changes.iter().zip(a.values.iter().zip(&b.values));
-    let places = places.filter_map(|(at, (a, b))| Some((*at, [(*a)?, (*b)?])));
+    let place = |(at, (a, b)): (&f64, (&Option<f64>, &Option<f64>))| {
+        Some(Place {
+            at: *at,
+            from_design: *at,
+            values: [(*a)?, (*b)?],
+        })
+    };
+    let places = places.filter_map(place);
     let named = (title_of_both([&a.title, &b.title]), a.symbol.clone());
     Difference::largest(named, &places.collect::<Vec<_>>())
 }

@@ -16,19 +16,33 @@ pub(super) struct Difference {
     pub(super) rms: Option<f64>,
 }
 
-/// A change of the drive, and the values of both curves there.
-pub(super) type Place = (f64, [f64; 2]);
+/// A place where both have values.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    /// What people find it by: the change of the drive, for one.
+    pub(super) at: f64,
+    /// How far it is from the design position.
+    pub(super) from_design: f64,
+    pub(super) values: [f64; 2],
+}
+
+impl Place {
+    fn difference(&self) -> f64 {
+        let [a, b] = self.values;
+        b - a
+    }
+}
 
 impl Difference {
     /// Returns the difference of a quantity, named with its unit, where it is largest; `None` without places.
     pub(super) fn largest((quantity, symbol): (String, String), places: &[Place]) -> Option<Self> {
-        let offs = || places.iter().map(|(_, [a, b])| b - a);
+        let offs = || places.iter().map(Place::difference);
         let [least, greatest] = ends(offs())?;
         let by = |size: &dyn Fn(&Place) -> f64| {
             let places = places.iter().copied();
             places.max_by(|a, b| size(a).total_cmp(&size(b)))
         };
-        let (at, values) = by(&|(_, [a, b])| (b - a).abs())?;
+        let Place { at, values, .. } = by(&|place| place.difference().abs())?;
         let squares: f64 = offs().map(|off| off * off).sum();
         let mut difference = Self {
             quantity,
@@ -43,7 +57,7 @@ impl Difference {
         }
         if difference.is_rounding_of(greatest - least) {
             difference.at = None;
-            (_, difference.values) = by(&|(at, _)| -at.abs())?;
+            difference.values = by(&|place| -place.from_design.abs())?.values;
         }
         Some(difference)
     }

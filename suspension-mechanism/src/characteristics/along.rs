@@ -68,7 +68,7 @@ pub fn ways(
     for course in Course::all(mechanism) {
         let option = usize::from(course.does == Does::Steer);
         let kind = names.drives[course.drives[0].0].kind;
-        let (span, metres) = (spans[option], USUAL[option]);
+        let span = spans[option];
         let metre = mechanism.unit.metre();
         let span = match (span, kind) {
             (Some(span), DriveKind::Coordinate) => {
@@ -78,8 +78,10 @@ pub fn ways(
             (Some(Span(ends)), DriveKind::Angle | DriveKind::Turn) => {
                 ends.map(|end| end / unit.angle.radian())
             }
-            (None, DriveKind::Coordinate) => [-metres, metres].map(|end| end * metre),
-            (None, DriveKind::Angle | DriveKind::Turn) => [-USUAL_ANGLE, USUAL_ANGLE],
+            (None, kind) => {
+                let end = usual_change(course.does, kind, mechanism.unit);
+                [-end, end]
+            }
         };
         let Some(span) = within_travel(course.does, span) else {
             continue;
@@ -95,6 +97,14 @@ pub fn ways(
         ));
     }
     Ok(ways)
+}
+
+/// The usual largest change of a drive to either side: in the unit of lengths, or in radians.
+pub fn usual_change(does: Does, kind: DriveKind, unit: Unit) -> f64 {
+    match kind {
+        DriveKind::Coordinate => USUAL[usize::from(does == Does::Steer)] * unit.metre(),
+        DriveKind::Angle | DriveKind::Turn => USUAL_ANGLE,
+    }
 }
 
 /// Returns the first failure if places of a range are missing. A lock within a range that the user does not state is no failure:

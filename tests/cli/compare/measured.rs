@@ -1,5 +1,8 @@
 //! A suspension beside a table of measured numbers.
 
+mod mistakes;
+mod several;
+
 use std::process::Output;
 
 use super::super::program::{CORNER, folder, run, text};
@@ -175,108 +178,8 @@ fn drives_that_move_together_are_one_column() {
     for (names, [.., difference]) in &found {
         assert!(difference.abs() < 1e-9, "{names:?} {difference}");
     }
-    let each = "left wheel travel [mm],right wheel travel [mm],left toe [deg]\n0,0,0\n9,9,0\n";
-    let (_folder, output) = beside(&axle, each, &[]);
-    let message = text(&output.stderr);
-    assert!(
-        message.contains("as `bump_left,bump_right [mm]`"),
-        "{message}"
-    );
     let travel = "wheel travel [mm],left toe [deg]\n0,0\n";
     let (_folder, output) = beside(&axle, travel, &[]);
     let expected = "m.csv:1:1: unknown quantity `wheel travel`; did you mean `left_wheel_travel` or `right_wheel_travel`?";
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
-}
-
-#[test]
-fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
-    for (table, options, expected) in [
-        (
-            "",
-            &[][..],
-            "m.csv:1:1: the file is empty; it needs a line of headings",
-        ),
-        (
-            "bump [mm],camer [deg]\n",
-            &[],
-            "m.csv:1:11: unknown quantity `camer`; did you mean `camber`? A column whose heading is empty is left out",
-        ),
-        (
-            "bump [mm],Chamber Angle [deg]\n",
-            &[],
-            "m.csv:1:11: unknown quantity `Chamber Angle`; did you mean `camber_angle`?",
-        ),
-        (
-            "bump [mm],caster\n",
-            &[],
-            "m.csv:1:11: `caster` states no unit; write `caster [deg]`",
-        ),
-        (
-            "bump [mm];toe [mm]\n",
-            &[],
-            "m.csv:1:11: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
-        ),
-        (
-            "toe [deg]\n0.1\n",
-            &[],
-            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), with wheel travel, ",
-        ),
-        (
-            "bump [mm],steer [mm],toe [deg]\n0,0,0\n1,1,0\n",
-            &[],
-            "m.csv:1:11: `bump` and `steer` both say where the model is, and one column must; empty the heading of one or, where drives move alike, name them in one \
-             heading, as `bump,steer [mm]`",
-        ),
-        (
-            "toe [deg]\tbump [mm]\n",
-            &[],
-            "m.csv:1:11: the table needs a column of a quantity beside this one, as `toe [deg]`, and lines of numbers; suspension sweep writes",
-        ),
-        (
-            "bump [mm]\ttoe [deg]\n-20\t0,1\n0\t-\n",
-            &[],
-            "m.csv:3:3: `-` in column `toe [deg]` is not a finite number, as -0.5",
-        ),
-        (
-            "toe [deg];bump [mm]\n0;-20,0\n0;20\n0; 900\n",
-            &[],
-            "m.csv:4:4: 900 mm from the design position is out of the model's reach, which has those from -20 to 20 mm; leave out \
-             the lines beyond. suspension range a.toml says what stops the model",
-        ),
-        (
-            "toe [deg],wheel travel [mm]\n0,-900\n",
-            &[],
-            "m.csv:2:3: -900 mm from the design position is out of the model's reach, which has none of the places; leave out",
-        ),
-        (
-            "bump [mm],toe [deg]\n0,0,0,1\n",
-            &[],
-            "m.csv:2:5: the line has more fields than there are headings; with decimal commas, separate the fields by semicolons",
-        ),
-        (
-            "# Rig 17\n\nwheel travel [mm],toe [deg]\n# begin\n0,0\n,0\n",
-            &[],
-            "m.csv:6:1: the line has no number in column `wheel travel [mm]`",
-        ),
-        (
-            "steer [mm],toe\nmm,mm\n0,0\n",
-            &[],
-            "m.csv:1:12: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
-        ),
-        (
-            "toe [deg],\"bump,-steer [mm]\"\n0,0\n",
-            &["--absolute"],
-            "m.csv:1:11: the drives `bump,-steer` move together from the design position; state their changes, and leave out --absolute",
-        ),
-        (
-            "toe [deg],bump [mm]\n0,0\n",
-            &["--travel", "-1:1"],
-            "m.csv: the table states the places; leave --travel and --steer out",
-        ),
-    ] {
-        let (_folder, output) = beside(CORNER, table, options);
-        assert_eq!(output.status.code(), Some(2), "{table}: {output:?}");
-        let message = text(&output.stderr);
-        assert!(message.starts_with(expected), "{expected}\n{message}");
-    }
 }

@@ -1,12 +1,18 @@
 //! The columns of a measured table: what each one states, with its numbers.
 
+use std::collections::BTreeSet;
+
+use suspension_core::listing::DriveKind;
+
 use super::heading::Stated;
+use crate::characteristics::{Does, usual_change};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
-use crate::mechanism::{Axis, Description, ends};
+use crate::mechanism::{Description, ends};
+use crate::quantities::{Column, WHEEL_TRAVEL};
 
 /// A column that the model knows.
 pub(super) struct Known {
@@ -15,11 +21,13 @@ pub(super) struct Known {
     pub(super) stated: Stated,
     /// Those of a drive count from the design position; those of a quantity are NaN where a field is empty.
     pub(super) numbers: Vec<f64>,
+    /// For a drive: a sentence if its numbers seem to be in another unit, or counted otherwise.
+    doubt: Option<String>,
 }
 
 impl Known {
-    /// Reads the columns of a table whose drives have changes or, if `absolute`, their own values; prints notes on the columns
-    /// that are left out, and on doubtful values.
+    /// Reads the columns of a table whose drives have changes or, if `absolute`, their own values; prints a note on the columns
+    /// that are left out.
     ///
     /// # Errors
     ///
@@ -40,6 +48,7 @@ impl Known {
                 None => left_out.push(format!("`{heading}`")),
             }
         }
+        check_once(table, &known)?;
         tell_left_out(table.name(), &left_out);
         let known = known.into_iter();
         known
@@ -53,24 +62,25 @@ impl Known {
         (column, stated): (usize, Stated),
         absolute: bool,
     ) -> Result<Self, Failure> {
-        let numbers = if stated.named.quantity.is_some() {
-            table.numbers_or_nan(column)?
-        } else {
-            let zero = match absolute {
-                true => at_design(mechanism, &stated),
-                false => Ok(0.0),
-            };
-            let zero = zero.map_err(|message| table.refuse_heading(column, message))?;
-            let numbers = table.numbers(column)?;
-            if let Some(doubt) = doubt(mechanism, &stated, &numbers, absolute) {
-                tell(format_args!("note: {}: {doubt}", table.name()));
-            }
-            numbers.into_iter().map(|number| number - zero).collect()
+        if stated.named.quantity.is_some() {
+            return Ok(Self {
+                column,
+                stated,
+                numbers: table.numbers_or_nan(column)?,
+                doubt: None,
+            });
+        }
+        let zero = match absolute {
+            true => at_design(mechanism, &stated),
+            false => Ok(0.0),
         };
+        let zero = zero.map_err(|message| table.refuse_heading(column, message))?;
+        let numbers = table.numbers(column)?;
         Ok(Self {
             column,
+            doubt: doubt(mechanism, &stated, &numbers, absolute),
+            numbers: numbers.into_iter().map(|number| number - zero).collect(),
             stated,
-            numbers,
         })
     }
 
@@ -79,23 +89,67 @@ impl Known {
         self.stated.named.quantity.is_none()
     }
 
-    /// Whether it says where the model is: a drive, wheel travel or the angle of the steering wheel.
-    pub(super) fn leads(&self) -> bool {
-        !self.stated.named.drives.is_empty()
-    }
-
     pub(super) fn changes(&self) -> bool {
         ends(self.numbers.iter().copied()).is_some_and(|[least, greatest]| least < greatest)
     }
 
-    /// The drives that stay at the first number.
-    pub(super) fn held(&self) -> Axis {
-        let first = self.numbers.first();
-        Axis {
-            drives: self.stated.named.drives.clone(),
-            values: first.map(|at| at / self.stated.scale).into_iter().collect(),
-        }
+    /// The wheel travel that it states.
+    pub(super) fn travel(&self) -> Option<&Column> {
+        let quantity = self.stated.named.quantity.as_ref();
+        quantity.filter(|quantity| quantity.is(&WHEEL_TRAVEL))
     }
+
+    /// The numbers of a column that leads as parts of the usual range, so that lengths and angles can be compared.
+    pub(super) fn shares(&self, mechanism: &Description) -> Vec<f64> {
+        let Description { names, unit, .. } = mechanism;
+        let (drive, per) = self.stated.named.drives[0];
+        let does = match names.vehicle.steer.contains(&drive) {
+            true => Does::Steer,
+            false => Does::Travel,
+        };
+        let usual = match self.travel() {
+            Some(_) => usual_change(Does::Travel, DriveKind::Coordinate, *unit),
+            None => usual_change(does, names.drives[drive].kind, *unit) / per.abs(),
+        };
+        let numbers = self.numbers.iter();
+        numbers.map(|at| at / self.stated.scale / usual).collect()
+    }
+
+    /// What its numbers count, with their unit: changes of drives, or of the steering wheel, or wheel travel.
+    pub(super) fn label(&self) -> String {
+        let Stated { named, symbol, .. } = &self.stated;
+        let change = self.travel().map_or("change of ", |_| "");
+        format!("{change}{} ({symbol})", named.title)
+    }
+}
+
+/// Prints the doubts on columns that lead, but not on the noise of one that a rig holds while another one changes.
+pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads: &[Known]) {
+    /// The most that is noise, as a part of the largest change.
+    const NOISE: f64 = 0.1;
+    let largest = |lead: &Known| {
+        let shares = lead.shares(mechanism).into_iter();
+        shares.map(f64::abs).fold(0.0, f64::max)
+    };
+    let of_all = leads.iter().map(largest).fold(0.0, f64::max);
+    let leads = leads.iter().filter(|lead| largest(lead) >= NOISE * of_all);
+    for doubt in leads.filter_map(|lead| lead.doubt.as_ref()) {
+        tell(format_args!("note: {}: {doubt}", table.name()));
+    }
+}
+
+/// Refuses a quantity that is in two columns.
+fn check_once(table: &MeasuredTable, known: &[(usize, Stated)]) -> Result<(), Failure> {
+    let mut quantities = BTreeSet::new();
+    let again = known.iter().find(|(_, stated)| {
+        let quantity = stated.named.quantity.as_ref();
+        quantity.is_some_and(|quantity| !quantities.insert(quantity.title()))
+    });
+    again.map_or(Ok(()), |(column, stated)| {
+        let title = &stated.named.title;
+        let message = format!("`{title}` is in two columns; empty the heading of one");
+        Err(table.refuse_heading(*column, message))
+    })
 }
 
 /// Names the columns that are left out.
@@ -121,7 +175,8 @@ fn at_design(mechanism: &Description, stated: &Stated) -> Result<f64, String> {
     match stated.named.drives[..] {
         [(drive, _)] => Ok(mechanism.design[drive] * stated.scale),
         _ => Err(format!(
-            "the drives `{}` move together from the design position; state their changes, and leave out --absolute",
+            "the drives `{}` move together from the design position; state their changes, and leave out --absolute, or give \
+             each drive a column of its own",
             stated.named.title
         )),
     }

@@ -1,125 +1,125 @@
-//! The places of a measured table, and the numbers of the model there.
+//! The numbers of the model at the places of a measured table.
 
 use std::sync::atomic::AtomicBool;
 
-use super::heading::Stated;
+use nalgebra::{DMatrix, DVector};
+
+use super::columns::Known;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
-use crate::number::number;
-use crate::quantities::{Column, Reader, WHEEL_TRAVEL};
+use crate::quantities::{Column, Reader};
 
 /// What moves the model to places, which count from the design position.
 pub(super) struct Places<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a dyn Kinematics,
-    /// The heading of the places.
-    pub(super) stated: Stated,
-    /// The drives that stay at one value each, perhaps not that of the design position.
-    pub(super) held: Vec<Axis>,
+    /// The columns that say where the model is.
+    pub(super) leads: &'a [Known],
     pub(super) interrupted: &'a AtomicBool,
 }
 
-/// What is read at each place; `None` where it is out of reach.
-type Found<R> = Result<Vec<Option<R>>, Failure>;
+/// What a place is for the columns of wheel travel.
+enum Arrival {
+    /// All wheels are where they should be; the quantities there.
+    There(Vec<f64>),
+    /// The step of the columns that leads there by Newton's method; `None` if the mechanism locks.
+    Off(Option<DVector<f64>>),
+}
 
 impl Places<'_> {
-    /// Returns the wheel travel that the places count; `None` if they count changes of drives, or of the steering wheel.
-    fn travel(&self) -> Option<&Column> {
-        let quantity = self.stated.named.quantity.as_ref();
-        quantity.filter(|quantity| quantity.is(&WHEEL_TRAVEL))
-    }
-
-    /// Returns what the places count, with their unit.
-    pub(super) fn label(&self) -> String {
-        let Stated { named, symbol, .. } = &self.stated;
-        let change = self.travel().map_or("change of ", |_| "");
-        format!("{change}{} ({symbol})", named.title)
-    }
-
-    /// Says that a place is out of reach, and which others are not.
-    pub(super) fn out_of_reach(&self, at: f64, reached: Option<[f64; 2]>) -> String {
-        let symbol = &self.stated.symbol;
-        let reached = reached.map(|ends| ends.map(number));
-        let reached = reached.map_or_else(
-            || "none of the places".to_owned(),
-            |[least, greatest]| format!("those from {least} to {greatest} {symbol}"),
-        );
-        format!(
-            "{} {symbol} from the design position is out of the model's reach, which has {reached}; leave out the lines beyond. \
-             suspension range {} says what stops the model",
-            number(at),
-            self.file
-        )
-    }
-
-    /// Reads quantities at places.
+    /// Reads quantities where the columns that lead have these numbers; `None` if the model does not reach the place.
     ///
     /// # Errors
     ///
     /// [`Failure::Interrupted`].
-    pub(super) fn read(&self, places: &[f64], quantities: &[&Column]) -> Found<Vec<f64>> {
-        let wanted: Vec<f64> = places.iter().map(|at| at / self.stated.scale).collect();
-        let mut read = |place: &dyn Place| -> Vec<f64> {
-            let state = place.state();
-            let reader = Reader::new(&state);
-            let each = quantities.iter();
-            each.map(|column| column.read(&reader).value).collect()
-        };
-        let drives = self.stated.named.drives.clone();
-        let Some(travel) = self.travel() else {
-            let values = wanted;
-            return self.visit(Axis { drives, values }, &mut read);
-        };
-        let (values, is_there) = self.changes_for(travel, drives[0].0, &wanted)?;
-        let found = self.visit(Axis { drives, values }, &mut read)?;
-        let found = found.into_iter().zip(is_there);
-        Ok(found
-            .map(|(found, is_there)| found.filter(|_| is_there))
-            .collect())
-    }
-
-    /// Finds the changes of a drive for wheel travel by Newton's method, each with whether it leads there.
-    fn changes_for(
+    pub(super) fn read(
         &self,
-        travel: &Column,
-        drive: usize,
-        wanted: &[f64],
-    ) -> Result<(Vec<f64>, Vec<bool>), Failure> {
+        numbers: &[f64],
+        quantities: &[&Column],
+    ) -> Result<Option<Vec<f64>>, Failure> {
         const STEPS: usize = 20;
-        let rounding = 1e-12 * self.mechanism.unit.metre();
-        let mut changes = vec![0.0; wanted.len()];
-        let mut is_there = vec![false; wanted.len()];
+        let each = self.leads.iter().zip(numbers);
+        let wanted = each.clone().map(|(lead, at)| at / lead.stated.scale);
+        let wanted = DVector::from_iterator(numbers.len(), wanted);
+        // The drive of wheel travel is unknown, and begins at the design position.
+        let known = each.zip(&wanted);
+        let known = known.map(|((lead, _), at)| lead.travel().map_or(*at, |_| 0.0));
+        let mut changes = DVector::from_iterator(numbers.len(), known);
+        let mut step = DVector::zeros(numbers.len());
         for _ in 0..STEPS {
-            let axis = Axis::for_drive(drive, changes.clone());
-            let found = self.visit(axis, &mut |place| {
-                place.per(drive).map(|state| travel.along(&state))
-            })?;
-            for (index, found) in found.into_iter().enumerate() {
+            let next = &changes + &step;
+            match self.visit(&next, &mut |place| self.arrival(place, &wanted, quantities))? {
+                Some(Arrival::There(found)) => return Ok(Some(found)),
+                Some(Arrival::Off(Some(further))) => (changes, step) = (next, further),
                 // Half the way may be within reach.
-                let back = -changes[index] / 2.0;
-                let step = found
-                    .flatten()
-                    .map_or(back, |at| (wanted[index] - at.value) / at.rate);
-                changes[index] += step;
-                is_there[index] = step.abs() <= rounding;
+                Some(Arrival::Off(None)) | None => step /= 2.0,
             }
-            if is_there.iter().all(|is_there| *is_there) {
+            if step.amax() == 0.0 {
                 break;
             }
         }
-        Ok((changes, is_there))
+        Ok(None)
     }
 
-    fn visit<R>(&self, axis: Axis, read: &mut dyn FnMut(&dyn Place) -> R) -> Found<R> {
-        let axes = self.held.iter().cloned().chain([axis]).collect();
-        let grid = Grid::new(self.mechanism, axes, CountedFrom::Start);
+    fn arrival(&self, place: &dyn Place, wanted: &DVector<f64>, quantities: &[&Column]) -> Arrival {
+        let rounding = 1e-12 * self.mechanism.unit.metre();
+        let state = place.state();
+        let off = self.leads.iter().zip(wanted).map(|(lead, wanted)| {
+            let travel = lead.travel();
+            travel.map_or(0.0, |travel| wanted - travel.along(&state).value)
+        });
+        let off = DVector::from_iterator(wanted.len(), off);
+        if off.amax() <= rounding {
+            let reader = Reader::new(&state);
+            let each = quantities.iter();
+            return Arrival::There(each.map(|column| column.read(&reader).value).collect());
+        }
+        Arrival::Off(self.step(place, &off))
+    }
+
+    /// Returns the change of the drives of wheel travel that takes the wheels to where they should be, to first order.
+    fn step(&self, place: &dyn Place, off: &DVector<f64>) -> Option<DVector<f64>> {
+        let count = self.leads.len();
+        let mut rates = DMatrix::identity(count, count);
+        for (index, lead) in self.leads.iter().enumerate() {
+            if lead.travel().is_none() {
+                continue;
+            }
+            let (drive, _) = lead.stated.named.drives[0];
+            let state = place.per(drive)?;
+            for (other, row) in self.leads.iter().enumerate() {
+                if let Some(travel) = row.travel() {
+                    rates[(other, index)] = travel.along(&state).rate;
+                }
+            }
+        }
+        let step = rates.lu().solve(off)?;
+        step.iter().all(|it| it.is_finite()).then_some(step)
+    }
+
+    /// Moves the model straight from the design position to a change of each column, and reads there.
+    fn visit<R>(
+        &self,
+        changes: &DVector<f64>,
+        read: &mut dyn FnMut(&dyn Place) -> R,
+    ) -> Result<Option<R>, Failure> {
+        let each = self.leads.iter().zip(changes);
+        let drives = each.flat_map(|(lead, change)| {
+            let drives = lead.stated.named.drives.iter();
+            drives.map(move |(drive, per)| (*drive, per * change))
+        });
+        let there = Axis {
+            drives: drives.collect(),
+            values: vec![1.0],
+        };
+        let grid = Grid::new(self.mechanism, vec![there], CountedFrom::Start);
         let grid = grid.map_err(Failure::Input)?;
         let order = DerivativeOrder::First;
         let visited = self.mechanism.visit(&grid, order, self.interrupted, read);
         match visited.failure(self.file) {
             Some(failure @ Failure::Interrupted(_)) => Err(failure),
-            _ => Ok(visited.places),
+            _ => Ok(visited.places.into_iter().flatten().next()),
         }
     }
 }

@@ -34,13 +34,11 @@ impl Quantity {
 
     /// The mean difference at the place nearest to the design position, where a rig that moves both ways measures twice.
     pub(super) fn offset(&self) -> Option<Difference> {
-        let far = |(at, _): &&Place| at.abs();
-        let nearest = self
-            .places
-            .iter()
-            .min_by(|a, b| far(a).total_cmp(&far(b)))?;
-        let there = self.places.iter().filter(|(at, _)| *at == nearest.0);
-        let there: Vec<[f64; 2]> = there.map(|(_, values)| *values).collect();
+        let places = || self.places.iter();
+        let far = |place: &&Place| place.from_design.abs();
+        let nearest = places().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+        let there = places().filter(|place| place.from_design == nearest.from_design);
+        let there: Vec<[f64; 2]> = there.map(|place| place.values).collect();
         let mean = |side: usize| {
             let sum: f64 = there.iter().map(|values| values[side]).sum();
             sum / there.len() as f64
@@ -48,7 +46,7 @@ impl Quantity {
         Some(Difference {
             quantity: self.title.clone(),
             symbol: self.symbol.clone(),
-            at: Some(nearest.0),
+            at: Some(nearest.at),
             values: [mean(0), mean(1)],
             rms: None,
         })
@@ -56,18 +54,24 @@ impl Quantity {
 
     fn without_offset(&self) -> Vec<Place> {
         let offset = self.offset().map_or(0.0, |offset| offset.value());
-        let shifted = |(at, [model, measured]): &Place| (*at, [*model, measured - offset]);
+        let shifted = |place: &Place| {
+            let [model, measured] = place.values;
+            Place {
+                values: [model, measured - offset],
+                ..*place
+            }
+        };
         self.places.iter().map(shifted).collect()
     }
 
     /// Draws the curve of the model and the measured points, as they are and without the offset.
-    pub(super) fn chart(&self, [model, measured]: &[String; 2], across: String) -> Chart {
+    pub(super) fn chart(&self, [model, measured]: &[String; 2], across: &str) -> Chart {
         let marks = |name: String, places: &[Place]| Curve {
             name,
             line: Vec::new(),
             marks: places
                 .iter()
-                .map(|(at, [_, measured])| (*at, *measured))
+                .map(|place| (place.at, place.values[1]))
                 .collect(),
         };
         let model = Curve {
@@ -83,7 +87,7 @@ impl Quantity {
         }
         Chart {
             title: self.title.clone(),
-            across,
+            across: across.to_owned(),
             quantity: self.symbol.clone(),
             curves,
         }

@@ -1,0 +1,136 @@
+//! What the places of a table are counted along.
+
+use super::columns::Known;
+use crate::measured_table::MeasuredTable;
+use crate::mechanism::{Description, ends, evenly_spaced, listed};
+
+/// The way of the model through the places of a table.
+pub(super) struct Course {
+    /// What places are counted along: that of a column, or the lines of the table.
+    pub(super) title: String,
+    /// The same with what is counted, and its unit.
+    pub(super) label: String,
+    /// Where each measured place is along it.
+    pub(super) at: Vec<f64>,
+    /// The distance of each from the design position, with the sign of its number in the axis column.
+    pub(super) from_design: Vec<f64>,
+    /// The places of the model's curve, each with the numbers of all columns that lead.
+    pub(super) curve: Vec<(f64, Vec<f64>)>,
+}
+
+/// Returns the columns that change, or else the first one.
+fn moving(leads: &[Known]) -> Vec<&Known> {
+    let moving: Vec<&Known> = leads.iter().filter(|lead| lead.changes()).collect();
+    match moving[..] {
+        [] => leads.iter().take(1).collect(),
+        _ => moving,
+    }
+}
+
+/// Says which columns the model follows if more than one changes.
+pub(super) fn followed(leads: &[Known]) -> Option<String> {
+    let moving = moving(leads);
+    let titles = moving.iter().map(|lead| lead.stated.named.title.clone());
+    let message = || format!("A follows {} of B in each line", listed(titles));
+    (moving.len() > 1).then(message)
+}
+
+impl Course {
+    /// Returns the course of a table with numbers, whose columns `leads` say where the model is.
+    pub(super) fn new(table: &MeasuredTable, mechanism: &Description, leads: &[Known]) -> Self {
+        let moving = moving(leads);
+        let shares: Vec<Vec<f64>> = moving.iter().map(|lead| lead.shares(mechanism)).collect();
+        let from_design = from_design(&shares);
+        let axis = widest(&shares);
+        if is_ambiguous(&shares, axis) {
+            let at: Vec<f64> = (0..table.lines())
+                .map(|line| table.line_in_file(line) as f64)
+                .collect();
+            let places = at.iter().copied().enumerate();
+            return Self {
+                title: "the lines of the table".to_owned(),
+                label: "line of the table".to_owned(),
+                curve: places
+                    .map(|(line, at)| (at, numbers(leads, line)))
+                    .collect(),
+                at,
+                from_design,
+            };
+        }
+        Self {
+            title: moving[axis].stated.named.title.clone(),
+            label: moving[axis].label(),
+            at: moving[axis].numbers.clone(),
+            from_design,
+            curve: curve(leads, moving[axis]),
+        }
+    }
+}
+
+/// Returns the numbers of the columns that lead in a line.
+pub(super) fn numbers(leads: &[Known], line: usize) -> Vec<f64> {
+    leads.iter().map(|lead| lead.numbers[line]).collect()
+}
+
+fn span(shares: &[f64]) -> f64 {
+    ends(shares.iter().copied()).map_or(0.0, |[least, greatest]| greatest - least)
+}
+
+/// How much more than the axis another column may change.
+const STEEPEST: f64 = 2.0;
+
+/// Returns the first column that changes about as far as any.
+fn widest(shares: &[Vec<f64>]) -> usize {
+    let widest = shares.iter().map(|column| span(column)).fold(0.0, f64::max);
+    let is_wide = |column: &Vec<f64>| STEEPEST * span(column) >= widest;
+    shares.iter().position(is_wide).unwrap_or_default()
+}
+
+/// Returns whether places near each other on the axis are apart in another column, as on a grid of bump and steering.
+fn is_ambiguous(shares: &[Vec<f64>], axis: usize) -> bool {
+    /// What noise and the way back of a rig may make, as a part of the range.
+    const NOISE: f64 = 0.1;
+    let mut lines: Vec<usize> = (0..shares[axis].len()).collect();
+    lines.sort_by(|a, b| shares[axis][*a].total_cmp(&shares[axis][*b]));
+    let noise = NOISE * span(&shares[axis]);
+    lines.windows(2).any(|pair| {
+        let step = |column: &Vec<f64>| (column[pair[1]] - column[pair[0]]).abs();
+        let most = STEEPEST * step(&shares[axis]) + noise;
+        shares.iter().any(|column| step(column) > most)
+    })
+}
+
+fn from_design(shares: &[Vec<f64>]) -> Vec<f64> {
+    let axis = &shares[widest(shares)];
+    let of_line = |(line, at): (usize, &f64)| {
+        let squares: f64 = shares.iter().map(|column| column[line].powi(2)).sum();
+        squares.sqrt().copysign(*at)
+    };
+    axis.iter().enumerate().map(of_line).collect()
+}
+
+/// Returns places evenly spaced along the axis, with the other columns interpolated between the lines beside them.
+fn curve(leads: &[Known], axis: &Known) -> Vec<(f64, Vec<f64>)> {
+    /// The number of places along the model's curves.
+    const ALONG: usize = 61;
+    let mut lines: Vec<usize> = (0..axis.numbers.len()).collect();
+    lines.sort_by(|a, b| axis.numbers[*a].total_cmp(&axis.numbers[*b]));
+    let range = ends(axis.numbers.iter().copied()).unwrap_or_default();
+    let place = |at: f64| {
+        let after = lines.partition_point(|line| axis.numbers[*line] <= at);
+        let [below, above] = [after.saturating_sub(1), after.min(lines.len() - 1)];
+        let [below, above] = [lines[below], lines[above]];
+        let step = axis.numbers[above] - axis.numbers[below];
+        let part = if step > 0.0 {
+            (at - axis.numbers[below]) / step
+        } else {
+            0.0
+        };
+        let number = |lead: &Known| match lead.column == axis.column {
+            true => at,
+            false => lead.numbers[below] + part * (lead.numbers[above] - lead.numbers[below]),
+        };
+        (at, leads.iter().map(number).collect())
+    };
+    evenly_spaced(range, ALONG).into_iter().map(place).collect()
+}

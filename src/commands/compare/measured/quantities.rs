@@ -1,0 +1,65 @@
+//! The quantities of a table beside those of the model.
+
+use super::columns::Known;
+use super::course::{Course, numbers};
+use super::places::Places;
+use super::quantity::Quantity;
+use super::reach::out_of_reach;
+use crate::commands::compare::differences::Place;
+use crate::failure::Failure;
+use crate::measured_table::MeasuredTable;
+use crate::quantities::Column;
+
+/// Reads the quantities of the model at the places of a table, beside the table's.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at a place out of reach, and [`Failure::Interrupted`].
+pub(super) fn quantities(
+    table: &MeasuredTable,
+    places: &Places<'_>,
+    course: &Course,
+    compared: Vec<Known>,
+) -> Result<Vec<Quantity>, Failure> {
+    let columns = compared.iter();
+    let columns = columns.filter_map(|known| known.stated.named.quantity.as_ref());
+    let columns: Vec<&Column> = columns.collect();
+    let lines = (0..table.lines()).map(|line| places.read(&numbers(places.leads, line), &columns));
+    let lines = lines.collect::<Result<Vec<_>, _>>()?;
+    let reached: Vec<bool> = lines.iter().map(Option::is_some).collect();
+    if let Some(failure) = out_of_reach(table, places.file, places.leads, &reached) {
+        return Err(failure);
+    }
+    let curve = course.curve.iter();
+    let curve = curve.map(|(_, numbers)| places.read(numbers, &columns));
+    let curve = curve.collect::<Result<Vec<_>, _>>()?;
+    let each = compared.into_iter().enumerate();
+    let each = each.map(|(index, known)| {
+        let read = |place: &Option<Vec<f64>>| {
+            let number = place.as_ref().map_or(f64::NAN, |numbers| numbers[index]);
+            number * known.stated.scale
+        };
+        let model = [&lines, &curve].map(|places| places.iter().map(read).collect());
+        quantity(course, known, model)
+    });
+    Ok(each.collect())
+}
+
+/// Sets a column beside the model's numbers in the lines of the table and along the curve.
+fn quantity(course: &Course, measured: Known, [lines, curve]: [Vec<f64>; 2]) -> Quantity {
+    let at = course.at.iter().zip(&course.from_design);
+    let both = lines.into_iter().zip(measured.numbers);
+    let places = at.zip(both).map(|((at, from_design), both)| Place {
+        at: *at,
+        from_design: *from_design,
+        values: both.into(),
+    });
+    let is_known = |place: &Place| place.values.iter().all(|value| value.is_finite());
+    let along = course.curve.iter().map(|(at, _)| *at);
+    Quantity {
+        title: measured.stated.named.title,
+        symbol: measured.stated.symbol,
+        places: places.filter(is_known).collect(),
+        curve: along.zip(curve).collect(),
+    }
+}

@@ -1,0 +1,154 @@
+//! Measured tables that are refused.
+
+use super::super::super::program::{CORNER, text};
+use super::super::rig::axle;
+use super::beside;
+use super::several::in_heave_and_roll;
+
+#[test]
+fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
+    for (table, options, expected) in [
+        (
+            "",
+            &[][..],
+            "m.csv:1:1: the file is empty; it needs a line of headings",
+        ),
+        (
+            "bump [mm],camer [deg]\n",
+            &[],
+            "m.csv:1:11: unknown quantity `camer`; did you mean `camber`? A column whose heading is empty is left out",
+        ),
+        (
+            "bump [mm],Chamber Angle [deg]\n",
+            &[],
+            "m.csv:1:11: unknown quantity `Chamber Angle`; did you mean `camber_angle`?",
+        ),
+        (
+            "bump [mm],caster\n",
+            &[],
+            "m.csv:1:11: `caster` states no unit; write `caster [deg]`",
+        ),
+        (
+            "bump [mm];toe [mm]\n",
+            &[],
+            "m.csv:1:11: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
+        ),
+        (
+            "toe [deg]\n0.1\n",
+            &[],
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), with wheel travel, ",
+        ),
+        (
+            "toe [deg]\tbump [mm]\n",
+            &[],
+            "m.csv:1:11: the table needs a column of a quantity beside this one, as `toe [deg]`, and lines of numbers; suspension sweep writes",
+        ),
+        (
+            "bump [mm]\ttoe [deg]\n-20\t0,1\n0\t-\n",
+            &[],
+            "m.csv:3:3: `-` in column `toe [deg]` is not a finite number, as -0.5",
+        ),
+        (
+            "toe [deg];bump [mm]\n0;-20,0\n0;20\n0; 900\n",
+            &[],
+            "m.csv:4:4: 900 mm from the design position is out of the model's reach, which has those from -20 to 20 mm; leave out \
+             the lines beyond. suspension range a.toml says what stops the model",
+        ),
+        (
+            "toe [deg],wheel travel [mm]\n0,-900\n",
+            &[],
+            "m.csv:2:3: -900 mm from the design position is out of the model's reach, which has none of the places; leave out",
+        ),
+        (
+            "bump [mm],toe [deg]\n0,0,0,1\n",
+            &[],
+            "m.csv:2:5: the line has more fields than there are headings; with decimal commas, separate the fields by semicolons",
+        ),
+        (
+            "# Rig 17\n\nwheel travel [mm],toe [deg]\n# begin\n0,0\n,0\n",
+            &[],
+            "m.csv:6:1: the line has no number in column `wheel travel [mm]`",
+        ),
+        (
+            "steer [mm],toe\nmm,mm\n0,0\n",
+            &[],
+            "m.csv:1:12: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
+        ),
+        (
+            "toe [deg],\"bump,-steer [mm]\"\n0,0\n",
+            &["--absolute"],
+            "m.csv:1:11: the drives `bump,-steer` move together from the design position; state their changes, and leave out --absolute, \
+             or give each drive a column of its own",
+        ),
+        (
+            "bump [mm],toe [deg],toe angle [rad]\n0,0,0\n",
+            &[],
+            "m.csv:1:21: `toe angle` is in two columns; empty the heading of one",
+        ),
+        (
+            "bump [mm],bump_mm,toe [deg]\n0,0,0\n",
+            &[],
+            "m.csv:1:11: `bump` and `bump` both say where `bump` is; empty the heading of one",
+        ),
+        (
+            "toe [deg],bump [mm]\n0,0\n",
+            &["--travel", "-1:1"],
+            "m.csv: the table states the places; leave --travel and --steer out",
+        ),
+    ] {
+        let (_folder, output) = beside(CORNER, table, options);
+        assert_eq!(output.status.code(), Some(2), "{table}: {output:?}");
+        let message = text(&output.stderr);
+        assert!(message.starts_with(expected), "{expected}\n{message}");
+    }
+}
+
+/// A bar that turns about an axis along x, with a wheel at each end and one drive.
+const BAR: &str = "unit = \"m\"\nstatements = \"\"\"\nfixed: fore at [0.3, 0, 0.3], aft at [-0.3, 0, 0.3];\n\
+                   free: left_hub at [0, 0.7, 0.3], right_hub at [0, -0.7, 0.3];\n\
+                   hinge bar: fore, aft -> left_hub, right_hub;\npoint left_in: bar at [0, 0.6, 0.3];\n\
+                   point right_in: bar at [0, -0.6, 0.3];\ndrive roll: left_hub.z;\nwheel left: left_in -> left_hub;\n\
+                   wheel right: right_in -> right_hub;\n\"\"\"\nvehicle = { wheel_radius = 0.3, travel = \"roll\" }\n\
+                   time = { instants = [0.0] }\ndrives = { roll = 0.3 }\n";
+
+#[test]
+fn columns_that_the_model_cannot_follow_together_are_refused() {
+    let [axle, heave] = [axle(), in_heave_and_roll()];
+    for (model, table, expected) in [
+        (
+            &*axle,
+            "left toe [deg],bump_left [mm],\"bump_left,bump_right [mm]\"\n0,0,0\n",
+            "m.csv:1:31: `bump_left` and `bump_left,bump_right` both say where `bump_left` is; empty the heading of one",
+        ),
+        (
+            BAR,
+            "left wheel travel [mm],right wheel travel [mm],left camber [deg]\n0,0,0\n",
+            "m.csv:1:24: the drive `roll` follows `left wheel travel`, and no other drive is left that could follow `right wheel \
+             travel`; empty the heading of one",
+        ),
+        (
+            &heave,
+            "left camber [deg],left wheel travel [mm]\n0,0\n",
+            "m.csv:1:19: which drive follows `left wheel travel`? Write travel = { left = \"NAME\" } under [vehicle] of the motion \
+             file, or empty the heading",
+        ),
+        (
+            &axle,
+            "steer [mm],left wheel travel [mm],left toe [deg]\n0,0,0\n1,,0\n",
+            "m.csv:3:3: the line has no number in column `left wheel travel [mm]`",
+        ),
+        (
+            &axle,
+            "left toe [deg],left wheel travel [mm],right wheel travel [mm],steer [mm]\n0,0,0,0\n0,10,10,0\n0,10,900,0\n0,9,900,0\n",
+            "m.csv:4:3: `left wheel travel` 10 mm, `right wheel travel` 900 mm and `steer` 0 mm from the design position are \
+             together out of the model's reach; leave out the line (2 of 4 are out of reach). suspension range a.toml says what stops",
+        ),
+    ] {
+        let (_folder, output) = beside(model, table, &[]);
+        assert_eq!(output.status.code(), Some(2), "{table}: {output:?}");
+        let message = text(&output.stderr);
+        let message = message.lines().filter(|line| !line.starts_with("note: "));
+        let message = message.collect::<String>();
+        assert!(message.starts_with(expected), "{expected}\n{message}");
+    }
+}
