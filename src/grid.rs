@@ -9,7 +9,7 @@ use crate::mechanism::{
     Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, Unit, evenly_spaced, extent,
 };
 
-/// A drive and its values, for example `bump=-0.08:0.08:161`.
+/// The name of what moves, a drive for example, and its values: `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
     name: String,
@@ -23,6 +23,17 @@ impl FromStr for Swept {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let wanted = "write NAME=FROM:TO:COUNT, as bump=-0.08:0.08:161, or NAME=VALUE";
+        Self::parse(text, wanted)
+    }
+}
+
+impl Swept {
+    /// Parses a name with its values; `wanted` says what to write.
+    ///
+    /// # Errors
+    ///
+    /// A sentence on what is wrong.
+    pub fn parse(text: &str, wanted: &str) -> Result<Self, String> {
         let (name, values) = text.split_once('=').ok_or(wanted)?;
         let number = |text: &str| {
             let number = text
@@ -61,10 +72,14 @@ impl FromStr for Swept {
             count,
         })
     }
-}
 
-impl Swept {
-    fn values(&self) -> Vec<f64> {
+    /// Returns the name, or several names joined by commas.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns the values in order.
+    pub fn values(&self) -> Vec<f64> {
         evenly_spaced([self.from, self.to], self.count)
     }
 }

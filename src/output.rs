@@ -1,6 +1,8 @@
 //! Output for the user: CSV and JSON files, plots, summaries, progress.
 
 pub mod beside;
+pub mod colour;
+pub mod destinations;
 pub mod drawing;
 pub mod figures;
 pub mod page;

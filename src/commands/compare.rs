@@ -20,9 +20,7 @@ use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
-use crate::output::files::{announce, print};
-use crate::output::rows::Forms;
-use crate::output::target::Target;
+use crate::output::destinations::Destinations;
 use report::Report;
 use side::Side;
 
@@ -74,7 +72,11 @@ impl Arguments {
             self.refuse_absolute(&b)?;
             self.compared([&a, &b], interrupted)?
         };
-        self.write(&report)?;
+        Destinations::new([&self.csv, &self.json, &self.html])?.write(
+            || report.text(),
+            |forms| report.write(forms),
+            || page::html(&report),
+        )?;
         failure.map_or(Ok(()), Err)
     }
 
@@ -122,37 +124,6 @@ impl Arguments {
         }
         let report = comparison::compare(sides);
         Ok((report, one.failure.or(other.failure)))
-    }
-
-    /// Prints a report, and writes it to the files that options name.
-    fn write(&self, report: &Report) -> Result<(), Failure> {
-        let [csv, json, html] = [&self.csv, &self.json, &self.html];
-        let [csv, json, html] = [csv, json, html].map(|path| path.clone().map(Target::from));
-        let forms = Forms {
-            csv,
-            json,
-            parquet: None,
-        };
-        forms.check()?;
-        if let Some(html) = &html {
-            html.refuse_input("--html")?;
-            for (other, option) in [(&forms.csv, "--csv"), (&forms.json, "--json")] {
-                if let Some(other) = other {
-                    html.refuse_same(other, ["--html", option])?;
-                }
-            }
-        }
-        if ![&forms.csv, &forms.json, &html].contains(&&Some(Target::Stdout)) {
-            print(&report.text())?;
-        }
-        report.write(&forms)?;
-        if let Some(html) = &html {
-            html.write(&page::html(report))?;
-        }
-        let html = html.as_ref().and_then(Target::path);
-        let files = forms.files().map(|(path, _)| path.as_path());
-        announce(files.chain(html));
-        Ok(())
     }
 }
 

@@ -1,6 +1,5 @@
 //! `suspension sensitivities`: the effect of moving each hardpoint on the quantities of a design.
 
-mod number;
 mod report;
 mod scatter;
 

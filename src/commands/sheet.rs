@@ -13,14 +13,14 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Curves, Rise, Span, curves, no_steering, parameters, shorter_roll, through_design,
-    unmet_range, ways,
+    Along, Rise, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, unmet_range,
+    ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
-use crate::mechanism::{State, Unit};
+use crate::mechanism::State;
 use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
@@ -89,7 +89,8 @@ impl Arguments {
             return Err(no_steering(name));
         }
         let spans = [self.travel, self.steer];
-        let ways = ways(mechanism, name, spans, unit, interrupted)?;
+        check_spans(mechanism, name, spans, unit)?;
+        let ways = ways(mechanism, spans, unit, interrupted);
         let shorter_roll = shorter_roll(mechanism, self.travel);
         if let Some(note) = &shorter_roll {
             tell(format_args!("note: {name}: {note}"));
@@ -114,33 +115,6 @@ impl Arguments {
         };
         Ok((page.html(), unmet_range(&ways, name)))
     }
-}
-
-/// Returns the curves along all drives of travel and steering, and over the travel of the wheel if the drives of travel are
-/// not heights of wheels.
-fn all_curves(mechanism: &dyn Kinematics, ways: &[Along], rises: &[Option<Rise>]) -> Vec<Curves> {
-    let unit = mechanism.unit;
-    let is_no_height = |(drive, _): &(usize, f64)| {
-        let mut rises = rises.iter().flatten();
-        rises.any(|rise| rise.drive == *drive && !rise.is_height)
-    };
-    let each = ways.iter().flat_map(|along| {
-        let curves = curves(mechanism, along, unit);
-        let is_over_wheel = along.drives.iter().any(is_no_height);
-        let over_wheel = is_over_wheel.then(|| over_wheel(&curves, unit)).flatten();
-        [Some(curves), over_wheel].into_iter().flatten()
-    });
-    each.collect()
-}
-
-/// Returns curves over the travel of the first wheel that rises everywhere.
-fn over_wheel(curves: &Curves, unit: Unit) -> Option<Curves> {
-    let mut wheels = curves.lines.iter().filter(|line| line.is_wheel_travel());
-    let wheel = wheels.find(|line| line.is_rising())?;
-    let travels = through_design(wheel.ends()?, curves.changes.len());
-    let over = curves.over_travel_of(wheel, travels, unit);
-    let title = format!("{} ({})", over.title, curves.title);
-    Some(Curves { title, ..over })
 }
 
 /// Width and height of a drawing in pixels.

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::characteristics::{Does, Span, unmet_range, ways};
+use crate::characteristics::{Does, Span, check_spans, unmet_range, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -92,7 +92,8 @@ impl Arguments {
     ) -> Result<(String, Option<Failure>), Failure> {
         let number = self.number(mechanism)?;
         let spans = [self.travel, None];
-        let ways = ways(mechanism, file, spans, mechanism.unit, interrupted)?;
+        check_spans(mechanism, file, spans, mechanism.unit)?;
+        let ways = ways(mechanism, spans, mechanism.unit, interrupted);
         let drive = mechanism.names.wheels[number].travel;
         let mut of_wheel = ways
             .into_iter()

@@ -139,7 +139,12 @@ fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Cu
         let points = points.map(|state| (state.t, column.value(state) * scale));
         points.filter(|(_, value)| value.is_finite()).collect()
     });
-    Curve { name, line, marks }
+    Curve {
+        name,
+        line,
+        marks,
+        ..Curve::default()
+    }
 }
 
 /// Returns the title of a wheel's quantity, with the points of the kingpin if it depends on them.

@@ -21,6 +21,9 @@ tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; pad
 .drawings svg { width: 100%; height: auto; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 0.6em; }
 .charts svg { width: 100%; height: auto; }
+.legend { position: sticky; top: 0; background: #fff; margin: 0; padding: 0.4em 0; }
+.legend > span { margin-right: 1.6em; white-space: nowrap; }
+.legend .line { display: inline-block; width: 2em; border-top: 3px solid; margin-right: 0.4em; vertical-align: middle; }
 @media print {
   body { font-size: 8.5pt; margin: 0; padding: 0; max-width: none; }
   th, td { padding: 0.05em 0.4em; }

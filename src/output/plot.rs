@@ -5,6 +5,7 @@ use plotters::prelude::*;
 
 use crate::mechanism::ends;
 use crate::number::fixed;
+use crate::output::colour::Colour;
 use crate::output::svg::{Area, Drawn, FINE, document};
 
 /// A plot.
@@ -21,7 +22,7 @@ pub struct Chart {
 }
 
 /// A curve.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Curve {
     /// The name in the legend, which is omitted if no curve has a name.
     pub name: String,
@@ -29,6 +30,8 @@ pub struct Curve {
     pub line: Vec<(f64, f64)>,
     /// Points with a mark.
     pub marks: Vec<(f64, f64)>,
+    /// Its colour.
+    pub colour: Colour,
 }
 
 /// Width and height in pixels.
@@ -45,18 +48,6 @@ fn fitting(text: &str, size: u32, width: u32) -> u32 {
     let letters = text.chars().count() as u32;
     (2 * width / letters.max(1)).min(size)
 }
-
-/// As many as the angles of a car's four wheels need.
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(31, 90, 160),
-    RGBColor(200, 80, 20),
-    RGBColor(40, 130, 60),
-    RGBColor(130, 60, 140),
-    RGBColor(0, 150, 170),
-    RGBColor(190, 150, 0),
-    RGBColor(110, 70, 40),
-    RGBColor(120, 120, 120),
-];
 
 type Plane<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
@@ -137,7 +128,8 @@ impl Chart {
     }
 
     fn draw_curves(&self, plane: &mut Plane<'_, '_>, up: &Axis) -> Drawn {
-        for (index, (curve, colour)) in self.curves.iter().zip(COLOURS.iter().cycle()).enumerate() {
+        for (index, curve) in self.curves.iter().enumerate() {
+            let colour = curve.colour.of_curve(index);
             let mut later = self.curves[index + 1..].iter();
             // A curve that a later one covers, as that of the other wheel, shows on both sides of it.
             let is_covered = later.any(|other| up.shows_as_one(curve, other));
@@ -241,9 +233,8 @@ mod tests {
     #[test]
     fn curves_with_the_same_gap_are_drawn_over_each_other() {
         let curve = |heights: [f64; 3]| Curve {
-            name: String::new(),
             line: [0.0, 1.0, 2.0].into_iter().zip(heights).collect(),
-            marks: Vec::new(),
+            ..Curve::default()
         };
         let axis = Axis {
             low: 0.0,

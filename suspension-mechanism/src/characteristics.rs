@@ -1,9 +1,11 @@
 //! The kinematic characteristics of a suspension: quantities at the design position with their derivatives, and curves
 //! over travel and steering; and all quantities at the places of a grid.
 
+mod all_curves;
 mod along;
 mod course;
 mod curves;
+mod design_number;
 mod grid_table;
 mod instead;
 mod line;
@@ -18,8 +20,10 @@ mod span;
 mod title;
 mod way;
 
-pub use along::{Along, no_steering, shorter_roll, unmet_range, usual_change, ways};
+pub use all_curves::all_curves;
+pub use along::{Along, check_spans, no_steering, shorter_roll, unmet_range, usual_change, ways};
 pub use curves::{Curves, curves};
+pub use design_number::{DesignNumber, refuse_unknown_numbers};
 pub use grid_table::{GridTable, columns_of_positions};
 pub use instead::{named_in_reports, not_of_this, suggest_for_wheels, zero_at_design};
 pub use line::{Line, Sort};

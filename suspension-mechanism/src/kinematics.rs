@@ -26,7 +26,7 @@ use crate::reach::{self, DriveRange};
 use assembled::Enumerated;
 
 pub use assembled::{Assembled, Assembly};
-pub use changed::Changes;
+pub use changed::{Changes, Unbuilt};
 pub(crate) use changing::changing;
 pub use equations::Equations;
 
@@ -105,9 +105,12 @@ pub trait Kinematics: Deref<Target = Description> {
         interrupted: &AtomicBool,
     ) -> Result<BakedSurface, UnmetSurface>;
 
-    /// The mechanism with other hardpoints, at its own design position, and then with other lengths; `None` if it
-    /// does not exist.
-    fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>>;
+    /// The mechanism with other hardpoints, at its own design position, and then with other lengths.
+    ///
+    /// # Errors
+    ///
+    /// [`Unbuilt`] if it does not exist.
+    fn changed(&self, changes: &Changes) -> Result<Box<dyn Kinematics + '_>, Unbuilt>;
 
     /// The mechanism at its start, and how it changes with its design; `None` if it locks there, and for a model that
     /// `linkage!` has written.
@@ -230,8 +233,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         bake_surface(&self.model, &self.start, held, wanted, interrupted)
     }
 
-    fn changed(&self, changes: &Changes) -> Option<Box<dyn Kinematics + '_>> {
-        Some(Box::new(changed::changed(self, changes)?))
+    fn changed(&self, changes: &Changes) -> Result<Box<dyn Kinematics + '_>, Unbuilt> {
+        Ok(Box::new(changed::changed(self, changes)?))
     }
 
     fn changing(&self) -> Option<Box<dyn Changing + '_>> {

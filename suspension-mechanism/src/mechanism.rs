@@ -47,7 +47,7 @@ pub(crate) use drives::{tracker, unit_change};
 pub use end::{End, Stop};
 pub use extent::{ends, extent};
 pub use gradient::{DRIVES_AT_ONCE, Gradient};
-pub use grid::{Axis, CountedFrom, Grid, MOST_PLACES, evenly_spaced};
+pub use grid::{Axis, CountedFrom, Grid, MOST_PLACES, evenly_spaced, moved_together};
 pub use guide::Guide;
 pub use hinge::Hinge;
 pub use known::DerivativeOrder;

@@ -18,7 +18,7 @@ use crate::kinematics::{Changes, Kinematics};
 use crate::mechanism::{CHANGES_AT_ONCE, Description, Names};
 use crate::quantities::{Axis, Column};
 use exact::Exact;
-pub(crate) use read::read;
+pub use read::read;
 
 /// A change of the design.
 #[derive(Clone, Debug, PartialEq)]

@@ -81,7 +81,7 @@ pub fn sampled(
         });
         let changes = Changes::sum(each);
         let changed = mechanism.changed(&changes);
-        if let Some(sample) = changed.and_then(|changed| read(&*changed, &columns)) {
+        if let Some(sample) = changed.ok().and_then(|changed| read(&*changed, &columns)) {
             built += 1;
             add(&mut spreads, &sample);
         }

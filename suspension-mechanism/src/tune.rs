@@ -117,7 +117,7 @@ impl Problem<'_> {
 
     /// The mechanism with the moves; `None` if it cannot be assembled.
     fn moved(&self, moved: &DVector<f64>) -> Option<Box<dyn Kinematics + '_>> {
-        self.mechanism.changed(&self.changes(moved))
+        self.mechanism.changed(&self.changes(moved)).ok()
     }
 
     /// The deviations of each target of a mechanism.
@@ -185,7 +185,7 @@ fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<u
     }
     let lengths = Vec::new();
     let assembled = mechanism.changed(&Changes { points, lengths });
-    let after = assembled.map_or_else(Vec::new, |mechanism| mechanism.points());
+    let after = assembled.map_or_else(|_| Vec::new(), |mechanism| mechanism.points());
     let size = before
         .iter()
         .fold(0.0, |most, point| f64::max(most, point.amax()));

@@ -51,6 +51,25 @@ impl Forms {
         Ok(())
     }
 
+    /// The same for these destinations and another one, which an option names.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`].
+    pub fn check_with(&self, another: Option<&Target>, option: &str) -> Result<(), Failure> {
+        self.check()?;
+        let Some(another) = another else {
+            return Ok(());
+        };
+        another.refuse_input(option)?;
+        for (target, of_form) in self.targets() {
+            if let Some(target) = target {
+                another.refuse_same(target, [option, of_form])?;
+            }
+        }
+        Ok(())
+    }
+
     /// Returns the files with the options that name them.
     pub fn files(&self) -> impl Iterator<Item = (&PathBuf, &'static str)> {
         self.targets()

@@ -47,7 +47,7 @@ fn drawn(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
     let curve = |name: &str, curves: &Curves, line: &Line| Curve {
         name: name.to_owned(),
         line: curves.points(line),
-        marks: Vec::new(),
+        ..Curve::default()
     };
     let chart = |[of_a, of_b]: [&Line; 2]| Chart {
         title: title_of_both([&of_a.title, &of_b.title]),

@@ -4,8 +4,8 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
-    Curves, Does, Parameter, Rise, Rises, Span, Way, curves, parameters, shorter_roll, unmet_range,
-    ways,
+    Curves, Does, Parameter, Rise, Rises, Span, Way, check_spans, curves, parameters, shorter_roll,
+    unmet_range, ways,
 };
 use crate::failure::Failure;
 use crate::file::Source;
@@ -56,7 +56,8 @@ impl Side {
         interrupted: &AtomicBool,
     ) -> Result<Self, Failure> {
         let file = source.name();
-        let along = ways(mechanism, file, spans, unit, interrupted)?;
+        check_spans(mechanism, file, spans, unit)?;
+        let along = ways(mechanism, spans, unit, interrupted);
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
         let missing = missing.map(|failure| failure.to_string());
         let curves = along.iter().map(|along| curves(mechanism, along, unit));

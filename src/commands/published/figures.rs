@@ -83,6 +83,7 @@ impl Shown {
             name: self.legend.to_owned(),
             line,
             marks,
+            ..Curve::default()
         }
     }
 }

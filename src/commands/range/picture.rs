@@ -30,12 +30,13 @@ pub(super) fn chart(mechanism: &Description, range: &DriveRange) -> Option<Chart
             Curve {
                 name: "out of the drive's reach".to_owned(),
                 line: line(&range.curve),
-                marks: Vec::new(),
+                ..Curve::default()
             },
             Curve {
                 name: "led by the drive, ends marked".to_owned(),
                 marks: marks.into_iter().flatten().copied().collect(),
                 line: usable,
+                ..Curve::default()
             },
         ],
     })

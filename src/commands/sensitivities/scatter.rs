@@ -1,8 +1,11 @@
 //! The scatter of quantities due to that of hardpoints.
 
-use crate::commands::sensitivities::number::{DIGITS, Number};
+use crate::characteristics::DesignNumber;
 use crate::number::{rounded, without_rounding};
 use crate::tolerances::{Deviations, Sampled};
+
+/// Digits of a sensitivity.
+pub(super) const DIGITS: usize = 4;
 
 /// The scatter of quantities.
 pub(super) struct Scatter {
@@ -24,14 +27,14 @@ impl Scatter {
     }
 
     /// Returns whether a number deviates by more than rounding.
-    pub(super) fn changes(&self, at: &Number) -> bool {
+    pub(super) fn changes(&self, at: &DesignNumber) -> bool {
         let mut rows = self.rows();
         rows.any(|(_, deviations)| {
             without_rounding(deviations[at.column][at.number] * at.scale) != 0.0
         })
     }
 
-    pub(super) fn in_words(&self, at: &Number) -> String {
+    pub(super) fn in_words(&self, at: &DesignNumber) -> String {
         let of = |deviations: &Deviations| {
             let deviation = deviations[at.column][at.number] * at.scale.abs();
             rounded(without_rounding(deviation), DIGITS)

@@ -44,7 +44,7 @@ fn chart(curves: &Curves, parameters: &[Parameter], (lines, unit): (Vec<&Line>, 
     let curve = |(line, points): (&&Line, _)| Curve {
         name: line.title.wheel.clone().unwrap_or_default(),
         line: points,
-        marks: Vec::new(),
+        ..Curve::default()
     };
     Chart {
         title,

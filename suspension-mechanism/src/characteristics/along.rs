@@ -48,33 +48,22 @@ const SHORTEST: f64 = 3e-4;
 const LONGEST: f64 = 1.0;
 
 /// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
-/// are in `unit`; that of travel also applies to heave and roll.
-///
-/// # Errors
-///
-/// [`Failure::Input`] if no drive is known to move the wheel up and down.
+/// are in `unit`; that of travel also applies to heave and roll. [`check_spans`] checks them.
 pub fn ways(
     mechanism: &dyn Kinematics,
-    file: &str,
     spans: [Option<Span>; 2],
     unit: Unit,
     interrupted: &AtomicBool,
-) -> Result<Vec<Along>, Failure> {
+) -> Vec<Along> {
     let names = &mechanism.names;
-    if names.vehicle.travel.is_empty() {
-        return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
-    }
     let mut ways: Vec<Along> = Vec::new();
     for course in Course::all(mechanism) {
-        let option = usize::from(course.does == Does::Steer);
+        let option = option_of(&course);
         let kind = names.drives[course.drives[0].0].kind;
         let span = spans[option];
         let metre = mechanism.unit.metre();
         let span = match (span, kind) {
-            (Some(span), DriveKind::Coordinate) => {
-                note_length(file, &course.title, span, unit);
-                span.0.map(|end| end / unit.metre() * metre)
-            }
+            (Some(Span(ends)), DriveKind::Coordinate) => ends.map(|end| end / unit.metre() * metre),
             (Some(Span(ends)), DriveKind::Angle | DriveKind::Turn) => {
                 ends.map(|end| end / unit.angle.radian())
             }
@@ -96,7 +85,7 @@ pub fn ways(
             interrupted,
         ));
     }
-    Ok(ways)
+    ways
 }
 
 /// The usual largest change of a drive to either side: in the unit of lengths, or in radians.
@@ -155,6 +144,35 @@ pub fn no_steering(file: &str) -> Failure {
     Failure::Input(format!(
         "{file}: no drive steers, so --steer has no effect; if one does, write [vehicle] with steer = \"NAME\""
     ))
+}
+
+/// The number of the span that a course moves through: that of travel or that of steering.
+fn option_of(course: &Course) -> usize {
+    usize::from(course.does == Does::Steer)
+}
+
+/// Prints notes on spans that seem to be in another unit.
+///
+/// # Errors
+///
+/// [`Failure::Input`] if no drive is known to move the wheel up and down.
+pub fn check_spans(
+    mechanism: &dyn Kinematics,
+    file: &str,
+    spans: [Option<Span>; 2],
+    unit: Unit,
+) -> Result<(), Failure> {
+    let names = &mechanism.names;
+    if names.vehicle.travel.is_empty() {
+        return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
+    }
+    for course in Course::all(mechanism) {
+        let kind = names.drives[course.drives[0].0].kind;
+        if let (Some(span), DriveKind::Coordinate) = (spans[option_of(&course)], kind) {
+            note_length(file, &course.title, span, unit);
+        }
+    }
+    Ok(())
 }
 
 /// Prints a note if a span seems to be in another unit.

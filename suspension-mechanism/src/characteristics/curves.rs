@@ -151,6 +151,7 @@ impl Read<'_> {
                 of_wheel: format!("motion ratio: {} per {}", title.of_wheel, self.along.title),
                 ..title.clone()
             },
+            quantity: column.title(),
             symbol: symbol_per(&symbol, self.drive_dimension(), self.unit),
             rates: vec![None; rates.len()],
             values: rates.clone(),
@@ -165,6 +166,7 @@ impl Read<'_> {
         };
         let curve = Line {
             title,
+            quantity: column.title(),
             symbol,
             is_cut: may_be_far && (drawn != values || jumps(&values)),
             values: drawn,

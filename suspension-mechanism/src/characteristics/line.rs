@@ -8,6 +8,8 @@ use crate::mechanism::ends;
 pub struct Line {
     /// Its name, and the wheel to which it belongs.
     pub title: Title,
+    /// The name of its quantity in tables, such as `toe`; for a motion ratio that of the measure.
+    pub quantity: String,
     /// Its unit.
     pub symbol: String,
     /// Its value at each of the drive's changes; `None` if the mechanism is out of reach, if there is no such number,

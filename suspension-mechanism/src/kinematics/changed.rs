@@ -1,9 +1,11 @@
 //! A mechanism with changed hardpoints and lengths.
 
 use nalgebra::Vector3;
-use suspension_core::{Inputs, Motion, Newton, Signal, Still, Values, assemble};
+use suspension_core::{
+    GeometryError, Inputs, Motion, Newton, Signal, SolveError, Still, Values, assemble,
+};
 
-use crate::mechanism::{Description, DriveLaws, Mechanism, Spring, Suspension};
+use crate::mechanism::{Description, DriveLaws, Mechanism, Names, Spring, Suspension};
 
 /// The differences of another mechanism, in the file's axes and unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,6 +40,25 @@ impl Changes {
     }
 }
 
+/// Why there is no mechanism with changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unbuilt {
+    /// It cannot be built from these points and lengths.
+    Geometry(GeometryError),
+    /// There is no configuration near these points.
+    Apart(SolveError<f64>),
+}
+
+impl Unbuilt {
+    /// The reason as a sentence.
+    pub fn in_words(&self, names: &Names) -> String {
+        match self {
+            Self::Geometry(error) => error.named(names).to_string(),
+            Self::Apart(error) => names.cause(error),
+        }
+    }
+}
+
 /// A model with changes, the changed points at the start of the mechanism, and the drives.
 pub(super) struct Built<L: Suspension<N>, const N: usize> {
     /// Boxed because it is large and would otherwise be copied.
@@ -52,22 +73,22 @@ pub(super) fn build<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     mut points: L::Points,
     changes: &Changes,
-) -> Option<Built<L, N>> {
+) -> Result<Built<L, N>, Unbuilt> {
     for (point, by) in &changes.points {
-        let moved = points.values().nth(*point)? + by;
-        points = points.with(*point, moved);
+        let [at] = points.at([*point]);
+        points = points.with(*point, at + by);
     }
-    let mut model = Box::new(L::of(mechanism.model.listing(), &points).ok()?);
+    let mut model = Box::new(L::of(mechanism.model.listing(), &points).map_err(Unbuilt::Geometry)?);
     let drives = model.drives_at(&points);
     if !changes.lengths.is_empty() {
         let mut lengths = model.lengths();
         for (length, by) in &changes.lengths {
-            let changed = lengths.values().nth(*length)? + by;
-            lengths = lengths.with(*length, changed);
+            let [now] = lengths.at([*length]);
+            lengths = lengths.with(*length, now + by);
         }
-        *model = model.with_lengths(&lengths).ok()?;
+        *model = model.with_lengths(&lengths).map_err(Unbuilt::Geometry)?;
     }
-    Some(Built {
+    Ok(Built {
         model,
         points,
         drives,
@@ -78,7 +99,7 @@ pub(super) fn build<L: Suspension<N>, const N: usize>(
 pub(super) fn changed<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
     changes: &Changes,
-) -> Option<Mechanism<L, N>> {
+) -> Result<Mechanism<L, N>, Unbuilt> {
     let Built {
         model,
         points,
@@ -100,13 +121,13 @@ fn assemble_nearest<L: Suspension<N>, const N: usize>(
     model: L,
     points: &L::Points,
     drives: L::Drives,
-) -> Option<Mechanism<L, N>> {
+) -> Result<Mechanism<L, N>, Unbuilt> {
     let mut position = model.unknowns(points);
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
     // If only the points were changed, they are the solution.
     let nearby = Newton::default().solve(&model, &inputs, &mut position);
     if nearby.is_err() {
-        assemble(&Newton::from_afar(), &model, &inputs, &mut position).ok()?;
+        assemble(&Newton::from_afar(), &model, &inputs, &mut position).map_err(Unbuilt::Apart)?;
     }
     let there = Motion::at_rest(position).points(&model, &inputs);
     let places: Vec<_> = there.value.values().collect();
@@ -124,7 +145,7 @@ fn assemble_nearest<L: Suspension<N>, const N: usize>(
     let masses = names.vehicle.masses.iter();
     let metre = mechanism.unit.metre();
     names.vehicle.masses = masses.map(|mass| mass.held_at(&places, metre)).collect();
-    Some(Mechanism {
+    Ok(Mechanism {
         description: Description {
             drives: DriveLaws::held(drives.values()),
             names,

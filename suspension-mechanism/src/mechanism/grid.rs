@@ -49,11 +49,7 @@ impl Axis {
         others: &[Self],
     ) -> Result<Self, String> {
         let mut drives = Vec::new();
-        for name in words.split(',').map(str::trim) {
-            let (name, part) = match name.strip_prefix('-') {
-                Some(name) => (name.trim(), -1.0),
-                None => (name, 1.0),
-            };
+        for (name, part) in moved_together(words) {
             let drive = mechanism.names.chosen_drive(Some(name))?;
             let mut given = others.iter().flat_map(|axis| &axis.drives).chain(&drives);
             if given.any(|(other, _)| *other == drive) {
@@ -81,6 +77,15 @@ impl Axis {
         });
         each.collect::<Vec<_>>().join(",")
     }
+}
+
+/// The names that commas join, each with the sign of its change: -1 behind a minus, otherwise 1.
+pub fn moved_together(words: &str) -> impl Iterator<Item = (&str, f64)> {
+    let names = words.split(',').map(str::trim);
+    names.map(|name| match name.strip_prefix('-') {
+        Some(name) => (name.trim(), -1.0),
+        None => (name, 1.0),
+    })
 }
 
 /// Refuses a length and an angle that move together: no number is in the units of both.

@@ -112,6 +112,11 @@ pub fn place_in_curves(quantity: &Quantity) -> usize {
     place.unwrap_or(FIRST_IN_CURVES.len())
 }
 
+/// Whether a row is among those that a reader looks for first.
+pub fn is_first_in_curves(quantity: &Quantity) -> bool {
+    place_in_curves(quantity) < FIRST_IN_CURVES.len()
+}
+
 /// All rows, in the order of tables.
 pub fn catalogue() -> impl Iterator<Item = &'static Quantity> + Clone {
     let files = [

@@ -51,7 +51,9 @@ pub(super) fn derivatives(
     let step = STEP * extent(mechanism.points()).max();
     let mut sum = DMatrix::zeros(columns.len(), 1 + mechanism.names.drives.len());
     for (steps, weight) in WEIGHTS {
-        let changed = mechanism.changed(&change.per_unit.times(steps * step))?;
+        let changed = mechanism
+            .changed(&change.per_unit.times(steps * step))
+            .ok()?;
         let numbers = read(&*changed, columns)?;
         sum += DMatrix::from_fn(sum.nrows(), sum.ncols(), |column, number| {
             weight * numbers[column][number]

@@ -68,16 +68,16 @@ impl Quantity {
     pub(super) fn chart(&self, [model, measured]: &[String; 2], across: &str) -> Chart {
         let marks = |name: String, places: &[Place]| Curve {
             name,
-            line: Vec::new(),
             marks: places
                 .iter()
                 .map(|place| (place.at, place.values[1]))
                 .collect(),
+            ..Curve::default()
         };
         let model = Curve {
             name: model.clone(),
             line: self.curve.clone(),
-            marks: Vec::new(),
+            ..Curve::default()
         };
         let mut curves = vec![model, marks(measured.clone(), &self.places)];
         let offset = self.offset().map_or(0.0, |offset| offset.value());

@@ -1,0 +1,58 @@
+//! Where a report goes: standard output, tables and a page of HTML.
+
+use std::path::PathBuf;
+
+use crate::failure::Failure;
+use crate::output::files::{announce, print};
+use crate::output::rows::Forms;
+use crate::output::target::Target;
+
+/// The files that the options `--csv`, `--json` and `--html` name.
+pub struct Destinations {
+    /// The destinations of the tables.
+    pub forms: Forms,
+    /// The destination of the page.
+    pub html: Option<Target>,
+}
+
+impl Destinations {
+    /// Returns the destinations that the three options name.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] for a file that was read, and for one place that two options name.
+    pub fn new(options: [&Option<PathBuf>; 3]) -> Result<Self, Failure> {
+        let [csv, json, html] = options.map(|path| path.clone().map(Target::from));
+        let forms = Forms {
+            csv,
+            json,
+            parquet: None,
+        };
+        forms.check_with(html.as_ref(), "--html")?;
+        Ok(Self { forms, html })
+    }
+
+    /// Prints a report as text, unless a table or the page goes to standard output, and writes its tables and its page.
+    ///
+    /// # Errors
+    ///
+    /// See [`Failure::writing`].
+    pub fn write(
+        &self,
+        text: impl FnOnce() -> String,
+        tables: impl FnOnce(&Forms) -> Result<(), Failure>,
+        page: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        let Self { forms, html } = self;
+        if ![&forms.csv, &forms.json, html].contains(&&Some(Target::Stdout)) {
+            print(&text())?;
+        }
+        tables(forms)?;
+        if let Some(html) = html {
+            html.write(&page())?;
+        }
+        let files = forms.files().map(|(path, _)| path.as_path());
+        announce(files.chain(html.as_ref().and_then(Target::path)));
+        Ok(())
+    }
+}
