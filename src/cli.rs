@@ -9,7 +9,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     assemblies, bake, check, compare, draw, import, list, loads, motion, published, range,
-    sensitivities, sheet, sweep, tables, tune,
+    sensitivities, sheet, sweep, tables, tune, vary,
 };
 use crate::failure::Failure;
 use crate::file::tell;
@@ -93,6 +93,10 @@ pub enum Command {
     ///
     /// Curves of bump steer, camber gain, roll centre, motion ratio or any other quantity. Writes a motion file.
     Tune(tune::Arguments),
+    /// Varies a hardpoint coordinate or a length, and prints and draws what changes.
+    ///
+    /// Bump steer, roll centre, motion ratios or any other quantity, a column for each value; curves over travel on a page.
+    Vary(vary::Arguments),
 }
 
 impl Options {
@@ -129,6 +133,7 @@ impl Options {
             Some(Command::Sweep(arguments)) => arguments.run(interrupted),
             Some(Command::Tables(arguments)) => arguments.run(interrupted),
             Some(Command::Tune(arguments)) => arguments.run(interrupted),
+            Some(Command::Vary(arguments)) => arguments.run(interrupted),
         }
     }
 }

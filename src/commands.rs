@@ -16,3 +16,4 @@ pub mod sheet;
 pub mod sweep;
 pub mod tables;
 pub mod tune;
+pub mod vary;

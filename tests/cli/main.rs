@@ -47,6 +47,7 @@ mod tolerances;
 mod tune;
 mod turned;
 mod units;
+mod vary;
 
 /// The program that is run.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");

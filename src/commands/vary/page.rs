@@ -1,0 +1,134 @@
+//! The page of HTML: a chart for each quantity, with a curve for each value.
+
+use maud::{Markup, html};
+
+use crate::characteristics::{Curves, Line};
+use crate::commands::vary::report::{DESIGN, Report};
+use crate::commands::vary::study::{ROUNDING, Variant};
+use crate::mechanism::ends;
+use crate::output::colour::Colour;
+use crate::output::page::{charts, page};
+use crate::output::plot::{Chart, Curve};
+
+/// Returns the page, with charts of all quantities or of those whose numbers the report has.
+pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
+    let study = report.study;
+    let sections = study.design().map_or(&[][..], |design| &design.curves);
+    let body = html! {
+        p { (report.heading()) }
+        @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {
+            p { strong { "Values are left out: " } (unbuilt) }
+        }
+        @for sentence in &study.cut_short {
+            p { strong { "The curves are cut short: " } (sentence) }
+        }
+        @for curves in sections { (section(report, curves, draws_all)) }
+    };
+    let title = format!("Variation of {}", report.varied.change.name);
+    page(&title, &body)
+}
+
+/// The charts along what moves, under their heading.
+fn section(report: &Report<'_>, curves: &Curves, draws_all: bool) -> Markup {
+    let is_shown = |line: &&Line| {
+        let mut numbers = report.numbers.iter();
+        draws_all || numbers.any(|number| number.quantity == line.quantity)
+    };
+    let lines = curves.lines.iter().filter(is_shown);
+    let charts_of_all = lines.map(|line| chart(report, curves, line));
+    let (differ, same): (Vec<Chart>, Vec<Chart>) = charts_of_all.partition(differ);
+    let same: Vec<&str> = same.iter().map(|chart| chart.title.as_str()).collect();
+    let left_out: Vec<String> = curves.left_out.iter().map(ToString::to_string).collect();
+    html! {
+        h2 { "Over " (curves.title) }
+        @if !same.is_empty() {
+            p { "Alike for all values to the eye, without a chart: " (same.join(", ")) "." }
+        }
+        @if draws_all && !left_out.is_empty() {
+            p { "Left out, as they are at infinity or pass through it: " (left_out.join(", ")) "." }
+        }
+        @if draws_all && let Some(note) = curves.without_small_steer() { p { (note) "." } }
+        @if !differ.is_empty() { (legend(report)) }
+        (charts(&differ))
+    }
+}
+
+/// The chart of a quantity; the curve of the design is drawn over the others.
+fn chart(report: &Report<'_>, curves: &Curves, line: &Line) -> Chart {
+    let of_variant = |(variant, colour): (&Variant, Colour)| {
+        let mut sections = variant.curves.iter();
+        let section = sections.find(|section| section.title == curves.title)?;
+        let mut lines = section.lines.iter();
+        let line = lines.find(|other| other.title == line.title)?;
+        Some(Curve {
+            line: section.points(line),
+            colour,
+            ..Curve::default()
+        })
+    };
+    let mut drawn: Vec<Curve> = coloured(report).filter_map(of_variant).collect();
+    drawn.sort_by_key(|curve| curve.colour == Colour::Black);
+    Chart {
+        title: line.title.to_string(),
+        across: curves.axis_label(report.varied.mechanism.unit),
+        quantity: line.symbol.clone(),
+        curves: drawn,
+    }
+}
+
+/// Returns whether the curves of a chart are beside each other, as far as a reader sees.
+fn differ(chart: &Chart) -> bool {
+    /// A part of the height of all curves.
+    const VISIBLE: f64 = 1.0 / 200.0;
+    let heights = chart.curves.iter().flat_map(|curve| &curve.line);
+    let [low, high] = ends(
+        heights
+            .map(|point| point.1)
+            .filter(|height| height.is_finite()),
+    )
+    .unwrap_or_default();
+    let near = VISIBLE * (high - low);
+    let is_same = |(a, b): (&(f64, f64), &(f64, f64))| match [a.1, b.1].map(f64::is_finite) {
+        [true, true] => (a.1 - b.1).abs() <= near.max(ROUNDING * a.1.abs().max(1.0)),
+        [a, b] => a == b,
+    };
+    let Some((design, others)) = chart.curves.split_last() else {
+        return false;
+    };
+    let lies_on_design = |other: &Curve| other.line.iter().zip(&design.line).all(is_same);
+    !others.iter().all(lies_on_design)
+}
+
+/// The variants with their colours.
+fn coloured<'a>(report: &Report<'a>) -> impl Iterator<Item = (&'a Variant, Colour)> {
+    let variants = &report.study.variants;
+    let last = variants.len().saturating_sub(1).max(1) as f64;
+    let is_falling = variants.first().map(|variant| variant.value)
+        > variants.last().map(|variant| variant.value);
+    variants.iter().enumerate().map(move |(place, variant)| {
+        let part = place as f64 / last;
+        let colour = match variant.value {
+            0.0 => Colour::Black,
+            _ => Colour::OfScale(if is_falling { 1.0 - part } else { part }),
+        };
+        (variant, colour)
+    })
+}
+
+/// The names of the curves of all charts.
+fn legend(report: &Report<'_>) -> Markup {
+    let name = |variant: &Variant| match variant.value {
+        0.0 => DESIGN.to_owned(),
+        value => report.varied.in_words(value),
+    };
+    html! {
+        p.legend {
+            @for (variant, colour) in coloured(report) {
+                span {
+                    span.line style={ "border-color: " (colour.in_css()) } {}
+                    (name(variant))
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! The study: the suspension at each value of what is varied.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::characteristics::{
+    Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, parameters, unmet_range,
+    ways,
+};
+use crate::failure::Failure;
+use crate::kinematics::{Kinematics, Unbuilt};
+use crate::mechanism::Description;
+use crate::number::{number, rounded, without_rounding};
+use crate::output::progress::Progress;
+use crate::quantities::Column;
+use crate::sensitivities::{Change, read};
+
+/// Smaller differences are rounding, absolute or relative to a larger number.
+pub(super) const ROUNDING: f64 = 1e-9;
+
+/// What is varied, in which suspension.
+pub(super) struct Varied<'a> {
+    pub(super) file: &'a str,
+    pub(super) mechanism: &'a dyn Kinematics,
+    pub(super) change: Change,
+}
+
+impl Varied<'_> {
+    /// Names a value, for example `rack.z 3 mm`.
+    pub(super) fn in_words(&self, value: f64) -> String {
+        let unit = self.mechanism.unit.symbol();
+        format!("{} {} {unit}", self.change.name, label(value))
+    }
+
+    /// Says that no value changes anything.
+    pub(super) fn describe_no_effect(&self) -> String {
+        format!(
+            "{}: {} changes no quantity at the design position and no derivative, as along an axis about which the part turns; \
+             vary another coordinate",
+            self.file, self.change.name
+        )
+    }
+}
+
+/// Returns a value with the digits in which evenly spaced values are told.
+pub(super) fn label(value: f64) -> String {
+    const DIGITS: usize = 6;
+    rounded(without_rounding(value), DIGITS)
+}
+
+/// The suspension at a value.
+pub(super) struct Variant {
+    /// The change from the design, in the unit of the file; zero for the design itself.
+    pub(super) value: f64,
+    /// For each column its value at the design position, and its derivatives with respect to each drive.
+    pub(super) numbers: Vec<Vec<f64>>,
+    /// Curves over travel and steering, if they are asked for.
+    pub(super) curves: Vec<Curves>,
+}
+
+impl Variant {
+    /// Returns a number in its printed unit; NaN if there is none.
+    pub(super) fn shown(&self, number: &DesignNumber) -> f64 {
+        let of_column = self.numbers.get(number.column);
+        let value = of_column.and_then(|numbers| numbers.get(number.number));
+        value.map_or(f64::NAN, |value| value * number.scale)
+    }
+}
+
+/// The suspension at all values.
+pub(super) struct Study {
+    pub(super) columns: Vec<Column>,
+    pub(super) variants: Vec<Variant>,
+    /// The values with which there is no suspension.
+    unbuilt: Vec<(f64, Unbuilt)>,
+    /// Sentences on curves that end before the range does.
+    pub(super) cut_short: Vec<String>,
+    /// The failure to report of them.
+    locked: Option<Failure>,
+    /// The number of values that an interrupt left out.
+    left_out: usize,
+}
+
+/// The ranges of travel and steering of the curves.
+pub(super) type Spans = [Option<Span>; 2];
+
+impl Study {
+    /// Computes the suspension at each of the `values`, with curves if their ranges are given. An interrupt ends the work.
+    pub(super) fn compute(
+        varied: &Varied<'_>,
+        values: &[f64],
+        spans: Option<Spans>,
+        interrupted: &AtomicBool,
+    ) -> Result<Self, Failure> {
+        let mut study = Self {
+            columns: columns(varied.mechanism),
+            variants: Vec::new(),
+            unbuilt: Vec::new(),
+            cut_short: Vec::new(),
+            locked: None,
+            left_out: 0,
+        };
+        if let Some(spans) = spans {
+            check_spans(varied.mechanism, varied.file, spans, varied.mechanism.unit)?;
+        }
+        let mut progress = Progress::new(values.len(), "values");
+        for (done, value) in values.iter().enumerate() {
+            study.add(varied, *value, spans, interrupted);
+            if interrupted.load(Ordering::Relaxed) {
+                study.variants.truncate(done);
+                study.left_out = values.len() - done;
+                break;
+            }
+            progress.step();
+        }
+        Ok(study)
+    }
+
+    /// Adds the suspension at a value.
+    fn add(
+        &mut self,
+        varied: &Varied<'_>,
+        value: f64,
+        spans: Option<Spans>,
+        interrupted: &AtomicBool,
+    ) {
+        let design = varied.mechanism;
+        if value == 0.0 {
+            return self.add_built(varied, (value, design), spans, interrupted);
+        }
+        match design.changed(&varied.change.per_unit.times(value)) {
+            Ok(built) => self.add_built(varied, (value, &*built), spans, interrupted),
+            Err(why) => self.unbuilt.push((value, why)),
+        }
+    }
+
+    fn add_built(
+        &mut self,
+        varied: &Varied<'_>,
+        (value, mechanism): (f64, &dyn Kinematics),
+        spans: Option<Spans>,
+        interrupted: &AtomicBool,
+    ) {
+        let numbers = read(mechanism, &self.columns).unwrap_or_default();
+        let mut curves = Vec::new();
+        if let Some(spans) = spans {
+            let name = format!("{} with {}", varied.file, varied.in_words(value));
+            let unit = mechanism.unit;
+            let ways = ways(mechanism, spans, unit, interrupted);
+            let failures = ways.iter().filter_map(|along| along.visited.failure(&name));
+            self.cut_short
+                .extend(failures.map(|failure| failure.to_string()));
+            let rises = Rise::of_drives(mechanism, &parameters(mechanism, unit), unit);
+            curves = all_curves(mechanism, &ways, &rises);
+            self.locked = self.locked.take().or_else(|| unmet_range(&ways, &name));
+        }
+        self.variants.push(Variant {
+            value,
+            numbers,
+            curves,
+        });
+    }
+
+    /// Returns whether a number has a value in one of the variants.
+    pub(super) fn has_value(&self, number: &DesignNumber) -> bool {
+        let mut variants = self.variants.iter();
+        variants.any(|variant| variant.shown(number).is_finite())
+    }
+
+    /// The numbers of the design, if it is among the variants.
+    pub(super) fn design(&self) -> Option<&Variant> {
+        self.variants.iter().find(|variant| variant.value == 0.0)
+    }
+
+    /// Returns whether all variants have the numbers of the design, and there are others.
+    pub(super) fn changes_nothing(&self) -> bool {
+        let Some(design) = self.design().filter(|_| self.variants.len() > 1) else {
+            return false;
+        };
+        let is_same = |(a, b): (&f64, &f64)| {
+            (a.is_nan() && b.is_nan()) || (a - b).abs() <= ROUNDING * a.abs().max(1.0)
+        };
+        let flat = |variant: &Variant| variant.numbers.concat();
+        let same = |other: &Variant| flat(design).iter().zip(&flat(other)).all(is_same);
+        self.variants.iter().all(same)
+    }
+
+    /// Says with which values there is no suspension, and why; `None` if there is one with all.
+    pub(super) fn describe_unbuilt(&self, varied: &Varied<'_>) -> Option<String> {
+        let names = &(varied.mechanism as &Description).names;
+        let (first, why) = self.unbuilt.first()?;
+        let why = why.in_words(names);
+        let name = &varied.change.name;
+        let unit = varied.mechanism.unit.symbol();
+        Some(match self.unbuilt.as_slice() {
+            [_] => format!(
+                "no suspension can be assembled with {}: {why}",
+                varied.in_words(*first)
+            ),
+            [.., (last, _)] => format!(
+                "no suspension can be assembled with {} of the values of {name}, from {} to {} {unit}; with {}: {why}",
+                self.unbuilt.len(),
+                number(*first),
+                number(*last),
+                varied.in_words(*first)
+            ),
+            [] => return None,
+        })
+    }
+
+    /// Returns the failure of a study of which a part is missing.
+    pub(super) fn failure(self, varied: &Varied<'_>) -> Option<Failure> {
+        let file = varied.file;
+        if self.left_out > 0 {
+            return Some(Failure::Interrupted(format!(
+                "{file}: interrupted; the last {} of the values are left out",
+                self.left_out
+            )));
+        }
+        let unbuilt = self.describe_unbuilt(varied);
+        let unbuilt = unbuilt.map(|why| Failure::Solver(format!("{file}: {why}")));
+        unbuilt.or(self.locked)
+    }
+}

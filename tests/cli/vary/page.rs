@@ -1,0 +1,72 @@
+//! The page of charts.
+
+use super::super::program::{folder, text};
+use super::{arm, corner, vary};
+
+fn page(file: &str, arguments: &[&str], code: i32) -> (String, String) {
+    let folder = folder();
+    let output = vary(
+        folder.path(),
+        file,
+        &[arguments, &["--html", "v.html"]].concat(),
+    );
+    assert_eq!(output.status.code(), Some(code), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("v.html")).expect("a page");
+    (page, text(&output.stderr).to_owned())
+}
+
+#[test]
+fn the_page_has_a_curve_for_each_value_and_names_them() {
+    let (page, _) = page(&corner(""), &["rack.z=-0.006:0.006:5", "--of", "toe"], 0);
+    for name in [
+        "rack.z -0.006 m",
+        "rack.z -0.003 m",
+        ">design<",
+        "rack.z 0.003 m",
+        "Over bump",
+        "Over steer",
+    ] {
+        assert!(page.contains(name), "{name}");
+    }
+    assert_eq!(
+        page.matches("<svg").count(),
+        1,
+        "toe over bump; over steer the curves are alike"
+    );
+    assert!(page.contains("Alike for all values to the eye, without a chart: toe angle."));
+    let black = page
+        .rfind("stroke=\"#000000\"")
+        .expect("the curve of the design");
+    assert!(
+        page[..black].contains("stroke=\"#2832BE\""),
+        "the lowest is drawn before it"
+    );
+}
+
+/// Over a damper's length each wheel travels another way: the page has curves over the travel of the wheel too.
+#[test]
+fn a_drive_that_is_no_height_has_curves_over_wheel_travel_too() {
+    let travels = "vehicle = { travel = \"damper\" }\n";
+    let (page, _) = page(&arm(travels), &["top.z=-0.02:0.02:3"], 0);
+    for heading in ["Over damper upwards", "Over wheel travel (damper upwards)"] {
+        assert!(page.contains(heading), "{heading}");
+    }
+    let folder = folder();
+    let output = vary(folder.path(), &arm(""), &["top.z=0.02", "--html", "v.html"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = "a.toml: which drive moves the wheel up and down?";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+}
+
+#[test]
+fn a_lock_within_the_travel_cuts_the_curves_short() {
+    let (page, message) = page(&corner(""), &["rack.z=0.002", "--travel", "-0.05:0.6"], 3);
+    assert!(page.contains("The curves are cut short: "), "{message}");
+    assert!(page.contains("a.toml with rack.z 0.002 m: "), "{message}");
+    assert!(message.contains("a.toml with rack.z"), "{message}");
+    assert_eq!(
+        message.matches("is it in another unit?").count(),
+        0,
+        "{message}"
+    );
+}
