@@ -32,8 +32,8 @@ pub struct Arguments {
     #[arg(value_name = "NAME=FROM:TO:COUNT", allow_hyphen_values = true)]
     values: Values,
     /// Print and draw the quantities whose names begin with NAME, such as camber or toe; give the option several times for
-    /// several. Without it camber, toe, roll centres, measures, anti-dive and the like, caster and kingpin are printed, and all
-    /// quantities are written and drawn.
+    /// several. Without it camber, toe, roll centres, measures, anti-dive and the like, caster and kingpin are printed where they
+    /// are not zero throughout, and all quantities are written and drawn.
     #[arg(long = "of", value_name = "NAME")]
     of: Vec<String>,
     /// How far the drives that move the wheels up and down change from the design position on the page of --html, in the file's
@@ -86,9 +86,9 @@ impl Arguments {
             mechanism,
             change: loaded.change_together(mechanism, self.values.name())?,
         };
-        self.tell_doubts(&varied);
-        let spans: Option<Spans> = to.html.as_ref().map(|_| [self.travel, self.steer]);
         let values = self.values.with_design();
+        self.tell_doubts(&varied, &values);
+        let spans: Option<Spans> = to.html.as_ref().map(|_| [self.travel, self.steer]);
         let study = Study::compute(&varied, &values, spans, interrupted)?;
         let [printed, written] = self.chosen(&varied, &study)?;
         if study.changes_nothing() {
@@ -108,10 +108,13 @@ impl Arguments {
     }
 
     /// Notes what is probably a mistake in what is varied.
-    fn tell_doubts(&self, varied: &Varied<'_>) {
-        let one_sided = describe_one_sided(varied.mechanism, &varied.change);
-        let doubt = self.values.doubt(varied.mechanism);
-        for note in one_sided.into_iter().chain(doubt) {
+    fn tell_doubts(&self, varied: &Varied<'_>, values: &[f64]) {
+        let notes = [
+            describe_one_sided(varied.mechanism, &varied.change),
+            self.values.doubt(varied.mechanism),
+            varied.describe_elsewhere(values),
+        ];
+        for note in notes.into_iter().flatten() {
             tell(format_args!("note: {}: {note}", varied.file));
         }
     }
@@ -134,7 +137,7 @@ impl Arguments {
             |number: &DesignNumber| is_first_in_curves(study.columns[number.column].quantity);
         let [mut printed, mut written] = [known.clone(), known];
         if self.of.is_empty() {
-            printed.retain(is_usual);
+            printed.retain(|number| is_usual(number) && study.is_not_zero(number));
         } else {
             printed.retain(is_named);
             written.retain(is_named);

@@ -3,6 +3,7 @@
 mod assembled;
 mod changed;
 mod changing;
+mod elsewhere;
 mod equations;
 
 use std::ops::Deref;
@@ -28,6 +29,7 @@ use assembled::Enumerated;
 pub use assembled::{Assembled, Assembly};
 pub use changed::{Changes, Unbuilt};
 pub(crate) use changing::changing;
+pub use elsewhere::elsewhere;
 pub use equations::Equations;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{DVector, Vector3};
 
 use crate::failure::Failure;
-use crate::kinematics::{Changes, Kinematics};
+use crate::kinematics::{Changes, Kinematics, elsewhere};
 use fit::{Bounds, Fit, fit, start};
 
 pub use fit::MOST_STEPS;
@@ -172,27 +172,10 @@ impl Problem<'_> {
     }
 }
 
-/// The points that are not where they were moved to when the mechanism is assembled.
+/// The moved points that are not where they were moved to when the mechanism is assembled.
 fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
-    /// A fraction of their displacement.
-    const OFF: f64 = 1e-3;
-    /// A fraction of the largest coordinate.
-    const ROUNDING: f64 = 1e-9;
-    let before = mechanism.points();
-    let mut moved = vec![Vector3::zeros(); before.len()];
-    for (point, by) in &points {
-        moved[*point] += by;
-    }
-    let lengths = Vec::new();
-    let assembled = mechanism.changed(&Changes { points, lengths });
-    let after = assembled.map_or_else(|_| Vec::new(), |mechanism| mechanism.points());
-    let size = before
-        .iter()
-        .fold(0.0, |most, point| f64::max(most, point.amax()));
-    let each = before.iter().zip(&after).zip(&moved).enumerate();
-    let held = each.filter(|(_, ((before, after), by))| {
-        let off = (*after - *before - *by).norm();
-        **by != Vector3::zeros() && off > (OFF * by.norm()).max(ROUNDING * size)
-    });
-    held.map(|(point, _)| point).collect()
+    let moved: Vec<usize> = points.iter().map(|(point, _)| *point).collect();
+    let mut elsewhere = elsewhere(mechanism, points);
+    elsewhere.retain(|point| moved.contains(point));
+    elsewhere
 }

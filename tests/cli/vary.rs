@@ -1,6 +1,7 @@
 //! A hardpoint or a length over a range of values.
 
 mod axle;
+mod length;
 mod page;
 mod refused;
 
@@ -140,36 +141,6 @@ fn values_are_in_the_unit_and_axes_of_the_file() {
         assert!(compared > 40, "{compared}");
         assert!(numbers.contains_key(&("reach".to_owned(), "design".to_owned())));
     }
-}
-
-/// The file states the length in a table of lengths.
-#[test]
-fn a_varied_length_is_that_of_a_file_with_the_length_changed() {
-    let plain = corner("");
-    let shortest = varied(&plain, "tie_rod=-0.001:0.001:3").remove(0);
-    assert_eq!(shortest.0, -0.001);
-    let folder = folder();
-    std::fs::write(folder.path().join("a.toml"), &plain).expect("written");
-    let toe = |numbers: &BTreeMap<Name, (f64, String)>| {
-        numbers[&("toe".to_owned(), "design".to_owned())].0
-    };
-    let tuned = format!(
-        "{plain}[tune.moves.rod]\nlength = \"tie_rod\"\nby = [-0.002, 0.002]\n[tune.targets.toe]\nof = \"toe\"\nvalue = {:?}\n\
-         within = 1e-9\n",
-        toe(&shortest.1)
-    );
-    std::fs::write(folder.path().join("t.toml"), &tuned).expect("written");
-    let output = run(folder.path(), &["tune", "t.toml", "--out", "-"]);
-    assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let output = run(folder.path(), &["tune", "t.toml"]);
-    let report = text(&output.stdout);
-    let line = report.lines().find(|line| line.contains("rod"));
-    let words: Vec<&str> = line.expect("the move").split_whitespace().collect();
-    let by: f64 = words[1].parse().expect("a number");
-    assert!((by + 0.001).abs() < 1e-6, "{report}");
-    // A move of [tune] has its own name.
-    let by_move = varied(&tuned, "rod=-0.001").remove(0);
-    assert_eq!(toe(&by_move.1), toe(&shortest.1));
 }
 
 #[test]

@@ -13,7 +13,9 @@ use crate::output::plot::{Chart, Curve};
 /// Returns the page, with charts of all quantities or of those whose numbers the report has.
 pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
     let study = report.study;
-    let sections = study.design().map_or(&[][..], |design| &design.curves);
+    // An interrupt may come before the design.
+    let first = study.design().or_else(|| study.variants.first());
+    let sections = first.map_or(&[][..], |variant| &variant.curves);
     let body = html! {
         p { (report.heading()) }
         @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {

@@ -7,9 +7,9 @@ use crate::characteristics::{
     ways,
 };
 use crate::failure::Failure;
-use crate::kinematics::{Kinematics, Unbuilt};
-use crate::mechanism::Description;
-use crate::number::{number, rounded, without_rounding};
+use crate::kinematics::{Kinematics, Unbuilt, elsewhere};
+use crate::mechanism::listed;
+use crate::number::{rounded, without_rounding};
 use crate::output::progress::Progress;
 use crate::quantities::Column;
 use crate::sensitivities::{Change, read};
@@ -29,6 +29,22 @@ impl Varied<'_> {
     pub(super) fn in_words(&self, value: f64) -> String {
         let unit = self.mechanism.unit.symbol();
         format!("{} {} {unit}", self.change.name, label(value))
+    }
+
+    /// Says which points are not where the file or the largest of the values puts them; `None` if there are none.
+    pub(super) fn describe_elsewhere(&self, values: &[f64]) -> Option<String> {
+        let largest = values.iter().copied();
+        let largest = largest.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        let points = elsewhere(self.mechanism, self.change.per_unit.times(largest).points);
+        let names = &self.mechanism.names.points;
+        let points = points.iter().map(|point| format!("`{}`", names[*point]));
+        let points = listed(points);
+        (!points.is_empty()).then(|| {
+            format!(
+                "with {} the points do not satisfy the listing; the suspension is assembled with {points} elsewhere",
+                self.in_words(largest)
+            )
+        })
     }
 
     /// Says that no value changes anything.
@@ -166,6 +182,12 @@ impl Study {
         variants.any(|variant| variant.shown(number).is_finite())
     }
 
+    /// Returns whether a number is other than zero in one of the variants.
+    pub(super) fn is_not_zero(&self, number: &DesignNumber) -> bool {
+        let mut variants = self.variants.iter();
+        variants.any(|variant| without_rounding(variant.shown(number)) != 0.0)
+    }
+
     /// The numbers of the design, if it is among the variants.
     pub(super) fn design(&self) -> Option<&Variant> {
         self.variants.iter().find(|variant| variant.value == 0.0)
@@ -186,25 +208,27 @@ impl Study {
 
     /// Says with which values there is no suspension, and why; `None` if there is one with all.
     pub(super) fn describe_unbuilt(&self, varied: &Varied<'_>) -> Option<String> {
-        let names = &(varied.mechanism as &Description).names;
+        /// The most values that are named.
+        const MOST_NAMED: usize = 8;
         let (first, why) = self.unbuilt.first()?;
-        let why = why.in_words(names);
-        let name = &varied.change.name;
-        let unit = varied.mechanism.unit.symbol();
-        Some(match self.unbuilt.as_slice() {
-            [_] => format!(
-                "no suspension can be assembled with {}: {why}",
-                varied.in_words(*first)
-            ),
-            [.., (last, _)] => format!(
-                "no suspension can be assembled with {} of the values of {name}, from {} to {} {unit}; with {}: {why}",
-                self.unbuilt.len(),
-                number(*first),
-                number(*last),
-                varied.in_words(*first)
-            ),
-            [] => return None,
-        })
+        let values = self.unbuilt.iter().map(|(value, _)| label(*value));
+        let values = match self.unbuilt.len() {
+            ..=MOST_NAMED => listed(values),
+            count => {
+                let more = format!("{} more", count - MOST_NAMED);
+                listed(values.take(MOST_NAMED).chain([more]))
+            }
+        };
+        let at = match self.unbuilt.len() {
+            1 => String::new(),
+            _ => format!("at {}: ", label(*first)),
+        };
+        Some(format!(
+            "no suspension can be assembled with {} {values} {}: {at}{}",
+            varied.change.name,
+            varied.mechanism.unit.symbol(),
+            why.in_words(&varied.mechanism.names)
+        ))
     }
 
     /// Returns the failure of a study of which a part is missing.

@@ -1,7 +1,7 @@
 //! What cannot be varied, and values with which there is no suspension.
 
 use super::super::program::{folder, text};
-use super::{arm, corner, parsed, vary};
+use super::{arm, compare_with_sweep, corner, parsed, vary};
 
 #[test]
 fn what_cannot_be_varied_is_refused_in_a_sentence() {
@@ -71,8 +71,8 @@ fn values_without_a_suspension_are_named_and_the_others_kept() {
         .collect();
     assert_eq!(values, [0.0]);
     let message = text(&output.stderr);
-    let expected = "a.toml: no suspension can be assembled with 2 of the values of tie_rod, from -0.7 to -0.35 m; \
-                    with tie_rod -0.7 m: ";
+    let expected =
+        "a.toml: no suspension can be assembled with tie_rod -0.7 and -0.35 m: at -0.7: ";
     assert!(message.contains(expected), "{message}");
     let output = vary(folder.path(), &corner(""), &["tie_rod=-0.7"]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
@@ -94,4 +94,23 @@ fn values_in_another_unit_are_noted() {
         "{message}"
     );
     assert!(message.contains("is it in another unit?"), "{message}");
+}
+
+/// The top mount of a strut is on the line of the damper, which keeps its place on the knuckle.
+#[test]
+fn points_that_are_assembled_elsewhere_are_noted() {
+    let file = |points: &str| {
+        format!(
+            "linkage = \"macpherson\"\nunit = \"m\"\nangle = \"deg\"\ntime = {{ instants = [0.0] }}\n\
+             vehicle = {{ wheel_radius = 0.31 }}\n{points}[drives]\nbump = 0.31\nsteer = 0.32\n"
+        )
+    };
+    let folder = folder();
+    let output = vary(folder.path(), &file(""), &["top.y=0.01", "--csv", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let expected = "note: a.toml: with top.y 0.01 m the points do not satisfy the listing; the suspension is assembled with ";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+    let (_, numbers) = parsed(&output.stdout).remove(1);
+    let moved = file("points = { top = [-0.03, 0.585, 0.83] }\n");
+    assert!(compare_with_sweep(&numbers, &moved, "bump") > 60);
 }
