@@ -159,12 +159,13 @@ The table has a row for each quantity at the design position and for its derivat
 bump steer), and a column for each value. The design itself is always among them. Angles are in degrees. The table of --csv
 has all quantities without --of, with the columns value, of, quantity, unit and number; `of` has design, per bump and the like.
 
-The page of --html has a chart for each quantity that the values change visibly, over the drives of travel and steering and, where a
-drive of travel is not the height of its wheel, over wheel travel; its curves are blue for the least value, red for the
-greatest and black for the design.
+The page of --html has a chart for each quantity that the values change visibly, over the drives of travel and steering and,
+where a drive of travel is not the height of its wheel, over wheel travel; its curves are blue for the least value, red for
+the greatest and black for the design.
 
-Values with which no suspension can be assembled are left out, and the last message says why. After an interrupt the values
-that are done are written.
+A note names points that are assembled elsewhere, as the points do not satisfy the listing with the values. Values with which
+no suspension can be assembled are left out, and the last message says why. After an interrupt the values that are done are
+written.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 no suspension can be assembled with some of the values,
 or one locks within --travel or --steer (the others, and the curves up to there, are written), 130 interrupted.

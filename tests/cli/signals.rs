@@ -16,7 +16,7 @@ fn ended_by(signal: &str, folder: &Path, results: &[&str]) -> Output {
     interrupted_by(signal, folder, &arguments)
 }
 
-fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
+pub(super) fn interrupted_by(signal: &str, folder: &Path, arguments: &[&str]) -> Output {
     ended(start(folder, arguments), &[signal])
 }
 

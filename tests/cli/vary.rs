@@ -1,6 +1,8 @@
 //! A hardpoint or a length over a range of values.
 
 mod axle;
+#[cfg(unix)]
+mod interrupted;
 mod length;
 mod page;
 mod refused;
