@@ -6,8 +6,8 @@ use crate::listing::Part;
 
 /// Why no configuration was found. The state that was passed in is unchanged.
 ///
-/// The part is an equation or an unknown. On a [`Curve`](crate::path::Curve) it may be the free drive, which stands
-/// for its coordinate and for the quantity that leads in its place.
+/// The part is an equation or an unknown, unless the variant says otherwise. On a [`Curve`](crate::path::Curve) it may
+/// be the free drive, which stands for its coordinate and for the quantity that leads in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
     /// A residual, or a derivative of it, is NaN or infinite. Either an input, the start or the time step is so too,
@@ -45,8 +45,9 @@ pub enum SolveError<T> {
         /// The point, one of [`Linkage::linked`](crate::linkage::Linkage::linked).
         part: Part,
     },
-    /// `step > bound`: the correction of this unknown did not shrink as it does near a root, so a root, if there is
-    /// one, might belong to another assembly.
+    /// `step > bound`: near a root the first correction is a small part of the predicted move or of the linkage's size,
+    /// and each later one is smaller than the one before. This unknown's is larger, so a root, if there is one, might
+    /// belong to another assembly.
     Diverging {
         /// The unknown with the largest correction.
         part: Part,
@@ -62,7 +63,8 @@ pub enum SolveError<T> {
         part: Part,
         /// Its size, in units of length.
         change: T,
-        /// The bound that it must not exceed: the size of the step.
+        /// The bound that it must not exceed: the size of the step times
+        /// [`Tracker::change_of_jacobian`](crate::Tracker::change_of_jacobian), or what is small for the linkage's size.
         bound: T,
     },
     /// `step > bound`, both in the unit of time: the series of the motion is not valid for so long a step. This
@@ -102,7 +104,7 @@ pub enum SolveError<T> {
         residual: T,
         /// The tolerance that it must reach.
         tolerance: T,
-        /// The number of corrections made.
+        /// The number of iterations made; in a bounded step, of corrections.
         iterations: usize,
     },
 }
