@@ -17,9 +17,9 @@ pub struct Report<T> {
 }
 
 impl<T: Real> Report<T> {
-    /// The residual left after the last step, in units of length. This is the largest residual; for a bounded step it
-    /// is the norm of all, from the quadratic identity (far below what rounding leaves; without corrections a bound
-    /// of it, the error).
+    /// The residual left after the last step, in units of length. This is the largest residual. For a bounded step it
+    /// is the norm of all, computed from the quadratic identity: the rounding errors of an evaluation, which may be
+    /// far larger, are not in it. Without corrections it is the [`error`](Self::error), which bounds that norm.
     pub fn residual(&self) -> T {
         self.residual_squared.sqrt()
     }
@@ -35,7 +35,8 @@ impl<T: Real> Report<T> {
         self.error_squared.sqrt()
     }
 
-    /// Pivot growth: the norm of the inverses of the last pivots. Rounding errors grow by this factor at most.
+    /// Pivot growth of the last factorisation: the norm of the inverses of the pivots. How far rounding errors grow
+    /// with it, [`Factors::growth_squared`](crate::linkage::Factors::growth_squared) says.
     pub fn growth(&self) -> T {
         self.growth_squared.sqrt()
     }
