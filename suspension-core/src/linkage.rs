@@ -1,4 +1,4 @@
-//! The contract between the code that `linkage!` writes and the solvers.
+//! The contract between models, which `linkage!` writes or a program makes at run time, and the solvers.
 
 mod build;
 
@@ -74,10 +74,12 @@ pub trait Listing<const N: usize>: Parts + Copy {
     }
 }
 
-/// A linkage of `N` equations in `N` unknowns: the coordinates `q` of the free points.
+/// A linkage of `N` equations in `N` unknowns `q`: the coordinates of the free points, x, y and z of each, and then
+/// those unknowns that are no coordinates, such as a place along a line.
 ///
-/// Implemented by the `Model` that `linkage!` writes. All methods are straight-line code without heap allocation and
-/// without branches on the data. `fixed` are the positions of the chassis points with the driven coordinates inserted
+/// Implemented by the `Model` that `linkage!` writes, whose methods are straight-line code, and by that of the crate
+/// `suspension-runtime`, whose methods walk a list of equations. Neither allocates on the heap, and neither branches on
+/// the data. `fixed` are the positions of the chassis points with the driven coordinates inserted
 /// ([`drive_anchors`](Self::drive_anchors)); `drives` are coordinates ([`coordinates`](Self::coordinates)).
 pub trait Linkage<const N: usize>: Parts {
     /// The number type.
@@ -92,8 +94,8 @@ pub trait Linkage<const N: usize>: Parts {
     type Measures: Values<Self::Scalar> + Default;
     /// Chassis points, free points and markers.
     type Points: Values<Vector3<Self::Scalar>>;
-    /// The factors of the Jacobian, eliminated in the order that the macro chose: straight-line code over its
-    /// non-zero entries.
+    /// The factors of the Jacobian, eliminated in the fixed order ([`pivots`](Self::pivots)), over its non-zero entries
+    /// alone.
     type Factors: Factors<Self::Scalar, N> + Copy;
 
     /// The indices of the points that are watched for mirror images: points that only links join to three others,
@@ -205,7 +207,7 @@ pub trait Linkage<const N: usize>: Parts {
     ) {
     }
 
-    /// The unknowns of a set of points.
+    /// The unknowns of a set of points. Those that are no coordinates follow from the points.
     fn unknowns(&self, points: &Self::Points) -> SVector<Self::Scalar, N>;
 
     /// The measures of the listing, from the points and their rates by the chain rule.
