@@ -37,24 +37,25 @@ pub struct Spin<T> {
     pub second_rate: T,
 }
 
-/// Angular velocity of the wheel, rad/s: the carrier's plus the spin.
+/// Angular velocity of the wheel, rad/s, from that of its carrier: the carrier's plus the spin about the unit vector of
+/// the outboard spin axis.
 pub fn wheel_angular_velocity<T: Real>(
-    carrier: &Vector3<T>,
+    carrier_omega: &Vector3<T>,
     unit_axis: &Vector3<T>,
     spin: &Spin<T>,
 ) -> Vector3<T> {
-    carrier + unit_axis * spin.rate
+    carrier_omega + unit_axis * spin.rate
 }
 
-/// Angular acceleration of the wheel, rad/s^2: that of the carrier, that of the spin, and the term `omega x s rate`
-/// due to the rotation of the axis.
+/// Angular acceleration of the wheel, rad/s^2, from angular acceleration and velocity of its carrier: the carrier's,
+/// that of the spin, and `omega x axis` times the spin rate, because the carrier turns the axis.
 pub fn wheel_angular_acceleration<T: Real>(
-    carrier: &Vector3<T>,
-    carrier_velocity: &Vector3<T>,
+    carrier_alpha: &Vector3<T>,
+    carrier_omega: &Vector3<T>,
     unit_axis: &Vector3<T>,
     spin: &Spin<T>,
 ) -> Vector3<T> {
-    carrier + unit_axis * spin.second_rate + carrier_velocity.cross(unit_axis) * spin.rate
+    carrier_alpha + unit_axis * spin.second_rate + carrier_omega.cross(unit_axis) * spin.rate
 }
 
 /// The wheel and its carrier in one configuration.
