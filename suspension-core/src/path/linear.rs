@@ -6,7 +6,6 @@
 //! parameterized continuation process, ACM Transactions on Mathematical Software 9(2), 1983). It is
 //! regular wherever the curve is and its tangent has an entry in the parameter, turning points of
 //! the drive included.
-
 //!
 //! If the Jacobian itself is regular, its factors in the macro's order serve for every parameter, at a
 //! fifth of the work. With `u = dq/dh` and an unknown `p` as parameter, `M x = b` is
@@ -111,7 +110,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Linear<L, N> {
         (determinant > T::zero()) == (self.parameter >= N)
     }
 
-    /// The health of the pivots: the sum of the squares of their inverses.
+    /// See [`Factors::growth_squared`](crate::linkage::Factors::growth_squared).
     pub(crate) fn growth_squared(&self) -> T {
         self.factored.factors().growth_squared()
     }

@@ -35,7 +35,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             &self.here.tangent,
         );
         let size = self.curve.linkage.size();
-        // For the last term, which grows with the fourth power.
+        // The last term grows with the fourth power of the distance.
         let reach = (precision * size / arc.last_term()).sqrt().sqrt();
         let mut distance = (longest * size)
             .min(reach)

@@ -11,8 +11,8 @@ use crate::listing::Part;
 use crate::solve::lu::Lu;
 
 /// The fraction of itself by which the Jacobian's smallest singular value may change within the rounding errors of
-/// the position. At a lock, where it would be zero without rounding, a residual of `k` roundings makes it `1 / (2
-/// k)`; residuals of eight are accepted.
+/// the position. At a lock, where the value would be zero without rounding, a residual of `k` roundings makes this
+/// fraction `1 / (2 k)`: `1 / 32` for the largest residual that [`Newton`](crate::Newton) accepts by default.
 const CHANGE_BY_ROUNDING: f64 = 1.0 / 64.0;
 
 /// Passes to `work` the factors of a linkage's Jacobian, whose pivots must exceed `threshold`.

@@ -13,7 +13,7 @@ use crate::solve::motion::Prescribed;
 use crate::solve::report::Report;
 use crate::solve::tolerance::Tolerance;
 
-/// See [`Newton::tolerance`]: in 12,000 random geometries rounding left no more than 4.2.
+/// See [`Newton::tolerance`]: in 12,000 random geometries rounding left residuals of no more than 4.2 roundings.
 const DEFAULT_TOLERANCE: f64 = 16.0;
 
 /// Settings of the iteration.
@@ -233,7 +233,7 @@ pub(crate) fn bounded_size<T: Real, const N: usize>(
     }
 }
 
-/// A point on the way, with its residual and the residual's largest entry.
+/// The unknowns on the way to a root, with their residual and its largest entry.
 #[derive(Clone, Copy)]
 struct Iterate<T, const N: usize> {
     q: SVector<T, N>,
@@ -247,7 +247,7 @@ impl<T: Real, const N: usize> Iterate<T, N> {
         Ok(Self { q, residual, worst })
     }
 
-    /// The iterate itself, or the point `q` if its residual is smaller.
+    /// The iterate itself, or that at `q` if its residual is smaller.
     fn better_of(
         self,
         q: SVector<T, N>,

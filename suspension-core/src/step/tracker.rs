@@ -39,8 +39,9 @@ pub struct Tracker<T> {
     /// The correction that is allowed in any case, as a fraction of the linkage's size: for drives that jump, and for
     /// the first step from rest.
     pub correction_of_size: T,
-    /// The largest change of the Jacobian over a step, applied to the step itself and solved for, as a fraction of
-    /// the step. If it is larger, singularities may lie in between, possibly an even number of them.
+    /// The largest `|w| / |d|` of a step `d` of the unknowns, where `w` solves `J w = C(d, d)` and `C(d, .)` is the
+    /// change of the Jacobian over the step. If it is larger, singularities may lie in between, possibly an even number
+    /// of them.
     pub change_of_jacobian: T,
 }
 

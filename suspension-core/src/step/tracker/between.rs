@@ -29,8 +29,8 @@ impl<T: Scalar, F: Values<Vector3<T>>> Between<T, F> for Signal<F> {
     }
 }
 
-/// A place on the cubic (Hermite) that has the values and rates of two instants: the weights of the values and rates
-/// at the ends in its value, rate and second rate.
+/// A place on the cubic (Hermite) that has the values and rates of two instants. It is stored as the weights with which
+/// those values and rates make up the value, the rate and the second rate there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubic<T> {
     /// The weights of the change of the value, of the first rate and of the last rate.
@@ -207,6 +207,7 @@ impl<T: Real> Tracker<T> {
         }
         advanced
     }
+
     /// A step of zero length, which has no rates between its ends.
     fn step_at_once<L, C, const N: usize>(
         &self,
