@@ -75,12 +75,7 @@ impl<T: Real> Explain for Unproved<T> {
             ),
         };
         Facts {
-            compared: Some(Compared {
-                what,
-                value: value.to_subset_unchecked(),
-                relation,
-                bound: bound.to_subset_unchecked(),
-            }),
+            compared: Some(Compared::new(what, value, relation, bound)),
             ..Facts::new(cause, None)
         }
     }

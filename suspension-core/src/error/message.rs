@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::Cause;
+use crate::arithmetic::scalar::Real;
 use crate::listing::{Part, Parts};
 
 /// The content of an error, whatever its type. Printed with `{:#}`, the remedy is left out.
@@ -29,6 +30,22 @@ pub struct Compared {
     pub relation: &'static str,
     /// The bound.
     pub bound: f64,
+}
+
+impl Compared {
+    pub(crate) fn new<T: Real>(
+        what: &'static str,
+        value: T,
+        relation: &'static str,
+        bound: T,
+    ) -> Self {
+        Self {
+            what,
+            value: value.to_subset_unchecked(),
+            relation,
+            bound: bound.to_subset_unchecked(),
+        }
+    }
 }
 
 impl Facts {

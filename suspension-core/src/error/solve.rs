@@ -140,54 +140,48 @@ impl<T> SolveError<T> {
     }
 }
 
+impl<T: Real> SolveError<T> {
+    fn cause(&self) -> Cause {
+        match self {
+            Self::NotFinite { .. } => Cause::NotFinite,
+            Self::Overflow { .. } => Cause::Overflow,
+            Self::CrossedSingularity { .. } => Cause::CrossedSingularity,
+            Self::Singular { .. } => Cause::Singular,
+            Self::Mirrored { .. } => Cause::Mirrored,
+            Self::Diverging { .. } => Cause::Diverging,
+            Self::TooFar { .. } => Cause::TooFar,
+            Self::StepTooLong { .. } => Cause::StepTooLong,
+            Self::TurningPoint { .. } => Cause::TurningPoint,
+            Self::OutOfRange { .. } => Cause::AngleOutOfRange,
+            Self::NotConverged { .. } => Cause::NotConverged,
+        }
+    }
+
+    /// The inequality that is not met, if the variant has its numbers.
+    #[rustfmt::skip]
+    fn compared(&self) -> Option<Compared> {
+        let (what, value, relation, bound) = match *self {
+            Self::NotFinite { .. }
+            | Self::Overflow { .. }
+            | Self::CrossedSingularity { .. }
+            | Self::Mirrored { .. } => return None,
+            Self::Singular { pivot, threshold, .. } => ("pivot", pivot, "needed more than", threshold),
+            Self::Diverging { step, bound, .. } => ("correction", step, "allowed", bound),
+            Self::TooFar { change, bound, .. } => ("change", change, "allowed", bound),
+            Self::StepTooLong { step, bound, .. } => ("step", step, "allowed", bound),
+            Self::TurningPoint { asked, extreme, .. } => ("target", asked, "extreme value", extreme),
+            Self::OutOfRange { asked, end, .. } => ("angle", asked, "end of its range", end),
+            Self::NotConverged { residual, tolerance, .. } => ("residual", residual, "tolerance", tolerance),
+        };
+        Some(Compared::new(what, value, relation, bound))
+    }
+}
+
 impl<T: Real> Explain for SolveError<T> {
     fn facts(&self) -> Facts {
-        let (cause, compared) = match *self {
-            Self::NotFinite { .. } => (Cause::NotFinite, None),
-            Self::Overflow { .. } => (Cause::Overflow, None),
-            Self::CrossedSingularity { .. } => (Cause::CrossedSingularity, None),
-            Self::Mirrored { .. } => (Cause::Mirrored, None),
-            Self::Singular {
-                pivot, threshold, ..
-            } => (
-                Cause::Singular,
-                Some(("pivot", pivot, "needed more than", threshold)),
-            ),
-            Self::Diverging { step, bound, .. } => (
-                Cause::Diverging,
-                Some(("correction", step, "allowed", bound)),
-            ),
-            Self::TooFar { change, bound, .. } => {
-                (Cause::TooFar, Some(("change", change, "allowed", bound)))
-            }
-            Self::StepTooLong { step, bound, .. } => {
-                (Cause::StepTooLong, Some(("step", step, "allowed", bound)))
-            }
-            Self::TurningPoint { asked, extreme, .. } => (
-                Cause::TurningPoint,
-                Some(("target", asked, "extreme value", extreme)),
-            ),
-            Self::OutOfRange { asked, end, .. } => (
-                Cause::AngleOutOfRange,
-                Some(("angle", asked, "end of its range", end)),
-            ),
-            Self::NotConverged {
-                residual,
-                tolerance,
-                ..
-            } => (
-                Cause::NotConverged,
-                Some(("residual", residual, "tolerance", tolerance)),
-            ),
-        };
         Facts {
-            compared: compared.map(|(what, value, relation, bound)| Compared {
-                what,
-                value: value.to_subset_unchecked(),
-                relation,
-                bound: bound.to_subset_unchecked(),
-            }),
-            ..Facts::new(cause, Some(self.part()))
+            compared: self.compared(),
+            ..Facts::new(self.cause(), Some(self.part()))
         }
     }
 }
