@@ -1,9 +1,11 @@
 //! From the contents of a file to a mechanism in the configuration of the first instant.
 
 use suspension_core::{Motion, Values};
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::load::assembled::Assembled;
+use crate::file::StandIn;
+use crate::load::assembled::{Assembled, Measured};
 use crate::load::coupling::couplings;
 use crate::load::design::Design;
 use crate::load::masses::masses;
@@ -29,34 +31,18 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let assembled = Assembled::<L, N>::new(&request, listing)?;
     let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
-    let springs = springs(task, request.listing, &measured.in_file)?;
-    let masses = match request.listing {
-        Some(listing) => {
-            let origin = design.origin.position();
-            masses(task, listing, (origin, &assembled.points_in_file()))?
-        }
-        None => Vec::new(),
-    };
-    let (mut names, of_drives) = effective_names(task, design);
-    names.vehicle.steering_wheel = steering_wheel(task, &names, design)?;
-    let couplings = couplings(&names, design);
+    let (names, of_drives) = complete_names(&assembled, request.listing, &measured)?;
     let drives = task.drive_laws(design.drives.values());
     let doubts = doubts(&assembled, &drives, request.instants);
     let outlier = assembled.outlier.iter();
     let mut notes: Vec<String> = outlier.map(|outlier| outlier.note(task.source)).collect();
-    let remarks = remarks(&assembled, &request, (&names, &couplings));
+    let remarks = remarks(&assembled, &request, &names);
     notes.extend(task.of_file(remarks.into_iter().chain(of_drives)));
     notes.extend(doubts.iter().cloned());
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     task.check_angles(first.values(), &task.file.drives)?;
     let begin = Begin::find(&assembled, request.to, drives, (&doubts, &mut notes))?;
-    let points: Vec<_> = design.points.values().take(names.points.len()).collect();
-    let named = names
-        .clone()
-        .with_springs_and_masses(springs, masses)
-        .designed(&points);
-    let named = named.with_middle(task.middle).coupled(&couplings);
-    columns::check(request.source, &named, task.file.unit())?;
+    columns::check(request.source, &names, task.file.unit())?;
     let drive_offsets = assembled.drive_offsets.values().take(names.drives.len());
     let description = Description {
         linkage: linkage.to_owned(),
@@ -71,7 +57,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         design_measures: measured.in_file,
         out_of_reach: begin.out_of_reach,
         led_by: begin.lead.as_ref().map(|lead| lead.measure),
-        names: named,
+        names,
         notes,
     };
     Ok(Mechanism {
@@ -81,6 +67,34 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         lead: begin.lead,
         changing: None,
     })
+}
+
+/// The names of all parts with everything that the file and the design say of them, and notes on drives that have the
+/// usual names.
+fn complete_names<L: Suspension<N>, const N: usize>(
+    assembled: &Assembled<'_, L, N>,
+    listing: Option<&Listing>,
+    measured: &Measured,
+) -> Result<(Names, Vec<String>), Failure> {
+    let (task, design) = (&assembled.task, &assembled.design);
+    let springs = springs(task, listing, &measured.in_file)?;
+    let masses = match listing {
+        Some(listing) => {
+            let origin = design.origin.position();
+            masses(task, listing, (origin, &assembled.points_in_file()))?
+        }
+        None => Vec::new(),
+    };
+    let (mut names, of_drives) = effective_names(task, design);
+    names.vehicle.steering_wheel = steering_wheel(task, &names, design)?;
+    let couplings = couplings(&names, design);
+    let points: Vec<_> = design.points.values().take(names.points.len()).collect();
+    let names = names
+        .with_springs_and_masses(springs, masses)
+        .designed(&points)
+        .with_middle(task.middle)
+        .coupled(&couplings);
+    Ok((names, of_drives))
 }
 
 /// Descriptions of what is probably a mistake; if a point is probably wrong, only that.
@@ -98,11 +112,11 @@ fn doubts<L: Suspension<N>, const N: usize>(
     task.of_file(doubts).collect()
 }
 
-/// Remarks on a file whose mechanism has the given names and couplings.
+/// Remarks on a file whose mechanism has the given names.
 fn remarks<L: Suspension<N>, const N: usize>(
     assembled: &Assembled<'_, L, N>,
     request: &Request<'_>,
-    (names, couplings): (&Names, &[Coupling]),
+    names: &Names,
 ) -> Vec<String> {
     let (task, design) = (&assembled.task, &assembled.design);
     let (given, has_outlier) = (&assembled.given, assembled.outlier.is_some());
@@ -112,7 +126,8 @@ fn remarks<L: Suspension<N>, const N: usize>(
         notes.extend(one_sided::note(task, listing));
         notes.extend(neither_side::notes(task, listing, given));
     }
-    notes.extend(contradicted_wheels::notes(task, design, couplings));
+    let couplings: Vec<Coupling> = names.wheels.iter().map(|wheel| wheel.coupling).collect();
+    notes.extend(contradicted_wheels::notes(task, design, &couplings));
     notes.extend(missing_travel::note(task, names));
     if request.to != Start::Design {
         notes.extend(short_of_stop(task, request.instants));
@@ -137,50 +152,65 @@ impl<const N: usize> Begin<N> {
         drives: DriveLaws,
         (doubts, notes): (&[String], &mut Vec<String>),
     ) -> Result<Self, Failure> {
-        let (task, design) = (&assembled.task, &assembled.design);
-        match &assembled.stand_in {
-            _ if to == Start::Design => Ok(Self::at_design(design)),
-            None => match start::drive_to_first_instant(task, design, &drives) {
-                Ok(start) => Ok(Self {
-                    start,
-                    drives,
-                    lead: None,
-                    out_of_reach: None,
-                }),
+        let refused = |unreached: Failure, doubts: &[String]| {
+            assembled.outlier_first(doubts.iter().fold(unreached, doubted))
+        };
+        match (&assembled.stand_in, to) {
+            (_, Start::Design) => Ok(Self::at_design(&assembled.design)),
+            (None, _) => match Self::driven(assembled, drives) {
                 Err(unreached) if to == Start::WithinReach => {
                     let why = unreached.to_string();
                     notes.push(format!("{why}; it stays at the design position"));
                     Ok(Self {
                         out_of_reach: Some(why),
-                        ..Self::at_design(design)
+                        ..Self::at_design(&assembled.design)
                     })
                 }
-                Err(unreached) => {
-                    let unreached = doubts.iter().fold(unreached, doubted);
-                    Err(assembled.outlier_first(unreached))
-                }
+                begin => begin.map_err(|unreached| refused(unreached, doubts)),
             },
-            Some(stand_in) => {
-                let lead = led::lead_to_first_instant(task, design, &drives, stand_in);
+            (Some(stand_in), _) => {
                 // For starts other than the first instant, they become notes.
                 let doubts = if to == Start::FirstInstant {
                     doubts
                 } else {
                     &[]
                 };
-                let lead = lead.map_err(|unreached| {
-                    assembled.outlier_first(doubts.iter().fold(unreached, doubted))
-                })?;
-                let inputs = drives.inputs(task.first);
-                let there = lead.inputs(&design.model, &inputs, &lead.start);
-                Ok(Self {
-                    start: lead.start.motion(),
-                    drives: task.drive_laws(there.drives.value.values()),
-                    lead: Some(lead),
-                    out_of_reach: None,
-                })
+                let begin = Self::led(assembled, stand_in, &drives);
+                begin.map_err(|unreached| refused(unreached, doubts))
             }
         }
+    }
+
+    /// The first instant of a motion that drives lead.
+    fn driven<L: Suspension<N>>(
+        assembled: &Assembled<'_, L, N>,
+        drives: DriveLaws,
+    ) -> Result<Self, Failure> {
+        let start = start::drive_to_first_instant(&assembled.task, &assembled.design, &drives)?;
+        Ok(Self {
+            start,
+            drives,
+            lead: None,
+            out_of_reach: None,
+        })
+    }
+
+    /// The first instant of a motion that a measure leads.
+    fn led<L: Suspension<N>>(
+        assembled: &Assembled<'_, L, N>,
+        stand_in: &StandIn,
+        drives: &DriveLaws,
+    ) -> Result<Self, Failure> {
+        let (task, design) = (&assembled.task, &assembled.design);
+        let lead = led::lead_to_first_instant(task, design, drives, stand_in)?;
+        let inputs = drives.inputs(task.first);
+        let there = lead.inputs(&design.model, &inputs, &lead.start);
+        Ok(Self {
+            start: lead.start.motion(),
+            drives: task.drive_laws(there.drives.value.values()),
+            lead: Some(lead),
+            out_of_reach: None,
+        })
     }
 
     fn at_design<L: Suspension<N>>(design: &Design<L, N>) -> Self {
