@@ -134,7 +134,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] if the drives lock, [`SolveError::NotFinite`] if a change is NaN or infinite.
+    /// [`SolveError::Singular`] if the drives lock, [`SolveError::NotFinite`] if a change is NaN or infinite,
+    /// [`SolveError::Overflow`] if a derivative is.
     pub fn per(
         &self,
         change: L::Drives,
