@@ -1,8 +1,8 @@
 //! Moments about angles: the parts on which they act, and their forces.
 //!
-//! A statement that drives, holds or measures an angle acts with a moment on the parts that carry the angle's lines. The
-//! angle's equations, or its derivatives, have forces at the lines' ends in its place: these count as forces on the parts,
-//! which pass them on to their joints.
+//! A statement that drives, holds or measures an angle acts with a moment on the parts that carry the angle's lines. In
+//! place of this moment the angle's equations, or the derivatives of a measured angle, have forces at the ends of the lines.
+//! These count as forces on the parts, which pass them on to their joints.
 
 use nalgebra::Vector3;
 use suspension_listing::Kind;
@@ -186,17 +186,11 @@ impl Listing {
             let own = |about: [usize; 2]| Some([about, self.along(parts.get(part)?, about)?]);
             Some((part, line(ends, about.and_then(own))?))
         };
-        let [fixed, moving]: [Vec<_>; 2] =
-            [true, false].map(|of| lines.iter().filter(|line| is_fixed(line) == of).collect());
+        let (fixed, moving): (Vec<_>, Vec<_>) = lines.iter().partition(|ends| is_fixed(ends));
         let of_parts: Vec<(usize, Line)> = moving.into_iter().filter_map(of_part).collect();
+        let mut of_all: Vec<Line> = of_parts.iter().map(|(_, line)| line.clone()).collect();
         // The axis does not bear again the force that the chassis bears at an end shared by a line and the axis.
-        let of_chassis = fixed.into_iter();
-        let of_chassis = of_chassis.filter_map(|ends| line(ends, None));
-        let of_all: Vec<Line> = of_parts
-            .iter()
-            .map(|(_, line)| line.clone())
-            .chain(of_chassis)
-            .collect();
+        of_all.extend(fixed.into_iter().filter_map(|ends| line(ends, None)));
         let axis = about.filter(|about| !is_fixed(about) && of_all.len() == lines.len());
         let axis = axis.and_then(|ends| {
             Some(AngleShare {
