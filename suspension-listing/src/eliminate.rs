@@ -38,7 +38,7 @@ pub fn order(n: usize, entries: &[Entry]) -> EliminationOrder {
 }
 
 /// The order with large pivots in the largest number of designs. The entries have their values in these designs.
-pub fn order_for_most(n: usize, entries: &[Entry]) -> EliminationOrder {
+pub(crate) fn order_for_most(n: usize, entries: &[Entry]) -> EliminationOrder {
     // Ties are rarer here, so more attempts find nothing better.
     const ATTEMPTS: u64 = 8;
     let start = Partial::new(n, entries, Positions::OfDesigns);

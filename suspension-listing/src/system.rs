@@ -14,9 +14,8 @@ use crate::vector::Vector;
 
 pub use crate::site::{Site, SiteMotion};
 pub use lengths::Length;
-pub use names::{
-    carried_name, coordinate_name, distance_name, frame_name, length_name, pair_name, turn_name,
-};
+pub use names::{carried_name, coordinate_name, frame_name, length_name, pair_name};
+pub(crate) use names::{distance_name, turn_name};
 pub use places::{Place, Substituted};
 pub use positions::Positions;
 

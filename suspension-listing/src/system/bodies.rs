@@ -5,7 +5,7 @@ use crate::name::Name;
 
 impl System {
     /// The body that has all of some points.
-    pub fn body_of(&self, points: impl IntoIterator<Item: Into<Name>>) -> Option<&Body> {
+    pub(crate) fn body_of(&self, points: impl IntoIterator<Item: Into<Name>>) -> Option<&Body> {
         let points: Vec<Name> = points.into_iter().map(Into::into).collect();
         let has = |body: &&Body| {
             points

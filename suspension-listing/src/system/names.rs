@@ -24,12 +24,12 @@ pub fn length_name(drive: &Name) -> Name {
 }
 
 /// The name of the distance from the first point of a plane towards another.
-pub fn distance_name(plane: &Name, towards: &Name) -> Name {
+pub(crate) fn distance_name(plane: &Name, towards: &Name) -> Name {
     Name::made(format!("{plane}_{towards}"))
 }
 
 /// The name of a part of the equations of an angle about an axis.
-pub fn turn_name(drive: &Name, part: &str) -> Name {
+pub(crate) fn turn_name(drive: &Name, part: &str) -> Name {
     Name::made(format!("{drive}_{part}"))
 }
 

@@ -14,7 +14,7 @@ pub struct Positions {
 
 impl Positions {
     /// The positions of the sites of an equation.
-    pub fn at_sites(&self, form: &dyn Equations) -> Vec<Vector> {
+    pub(crate) fn at_sites(&self, form: &dyn Equations) -> Vec<Vector> {
         form.sites().into_iter().map(|site| self.at(site)).collect()
     }
 
