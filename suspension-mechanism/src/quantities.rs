@@ -24,6 +24,7 @@ pub use axis::Axis;
 pub use catalogue::*;
 pub use formulas::Compiled;
 pub use number::Number;
-pub use quantity::{Column, Quantity, Shown, columns, columns_in};
+pub(crate) use quantity::columns_in;
+pub use quantity::{Column, Quantity, Shown, columns};
 pub use reader::Reader;
 pub use words::{WIDTH, in_words};

@@ -55,7 +55,7 @@ pub struct Evidence {
 
 impl Evidence {
     /// Whether the last loops were quiet and the trace test, where it applies, confirms the roots.
-    pub fn is_convincing(&self) -> bool {
+    pub(crate) fn is_convincing(&self) -> bool {
         self.quiet >= QUIET && self.trace.is_none_or(|bend| bend < LINEAR)
     }
 }

@@ -110,7 +110,7 @@ fn truncated_part(samples: &[Vector3<f64>]) -> f64 {
 
 /// Bounds a difference over a square from its values at [`places`] in both directions: along each
 /// line of samples, then across the lines.
-pub fn bound_over_square<E>(
+pub(crate) fn bound_over_square<E>(
     exact: &[Vec<E>],
     difference: impl Fn(f64, f64, &E) -> Vector3<f64>,
 ) -> f64 {

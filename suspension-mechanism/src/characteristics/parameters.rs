@@ -48,7 +48,7 @@ pub fn columns(mechanism: &Description) -> Vec<Column> {
 }
 
 /// The same columns, read in another number type.
-pub fn columns_in<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
+pub(crate) fn columns_in<N: Compiled>(mechanism: &Description) -> Vec<Column<N>> {
     let mut columns = columns_of_curves(mechanism);
     columns.retain(|column| !quantities::from_design().any(|quantity| column.is(quantity)));
     columns

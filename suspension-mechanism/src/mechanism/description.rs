@@ -54,7 +54,7 @@ impl Description {
 
     /// The measures' values in the file's coordinates, from local ones: each is as near as possible to that at the
     /// design position.
-    pub fn measures_in_file(&self, local: &[f64]) -> Vec<f64> {
+    pub(crate) fn measures_in_file(&self, local: &[f64]) -> Vec<f64> {
         let design = self.names.measures.iter().zip(&self.design_measures);
         let each = local.iter().zip(&self.measure_offsets).zip(design);
         let each = each.map(|((local, offset), (measure, design))| {

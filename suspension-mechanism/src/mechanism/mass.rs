@@ -49,7 +49,12 @@ impl Mass {
 
     /// Twice the kinetic energy, J, of points at `places` with `velocities`: the work of the inertia forces if the
     /// velocities were accelerations.
-    pub fn twice_energy(&self, places: &Points, velocities: &Points, metre: f64) -> Option<f64> {
+    pub(crate) fn twice_energy(
+        &self,
+        places: &Points,
+        velocities: &Points,
+        metre: f64,
+    ) -> Option<f64> {
         let points = Signal {
             value: places.clone(),
             rate: places.iter().map(|_| Vector3::zeros()).collect(),

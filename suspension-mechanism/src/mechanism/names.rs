@@ -134,7 +134,11 @@ impl Names {
     }
 
     /// Adds springs, and parts that have a mass.
-    pub fn with_springs_and_masses(mut self, springs: Vec<Spring>, masses: Vec<Mass>) -> Self {
+    pub(crate) fn with_springs_and_masses(
+        mut self,
+        springs: Vec<Spring>,
+        masses: Vec<Mass>,
+    ) -> Self {
         self.vehicle.springs = springs.into();
         self.vehicle.masses = masses.into();
         self

@@ -70,7 +70,7 @@ pub fn side_of(name: &str) -> Option<&'static str> {
 }
 
 /// The name with the other side instead of its own; `None` for a name without a side.
-pub fn name_on_other_side(name: &str) -> Option<String> {
+pub(crate) fn name_on_other_side(name: &str) -> Option<String> {
     let [left, right] = SIDES;
     let exchange = |word| match word {
         word if word == left => right,

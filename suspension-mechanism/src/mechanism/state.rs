@@ -72,7 +72,7 @@ impl State {
     }
 
     /// The load of a spring: N, or N m for an angle.
-    pub fn load_of(&self, spring: &Spring) -> f64 {
+    pub(crate) fn load_of(&self, spring: &Spring) -> f64 {
         spring.presses(self.measures.value[spring.measure])
     }
 

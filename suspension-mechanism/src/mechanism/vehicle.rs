@@ -31,7 +31,7 @@ pub struct Vehicle {
 
 impl Vehicle {
     /// Whether a drive moves or steers a wheel.
-    pub fn is_moved_by(&self, drive: usize) -> bool {
+    pub(crate) fn is_moved_by(&self, drive: usize) -> bool {
         self.travel.contains(&drive) || self.steer.contains(&drive)
     }
 }
@@ -54,7 +54,7 @@ impl SteeringWheel {
     /// The line of a motion file that tells how far it moves a rack.
     pub const RACK: &str = "rack_per_turn";
     /// The line of a motion file for a steering box, whose drive is an angle.
-    pub const BOX: &str = "steering_box_ratio";
+    pub(crate) const BOX: &str = "steering_box_ratio";
 
     /// The angle by which it turns per unit of the drive, in radians, positive to the left.
     pub fn per_drive(&self) -> f64 {
@@ -115,7 +115,7 @@ pub struct Coupling {
 
 impl Coupling {
     /// Whether its travel moves another wheel, or is moved by one.
-    pub fn is_coupled(self) -> bool {
+    pub(crate) fn is_coupled(self) -> bool {
         self.moves_another || self.is_moved
     }
 }
@@ -144,14 +144,14 @@ impl Wheel {
 
     /// Whether both are on one side of the vehicle, according to the direction in which their axes point at the
     /// design position: two such wheels are dual wheels or one behind the other, and not an axle.
-    pub fn is_on_the_side_of(&self, other: &Self) -> bool {
+    pub(crate) fn is_on_the_side_of(&self, other: &Self) -> bool {
         let outboard = |wheel: &Self| wheel.design.map(|[inner, centre]| centre.y - inner.y);
         let both = outboard(self).zip(outboard(other));
         both.is_some_and(|(one, other)| one * other > 0.0)
     }
 
     /// Whether one body carries both across the vehicle, like a live axle.
-    pub fn is_across_on_one_body(&self, other: &Self) -> bool {
+    pub(crate) fn is_across_on_one_body(&self, other: &Self) -> bool {
         self.points.carrier == other.points.carrier && !self.is_on_the_side_of(other)
     }
 

@@ -60,7 +60,7 @@ pub use travel::*;
 pub use wheel::*;
 
 /// Whether a column belongs to a drive that is an angle, whose values files state.
-pub fn is_driven_angle(column: &Column) -> bool {
+pub(crate) fn is_driven_angle(column: &Column) -> bool {
     column.is(&DRIVES) && column.dimension == Dimension::Angle
 }
 
@@ -106,7 +106,7 @@ static FIRST_IN_CURVES: [&Quantity; 14] = [
 ];
 
 /// The place of a row among curves, for sorting: all that have no place of their own keep the order of tables.
-pub fn place_in_curves(quantity: &Quantity) -> usize {
+pub(crate) fn place_in_curves(quantity: &Quantity) -> usize {
     let mut first = FIRST_IN_CURVES.iter();
     let place = first.position(|other| std::ptr::eq(*other, quantity));
     place.unwrap_or(FIRST_IN_CURVES.len())

@@ -153,7 +153,7 @@ pub fn columns(
 }
 
 /// The same columns, read in another number type.
-pub fn columns_in<N: Compiled>(
+pub(crate) fn columns_in<N: Compiled>(
     quantities: impl IntoIterator<Item = &'static Quantity>,
     names: &Names,
 ) -> Vec<Column<N>> {

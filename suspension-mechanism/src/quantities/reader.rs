@@ -58,7 +58,7 @@ impl<'a> Reader<'a, Signal<f64>> {
 
 impl<'a, N: Number> Reader<'a, N> {
     /// Reads a state with what its positions determine in numbers of this type.
-    pub fn with_numbers(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
+    pub(crate) fn with_numbers(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
         Self {
             places: Places { state, numbers },
             first: Cells::default(),
