@@ -179,8 +179,8 @@ parallel travel and in roll, whatever the noise of the rack. Where it does not t
 steering, they count the lines of the file.
 
 Rigs often set toe and camber to zero at the start. Hence the differences are stated as measured and without the offset, which
-is the mean difference at the measured place nearest to the design position; `of` in --csv has as measured, offset and without
-offset. The page has the measured points of both over the curves of the model.
+is the difference at the measured place nearest to the design position, smoothed over the places within 5 % of the range; `of`
+in --csv has as measured, offset and without offset. The page has the measured points of both over the curves of the model.
 
   bump [mm];toe [deg];camber [deg]
   -40,0;0,41;0,21

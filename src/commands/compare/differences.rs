@@ -27,7 +27,7 @@ pub(super) struct Place {
 }
 
 impl Place {
-    fn difference(&self) -> f64 {
+    pub(super) fn difference(&self) -> f64 {
         let [a, b] = self.values;
         b - a
     }

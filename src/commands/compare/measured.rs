@@ -8,6 +8,7 @@ mod places;
 mod quantities;
 mod quantity;
 mod reach;
+mod smooth;
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -89,7 +90,8 @@ fn parts(quantities: &[Quantity], across: &str) -> Vec<Part> {
         across: Some(across.to_owned()),
         differences: quantities.iter().filter_map(difference).collect(),
     };
-    let at_design = "Offset: the difference at the measured place nearest to the design position";
+    let at_design =
+        "Offset: the smoothed difference at the measured place nearest to the design position";
     vec![
         part(
             "as measured",

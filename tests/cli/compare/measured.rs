@@ -1,6 +1,7 @@
 //! A suspension beside a table of measured numbers.
 
 mod mistakes;
+mod noise;
 mod several;
 
 use std::process::Output;

@@ -1,6 +1,7 @@
 //! What the places of a table are counted along.
 
 use super::columns::Known;
+use super::smooth::smoothed;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced, listed};
 
@@ -12,6 +13,8 @@ pub(super) struct Course {
     pub(super) label: String,
     /// Where each measured place is along it.
     pub(super) at: Vec<f64>,
+    /// How far along it the places around one tell of its noise; zero for lines of the table, whose neighbours may be elsewhere.
+    pub(super) around: f64,
     /// The distance of each from the design position, with the sign of its number in the axis column.
     pub(super) from_design: Vec<f64>,
     /// The places of the model's curve, each with the numbers of all columns that lead.
@@ -54,15 +57,19 @@ impl Course {
                     .map(|(line, at)| (at, numbers(leads, line)))
                     .collect(),
                 at,
+                around: 0.0,
                 from_design,
             };
         }
+        let axis = moving[axis];
+        let around = AROUND * span(&axis.numbers);
         Self {
-            title: moving[axis].stated.named.title.clone(),
-            label: moving[axis].label(),
-            at: moving[axis].numbers.clone(),
+            title: axis.stated.named.title.clone(),
+            label: axis.label(),
+            at: axis.numbers.clone(),
+            around,
             from_design,
-            curve: curve(leads, moving[axis]),
+            curve: curve(leads, axis, around),
         }
     }
 }
@@ -75,6 +82,9 @@ pub(super) fn numbers(leads: &[Known], line: usize) -> Vec<f64> {
 fn span(shares: &[f64]) -> f64 {
     ends(shares.iter().copied()).map_or(0.0, |[least, greatest]| greatest - least)
 }
+
+/// The part of the range whose places tell of the noise of one.
+const AROUND: f64 = 0.05;
 
 /// How much more than the axis another column may change.
 const STEEPEST: f64 = 2.0;
@@ -109,28 +119,25 @@ fn from_design(shares: &[Vec<f64>]) -> Vec<f64> {
     axis.iter().enumerate().map(of_line).collect()
 }
 
-/// Returns places evenly spaced along the axis, with the other columns interpolated between the lines beside them.
-fn curve(leads: &[Known], axis: &Known) -> Vec<(f64, Vec<f64>)> {
+/// Returns places evenly spaced along the axis, with the other columns as in the lines around them, at least in the two beside.
+fn curve(leads: &[Known], axis: &Known, around: f64) -> Vec<(f64, Vec<f64>)> {
     /// The number of places along the model's curves.
     const ALONG: usize = 61;
-    let mut lines: Vec<usize> = (0..axis.numbers.len()).collect();
-    lines.sort_by(|a, b| axis.numbers[*a].total_cmp(&axis.numbers[*b]));
-    let range = ends(axis.numbers.iter().copied()).unwrap_or_default();
+    let mut sorted = axis.numbers.clone();
+    sorted.sort_by(f64::total_cmp);
+    let gap = |at: f64| {
+        let above = sorted.partition_point(|place| *place <= at);
+        let above = above.min(sorted.len() - 1);
+        sorted[above] - sorted[above.saturating_sub(1)]
+    };
     let place = |at: f64| {
-        let after = lines.partition_point(|line| axis.numbers[*line] <= at);
-        let [below, above] = [after.saturating_sub(1), after.min(lines.len() - 1)];
-        let [below, above] = [lines[below], lines[above]];
-        let step = axis.numbers[above] - axis.numbers[below];
-        let part = if step > 0.0 {
-            (at - axis.numbers[below]) / step
-        } else {
-            0.0
-        };
-        let number = |lead: &Known| match lead.column == axis.column {
-            true => at,
-            false => lead.numbers[below] + part * (lead.numbers[above] - lead.numbers[below]),
+        let reach = around.max(gap(at));
+        let number = |lead: &Known| {
+            let numbers = axis.numbers.iter().zip(&lead.numbers);
+            smoothed(numbers.map(|(at, number)| (*at, *number)), at, reach)
         };
         (at, leads.iter().map(number).collect())
     };
+    let range = ends(axis.numbers.iter().copied()).unwrap_or_default();
     evenly_spaced(range, ALONG).into_iter().map(place).collect()
 }

@@ -60,6 +60,7 @@ fn quantity(course: &Course, measured: Known, [lines, curve]: [Vec<f64>; 2]) -> 
         title: measured.stated.named.title,
         symbol: measured.stated.symbol,
         places: places.filter(is_known).collect(),
+        around: course.around,
         curve: along.zip(curve).collect(),
     }
 }

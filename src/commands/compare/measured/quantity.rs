@@ -1,5 +1,6 @@
 //! A measured quantity beside that of the model.
 
+use super::smooth::smoothed;
 use crate::commands::compare::differences::{Difference, Place};
 use crate::output::plot::{Chart, Curve};
 
@@ -8,6 +9,8 @@ pub(super) struct Quantity {
     pub(super) symbol: String,
     /// Places with the numbers of the model and of the table there.
     pub(super) places: Vec<Place>,
+    /// How far along the course the places around one tell of its noise.
+    pub(super) around: f64,
     /// The curve of the model.
     pub(super) curve: Vec<(f64, f64)>,
 }
@@ -32,22 +35,22 @@ impl Quantity {
         Difference::largest((self.title.clone(), self.symbol.clone()), places)
     }
 
-    /// The mean difference at the place nearest to the design position, where a rig that moves both ways measures twice.
+    /// The model's number at the place nearest to the design position, and the difference there without the noise of the rig
+    /// and, between the way there and the way back, in the middle.
     pub(super) fn offset(&self) -> Option<Difference> {
         let places = || self.places.iter();
         let far = |place: &&Place| place.from_design.abs();
         let nearest = places().min_by(|a, b| far(a).total_cmp(&far(b)))?;
-        let there = places().filter(|place| place.from_design == nearest.from_design);
-        let there: Vec<[f64; 2]> = there.map(|place| place.values).collect();
-        let mean = |side: usize| {
-            let sum: f64 = there.iter().map(|values| values[side]).sum();
-            sum / there.len() as f64
-        };
+        let differences = places().map(|place| (place.at, place.difference()));
+        let [model, _] = nearest.values;
         Some(Difference {
             quantity: self.title.clone(),
             symbol: self.symbol.clone(),
             at: Some(nearest.at),
-            values: [mean(0), mean(1)],
+            values: [
+                model,
+                model + smoothed(differences, nearest.at, self.around),
+            ],
             rms: None,
         })
     }
