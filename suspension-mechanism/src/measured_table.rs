@@ -58,11 +58,14 @@ impl MeasuredTable {
         let beyond =
             |line: &StringRecord| line.iter().skip(headings).any(|field| !field.is_empty());
         match self.lines.iter().position(beyond) {
-            Some(line) => Err(self.refuse_number(
-                line,
-                headings,
-                "the line has more fields than there are headings; with decimal commas, separate the fields by semicolons or tabs",
-            )),
+            Some(line) => {
+                let of_headings = self.line_of(&self.headings);
+                let message = format!(
+                    "the line has more fields than there are headings in line {of_headings}; begin lines above the headings \
+                     with #, and with decimal commas separate the fields by semicolons or tabs"
+                );
+                Err(self.refuse_number(line, headings, message))
+            }
             None => Ok(()),
         }
     }
@@ -104,7 +107,9 @@ impl MeasuredTable {
         match numbers.iter().position(|number| number.is_nan()) {
             Some(line) => {
                 let heading = &self.headings[column];
-                let message = format!("the line has no number in column `{heading}`");
+                let message = format!(
+                    "the line has no number in column `{heading}`; write one, or leave out the line"
+                );
                 Err(self.refuse_number(line, column, message))
             }
             None => Ok(numbers),
@@ -124,8 +129,10 @@ impl MeasuredTable {
             }
             parsed(field, self.separator).ok_or_else(|| {
                 let heading = &self.headings[column];
-                let message =
-                    format!("`{field}` in column `{heading}` is not a finite number, as -0.5");
+                let message = format!(
+                    "`{field}` in column `{heading}` is not a finite number, as -0.5; leave the field empty if nothing was \
+                     measured"
+                );
                 self.refuse_number(line, column, message)
             })
         };
@@ -134,7 +141,11 @@ impl MeasuredTable {
 
     /// The number of a line in the file, from one, as failures state it; the argument counts from zero below the headings.
     pub fn line_in_file(&self, line: usize) -> u64 {
-        let position = self.lines[line].position();
+        self.line_of(&self.lines[line])
+    }
+
+    fn line_of(&self, record: &StringRecord) -> u64 {
+        let position = record.position();
         let (start, number) = position.map_or((0, 1), |it| (it.byte() as usize, it.line()));
         // The record may begin before lines that it does not have.
         let text = &self.source.text()[start..];

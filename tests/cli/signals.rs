@@ -123,6 +123,24 @@ fn an_interrupt_ends_the_baking_of_a_surface() {
 }
 
 #[test]
+fn an_interrupted_comparison_says_how_far_it_came_in_the_table() {
+    let folder = folder();
+    let lines = (0..100_000).map(|line| format!("{},0\n", line % 50));
+    let table = format!("bump [mm],toe [deg]\n{}", lines.collect::<String>());
+    for (name, content) in [("a.toml", CORNER), ("m.csv", &table)] {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    }
+    let output = interrupted_by("-INT", folder.path(), &["compare", "a.toml", "m.csv"]);
+    let message = text(&output.stderr);
+    let expected = "m.csv: interrupted; the model was moved to ";
+    assert!(message.starts_with(expected), "{message}");
+    assert!(
+        message.ends_with(" of 100000 measured places, nothing was written\n"),
+        "{message}"
+    );
+}
+
+#[test]
 fn an_interrupt_without_a_table_does_not_mention_rows() {
     let folder = folder();
     let output = ended_by("-INT", folder.path(), &["--plots", "."]);

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use suspension_listing::did_you_mean::mistyped;
 
-use crate::characteristics::{Title, as_in_tables, columns_of_positions, suggest_for_wheels};
+use crate::characteristics::{
+    Title, as_in_tables, columns_of_positions, not_of_this, suggest_for_wheels,
+};
 use crate::file::Dimension;
 use crate::mechanism::{Angle, Axis, Description, Length, Unit};
 use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
@@ -118,9 +120,20 @@ impl Named {
         let found = known.iter().position(is_exact);
         match found.or_else(|| known.iter().position(is_called)) {
             Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
-            None => meant(mechanism, &known, name).map_or(Ok(None), Err),
+            None => unsteered(mechanism, &in_tables)
+                .or_else(|| meant(mechanism, &known, name))
+                .map_or(Ok(None), Err),
         }
     }
+}
+
+/// Says what a model lacks whose steering wheel a table turns; without it the model would stay straight ahead.
+fn unsteered(mechanism: &Description, wanted: &str) -> Option<String> {
+    let angle = STEERING_WHEEL_ANGLE.name;
+    let steers = !mechanism.names.vehicle.steer.is_empty();
+    let is_called = wanted == angle || wanted == as_in_tables(STEERING_WHEEL_ANGLE.title);
+    let needs = not_of_this(angle, mechanism).filter(|_| steers && is_called);
+    needs.map(|needs| format!("{needs}; or empty the heading"))
 }
 
 /// Says what is near to a name that no number has.

@@ -1,10 +1,12 @@
 //! The columns that say where the model is.
 
 use super::columns::Known;
+use crate::characteristics::{Title, columns_of_positions};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
-use crate::quantities::Column;
+use crate::mechanism::listed;
+use crate::quantities::{Column, WHEEL_TRAVEL};
 
 /// Divides columns into those that say where the model is, and those of quantities that are compared. Drives lead; so do the
 /// travel of a wheel and the angle of the steering wheel, unless a column of a drive moves the same.
@@ -155,9 +157,14 @@ fn other_drive(mechanism: &dyn Kinematics, leads: &[Known], travel: &Column) -> 
 
 fn none(mechanism: &dyn Kinematics) -> String {
     let names = mechanism.names.drive_names().join(", ");
+    let columns = columns_of_positions(mechanism);
+    let travels = columns.filter(|column: &Column| column.is(&WHEEL_TRAVEL));
+    let wheels = &mechanism.names.wheels;
+    let travels = travels.map(|travel| format!("`{} [mm]`", Title::new(&travel, wheels)));
+    let travels = listed(travels);
     format!(
-        "no column says where the model is; head one with a drive and its unit (the drives are {names}), with wheel travel, for \
-         which [vehicle] may have to state travel = \"DRIVE\", or with steering_wheel_angle, for which it states rack_per_turn. \
+        "no column says where the model is; head one with a drive and its unit (the drives are {names}), with wheel travel, as \
+         {travels}, for which [vehicle] may have to state travel = \"DRIVE\", or with steering_wheel_angle, for which it states rack_per_turn. \
          The headings are the first line that does not begin with #"
     )
 }

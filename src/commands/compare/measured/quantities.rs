@@ -24,7 +24,10 @@ pub(super) fn quantities(
     let columns = compared.iter();
     let columns = columns.filter_map(|known| known.stated.named.quantity.as_ref());
     let columns: Vec<&Column> = columns.collect();
-    let lines = (0..table.lines()).map(|line| places.read(&numbers(places.leads, line), &columns));
+    let lines = (0..table.lines()).map(|line| {
+        let found = places.read(&numbers(places.leads, line), &columns);
+        found.map_err(|failure| of_table(failure, table, line))
+    });
     let lines = lines.collect::<Result<Vec<_>, _>>()?;
     let reached: Vec<bool> = lines.iter().map(Option::is_some).collect();
     if let Some(failure) = out_of_reach(table, places.file, places.leads, &reached) {
@@ -43,6 +46,18 @@ pub(super) fn quantities(
         quantity(course, known, model)
     });
     Ok(each.collect())
+}
+
+/// Says of an interruption how far the model has come in a table.
+fn of_table(failure: Failure, table: &MeasuredTable, line: usize) -> Failure {
+    match failure {
+        Failure::Interrupted(_) => Failure::Interrupted(format!(
+            "{}: interrupted; the model was moved to {line} of {} measured places, nothing was written",
+            table.name(),
+            table.lines()
+        )),
+        other => other,
+    }
 }
 
 /// Sets a column beside the model's numbers in the lines of the table and along the curve.

@@ -36,7 +36,7 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "toe [deg]\n0.1\n",
             &[],
-            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), with wheel travel, ",
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), with wheel travel, as `wheel travel [mm]`, ",
         ),
         (
             "toe [deg]\tbump [mm]\n",
@@ -46,7 +46,7 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "bump [mm]\ttoe [deg]\n-20\t0,1\n0\t-\n",
             &[],
-            "m.csv:3:3: `-` in column `toe [deg]` is not a finite number, as -0.5",
+            "m.csv:3:3: `-` in column `toe [deg]` is not a finite number, as -0.5; leave the field empty if nothing was measured",
         ),
         (
             "toe [deg];bump [mm]\n0;-20,0\n0;20\n0; 900\n",
@@ -62,12 +62,18 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "bump [mm],toe [deg]\n0,0,0,1\n",
             &[],
-            "m.csv:2:5: the line has more fields than there are headings; with decimal commas, separate the fields by semicolons",
+            "m.csv:2:5: the line has more fields than there are headings in line 1; begin lines above the headings with #, and with decimal \
+             commas separate the fields by semicolons or tabs",
+        ),
+        (
+            "# Rig 17\nAxle;front\nbump [mm];toe [deg];Fz [N]\n0;0;0\n",
+            &[],
+            "m.csv:3:21: the line has more fields than there are headings in line 2; begin lines above the headings with #, and",
         ),
         (
             "# Rig 17\n\nwheel travel [mm],toe [deg]\n# begin\n0,0\n,0\n",
             &[],
-            "m.csv:6:1: the line has no number in column `wheel travel [mm]`",
+            "m.csv:6:1: the line has no number in column `wheel travel [mm]`; write one, or leave out the line",
         ),
         (
             "steer [mm],toe\nmm,mm\n0,0\n",
@@ -131,6 +137,18 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
             "left camber [deg],left wheel travel [mm]\n0,0\n",
             "m.csv:1:19: which drive follows `left wheel travel`? Write travel = { left = \"NAME\" } under [vehicle] of the motion \
              file, or empty the heading",
+        ),
+        (
+            &axle,
+            "Wheel travel L [mm],Toe L [deg]\n0,0\n",
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are steer, bump_left, \
+             bump_right), with wheel travel, as `left wheel travel [mm]` and `right wheel travel [mm]`, for which",
+        ),
+        (
+            &axle,
+            "left wheel travel [mm],Steering wheel angle [deg],left toe [deg]\n0,0,0\n",
+            "m.csv:1:24: there is no `steering_wheel_angle` of this mechanism: it needs rack_per_turn under [vehicle], see suspension \
+             motion --help; or empty the heading",
         ),
         (
             &axle,
