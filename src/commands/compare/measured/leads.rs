@@ -156,15 +156,26 @@ fn other_drive(mechanism: &dyn Kinematics, leads: &[Known], travel: &Column) -> 
 }
 
 fn none(mechanism: &dyn Kinematics) -> String {
-    let names = mechanism.names.drive_names().join(", ");
+    let names = &mechanism.names;
+    let drives = names.drive_names().join(", ");
     let columns = columns_of_positions(mechanism);
     let travels = columns.filter(|column: &Column| column.is(&WHEEL_TRAVEL));
-    let wheels = &mechanism.names.wheels;
-    let travels = travels.map(|travel| format!("`{} [mm]`", Title::new(&travel, wheels)));
+    let travels = travels.map(|travel| format!("`{} [mm]`", Title::new(&travel, &names.wheels)));
     let travels = listed(travels);
+    let travels = (!travels.is_empty()).then(|| {
+        format!(
+            "wheel travel, as {travels}, for which [vehicle] may have to state travel = \"DRIVE\""
+        )
+    });
+    let steering = "steering_wheel_angle, for which [vehicle] states rack_per_turn".to_owned();
+    let steering = (!names.vehicle.steer.is_empty()).then_some(steering);
+    let drives = format!("a drive and its unit (the drives are {drives})");
+    let ways: Vec<String> = [Some(drives), travels, steering]
+        .into_iter()
+        .flatten()
+        .collect();
     format!(
-        "no column says where the model is; head one with a drive and its unit (the drives are {names}), with wheel travel, as \
-         {travels}, for which [vehicle] may have to state travel = \"DRIVE\", or with steering_wheel_angle, for which it states rack_per_turn. \
-         The headings are the first line that does not begin with #"
+        "no column says where the model is; head one with {}. The headings are the first line that does not begin with #",
+        ways.join(", or with ")
     )
 }

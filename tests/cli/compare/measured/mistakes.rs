@@ -36,7 +36,7 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
         (
             "toe [deg]\n0.1\n",
             &[],
-            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), with wheel travel, as `wheel travel [mm]`, ",
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are bump, steer), or with wheel travel, as `wheel travel [mm]`, ",
         ),
         (
             "toe [deg]\tbump [mm]\n",
@@ -117,6 +117,12 @@ const BAR: &str = "unit = \"m\"\nstatements = \"\"\"\nfixed: fore at [0.3, 0, 0.
                    wheel right: right_in -> right_hub;\n\"\"\"\nvehicle = { wheel_radius = 0.3, travel = \"roll\" }\n\
                    time = { instants = [0.0] }\ndrives = { roll = 0.3 }\n";
 
+/// A pendulum with a spring.
+const NO_WHEEL: &str = "unit = \"m\"\nstatements = \"\"\"\nfixed: fore at [0.3, 0, 0.3], aft at [-0.3, 0, 0.3];\n\
+                        free: hub at [0, 0.7, 0.3];\nhinge bar: fore, aft -> hub;\ndrive lift: hub.z;\n\
+                        measure spring: length(hub -> fore);\n\"\"\"\ntime = { instants = [0.0] }\n\
+                        drives = { lift = 0.3 }\n";
+
 #[test]
 fn columns_that_the_model_cannot_follow_together_are_refused() {
     let [axle, heave] = [axle(), in_heave_and_roll()];
@@ -142,7 +148,13 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
             &axle,
             "Wheel travel L [mm],Toe L [deg]\n0,0\n",
             "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are steer, bump_left, \
-             bump_right), with wheel travel, as `left wheel travel [mm]` and `right wheel travel [mm]`, for which",
+             bump_right), or with wheel travel, as `left wheel travel [mm]` and `right wheel travel [mm]`, for which [vehicle] may \
+             have to state travel = \"DRIVE\", or with steering_wheel_angle, for which",
+        ),
+        (
+            NO_WHEEL,
+            "height [mm],spring [mm]\n0,0\n",
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are lift). The headings",
         ),
         (
             &axle,
