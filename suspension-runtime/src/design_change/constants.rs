@@ -7,7 +7,7 @@ use suspension_core::{Real, Scalar, Signal, Values};
 
 use super::{Given, Start};
 use crate::plan::{Drive, LineLength, Measure};
-use crate::readout::measured;
+use crate::quantity::measured;
 use crate::site::{Site, Sites};
 use crate::size::{Few, Room, Size};
 use crate::table::Table;
