@@ -149,7 +149,7 @@ typedef struct {
     /** The first correction of the last step, in the unit of the points: the error of the predicted
      * position. The largest entry, or for a bounded step the norm. */
     float error;
-    /** Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow. */
+    /** Pivot growth, the norm of the inverses of the pivots: about how much rounding errors grow. */
     float growth;
 } susp_f32_report;
 
@@ -329,7 +329,7 @@ typedef struct {
     /** The first correction of the last step, in the unit of the points: the error of the predicted
      * position. The largest entry, or for a bounded step the norm. */
     double error;
-    /** Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow. */
+    /** Pivot growth, the norm of the inverses of the pivots: about how much rounding errors grow. */
     double growth;
 } susp_f64_report;
 

@@ -63,7 +63,7 @@ structures! {
         /// The first correction of the last step, in the unit of the points: the error of the predicted
         /// position. The largest entry, or for a bounded step the norm.
         error: T,
-        /// Pivot growth, the norm of the inverses of the pivots: a bound on how much rounding errors grow.
+        /// Pivot growth, the norm of the inverses of the pivots: about how much rounding errors grow.
         growth: T,
     }
 

@@ -167,7 +167,7 @@ fn elimination_is_ordered_at_the_hardpoints_of_the_file() {
     assert_eq!(
         meaning,
         format!(
-            "elimination magnifies rounding errors at most {growth} times, which is good up to 1000; above that a step changes to partial \
+            "elimination magnifies rounding errors about {growth} times, which is good up to 1000; above that a step changes to partial \
              pivoting and takes longer"
         )
     );

@@ -169,7 +169,7 @@ impl Report<'_> {
             let growth = rounded(elimination.growth, DIGITS);
             let allowed = rounded(elimination.allowed, DIGITS + 1);
             format!(
-                "pivot growth {growth}: elimination magnifies rounding errors at most {growth} times, which is good up to {allowed}; above that \
+                "pivot growth {growth}: elimination magnifies rounding errors about {growth} times, which is good up to {allowed}; above that \
                  a step changes to partial pivoting and takes longer"
             )
         } else {
