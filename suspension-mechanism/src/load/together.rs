@@ -6,31 +6,39 @@ use suspension_listing::did_you_mean::{did_you_mean, unknown};
 use crate::failure::Failure;
 use crate::kinematics::{Changes, Kinematics};
 use crate::load::loaded::Loaded;
-use crate::mechanism::{Description, moved_together, name_on_other_side};
+use crate::mechanism::{Description, listed, moved_together, name_on_other_side};
 use crate::quantities::Axis;
 use crate::sensitivities::Change;
 
-/// What one name moves, multiplied by its sign.
+/// Smaller displacements per unit are none.
+const ROUNDING: f64 = 1e-9;
+
+/// What coordinates of one point move, multiplied by their signs: the point, and others that it takes along.
 struct Part {
-    /// The point that is named; `None` for a length and for a move of `[tune]`.
-    point: Option<usize>,
-    changes: Changes,
+    point: usize,
+    moved: Vec<(usize, Vector3<f64>)>,
 }
 
 impl Part {
     /// The displacement of a point; `None` if it does not move.
     fn displacement(&self, point: usize) -> Option<Vector3<f64>> {
-        let of_point = self.changes.points.iter();
-        let mut each = of_point.filter(|(moved, _)| *moved == point);
-        let (_, first) = each.next()?;
-        Some(each.fold(*first, |sum, (_, by)| sum + by))
+        let each = self.moved.iter().filter(|(moved, _)| *moved == point);
+        let by: Vector3<f64> = each.map(|(_, by)| by).sum();
+        (by.norm() > ROUNDING).then_some(by)
+    }
+
+    /// Whether it takes a point along that another part moves too, as two points on a line take the line.
+    fn shares_with(&self, other: &Part) -> bool {
+        let mut points = self.moved.iter().map(|(moved, _)| *moved);
+        let moves_too = |part: &Part, point| part.displacement(point).is_some();
+        points.any(|point| point != self.point && moves_too(self, point) && moves_too(other, point))
     }
 }
 
 impl Loaded<'_> {
     /// The change, per unit of length, of the coordinates, lengths and moves in `words`, each of which is one of
     /// [`changes`](Self::changes): `rack.z`, `tie_rod`, or several joined by commas, of which one behind a minus changes the
-    /// opposite way. A point that two of them move is moved once.
+    /// opposite way. A point that coordinates of two others take along is moved once; moves are added.
     ///
     /// # Errors
     ///
@@ -44,6 +52,7 @@ impl Loaded<'_> {
         let refuse = |message: String| Failure::Input(format!("{}: {message}", self.source.name()));
         let mut names: Vec<&str> = Vec::new();
         let mut parts: Vec<Part> = Vec::new();
+        let mut others: Vec<Changes> = Vec::new();
         for (name, sign) in moved_together(words) {
             if names.contains(&name) {
                 return Err(refuse(format!("`{name}` is given twice; remove one")));
@@ -51,22 +60,26 @@ impl Loaded<'_> {
             let change = find(&known, name);
             let change = change.ok_or_else(|| refuse(describe_unknown(mechanism, &known, name)))?;
             names.push(name);
-            add(
-                &mut parts,
-                named_point(mechanism, name),
-                change.per_unit.times(sign),
-            );
+            let changes = change.per_unit.times(sign);
+            match named_point(mechanism, name) {
+                Some(point) => add(&mut parts, point, changes.points),
+                None => others.push(changes),
+            }
         }
-        let per_unit = merged(&parts).map_err(|point| {
+        let points = merged(&parts).map_err(|point| {
             let point = &mechanism.names.points[point];
             refuse(format!(
                 "`{words}` moves `{point}` in two ways: a point on a line of the chassis, as the end of a rack, takes the line and \
                  what slides on it along; leave one of the names out"
             ))
         })?;
+        others.push(Changes {
+            points,
+            ..Changes::default()
+        });
         Ok(Change {
             name: words.to_owned(),
-            per_unit,
+            per_unit: Changes::sum(others.into_iter()),
         })
     }
 }
@@ -84,41 +97,50 @@ fn named_point(mechanism: &Description, name: &str) -> Option<usize> {
 }
 
 /// Adds a part; coordinates of the same point move it together.
-fn add(parts: &mut Vec<Part>, point: Option<usize>, changes: Changes) {
+fn add(parts: &mut Vec<Part>, point: usize, moved: Vec<(usize, Vector3<f64>)>) {
     let mut others = parts.iter_mut();
-    let same = others.find(|part| point.is_some() && part.point == point);
-    match same {
-        Some(part) => part.changes.points.extend(changes.points),
-        None => parts.push(Part { point, changes }),
+    match others.find(|part| part.point == point) {
+        Some(part) => part.moved.extend(moved),
+        None => parts.push(Part { point, moved }),
     }
 }
 
-/// All parts together. A point that is named moves as its own coordinates say, another as the parts that take it along say.
+/// The displacements of all parts together.
 ///
 /// # Errors
 ///
-/// The point that parts move differently.
-fn merged(parts: &[Part]) -> Result<Changes, usize> {
-    const ROUNDING: f64 = 1e-9;
-    let mut all = Changes::default();
-    for (point, _) in parts.iter().flat_map(|part| &part.changes.points) {
-        if all.points.iter().any(|(done, _)| done == point) {
-            continue;
+/// A point that parts take along differently.
+fn merged(parts: &[Part]) -> Result<Vec<(usize, Vector3<f64>)>, usize> {
+    let mut all: Vec<(usize, Vector3<f64>)> = Vec::new();
+    for (point, _) in parts.iter().flat_map(|part| &part.moved) {
+        if !all.iter().any(|(done, _)| done == point) {
+            let by = displacement(parts, *point).ok_or(*point)?;
+            all.push((*point, by));
         }
-        let own = parts.iter().find(|part| part.point == Some(*point));
-        let moved_by = |part: &Part| part.displacement(*point);
-        let by = match own {
-            Some(own) => moved_by(own).into_iter().collect(),
-            None => parts.iter().filter_map(moved_by).collect::<Vec<_>>(),
-        };
-        if by.iter().any(|other| (other - by[0]).norm() > ROUNDING) {
-            return Err(*point);
-        }
-        all.points.push((*point, by[0]));
     }
-    let lengths = parts.iter().flat_map(|part| &part.changes.lengths);
-    all.lengths = lengths.copied().collect();
     Ok(all)
+}
+
+/// The displacement of a point: its own, and along the axes that its names leave out that of the parts which take it along.
+/// `None` if these differ.
+fn displacement(parts: &[Part], point: usize) -> Option<Vector3<f64>> {
+    let (own, others): (Vec<&Part>, Vec<&Part>) =
+        parts.iter().partition(|part| part.point == point);
+    let mut taken = others.iter().filter_map(|part| part.displacement(point));
+    let along = taken.next().unwrap_or_default();
+    if taken.any(|other| (other - along).norm() > ROUNDING) {
+        return None;
+    }
+    Some(match own.first() {
+        Some(part) if others.iter().any(|other| part.shares_with(other)) => {
+            part.displacement(point).unwrap_or_default()
+        }
+        Some(part) => {
+            let own = part.displacement(point).unwrap_or_default();
+            own.zip_map(&along, |own, along| if own == 0.0 { along } else { own })
+        }
+        None => along,
+    })
 }
 
 /// A sentence about a name that is none of the changes.
@@ -185,13 +207,15 @@ pub fn describe_one_sided(mechanism: &Description, change: &Change) -> Option<St
         ));
         stays.push(format!("`{other}`"));
     }
-    (!added.is_empty()).then(|| {
-        format!(
-            "`{}` moves only one side of the vehicle, and {} of the other side stays as it is; {},{} keeps both sides alike",
-            change.name,
-            stays.join(", "),
-            change.name,
-            added.join(",")
-        )
-    })
+    let stay = match stays.len() {
+        0 => return None,
+        1 => "stays as it is",
+        _ => "stay as they are",
+    };
+    Some(format!(
+        "`{name}` moves only one side of the vehicle, {} of the other side {stay}; {name},{} keeps both sides alike",
+        listed(stays),
+        added.join(","),
+        name = change.name
+    ))
 }

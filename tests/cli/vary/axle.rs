@@ -59,6 +59,16 @@ fn the_ends_of_a_rack_move_with_its_line_once() {
     assert!(message.contains("in two ways"), "{message}");
 }
 
+/// A rack's end that moves along its line goes with the line that the other end moves.
+#[test]
+fn an_end_of_a_rack_moves_along_the_line_that_the_other_end_moves() {
+    let points = "housing_left = [0.11, 0.2, 0.206]\nhousing_right = [0.11, -0.2, 0.206]\n\
+                  rack_left = [0.11, 0.346, 0.206]\nrack_right = [0.11, -0.34, 0.206]\n";
+    let by_hand = axle(points).replace("steer = 0.34", "steer = 0.346");
+    let (_, numbers) = varied(&axle(""), "rack_left.y,rack_right.z=0.006").remove(1);
+    compare_with_sweep(&numbers, &by_hand, "bump_left");
+}
+
 #[test]
 fn one_side_alone_is_noted_with_the_names_that_move_both() {
     let folder = folder();

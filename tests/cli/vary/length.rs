@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::super::program::{folder, run, text};
-use super::{Name, corner, varied};
+use super::super::program::{CORNER, folder, run, text};
+use super::{Name, compare_with_sweep, corner, varied};
 
 /// `tune` finds the change that gives the same toe.
 #[test]
@@ -31,4 +31,19 @@ fn a_varied_length_is_the_one_that_tune_finds() {
     // A move of [tune] has its own name.
     let by_move = varied(&tuned, "rod=-0.001").remove(0);
     assert_eq!(toe(&by_move.1), toe(&shortest.1));
+}
+
+/// The shim moves both points of the arm across, and one of them moves upwards too.
+#[test]
+fn a_move_is_added_to_coordinates_of_its_points() {
+    let shim = "[tune.moves.shim]\npoints = [\"upper_front\", \"upper_rear\"]\nalong = \"y\"\nby = [-0.01, 0.01]\n\
+                [tune.targets.toe]\nof = \"toe\"\nvalue = 0.0\nwithin = 0.1\n";
+    let plain = format!("angle = \"deg\"\n{CORNER}");
+    let file = |points: &str| format!("{plain}[points]\n{points}");
+    let moved = "upper_front = [0.15, 0.424, 0.424]\nupper_rear = [-0.15, 0.424, 0.42]\n";
+    let twice = "upper_front = [0.15, 0.428, 0.42]\nupper_rear = [-0.15, 0.424, 0.42]\n";
+    for (words, points) in [("shim,upper_front.z", moved), ("upper_front.y,shim", twice)] {
+        let (_, numbers) = varied(&format!("{plain}{shim}"), &format!("{words}=0.004")).remove(1);
+        assert!(compare_with_sweep(&numbers, &file(points), "bump") > 80);
+    }
 }
