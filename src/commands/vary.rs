@@ -91,7 +91,7 @@ impl Arguments {
         let spans: Option<Spans> = to.html.as_ref().map(|_| [self.travel, self.steer]);
         let study = Study::compute(&varied, &values, spans, interrupted)?;
         let [printed, written] = self.chosen(&varied, &study)?;
-        if study.changes_nothing() {
+        if to.html.is_none() && study.changes_nothing() {
             return Err(Failure::Input(varied.describe_no_effect()));
         }
         let report = |numbers| Report {

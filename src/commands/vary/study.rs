@@ -50,8 +50,8 @@ impl Varied<'_> {
     /// Says that no value changes anything.
     pub(super) fn describe_no_effect(&self) -> String {
         format!(
-            "{}: {} changes no quantity at the design position and no derivative, as along an axis about which the part turns; \
-             vary another coordinate",
+            "{}: {} changes no quantity at the design position and no derivative there; vary another coordinate, or draw the curves \
+             over travel with --html",
             self.file, self.change.name
         )
     }

@@ -57,6 +57,16 @@ fn a_coordinate_that_changes_nothing_is_refused() {
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let expected = "a.toml: front.x changes no quantity at the design position and no derivative";
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+    // Curves may change where the design position does not: the page says whether they do.
+    let drawn = ["front.x=0.001:0.003:3", "--html", "v.html"];
+    let output = vary(
+        folder.path(),
+        &arm("vehicle = { travel = \"damper\" }\n"),
+        &drawn,
+    );
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("v.html")).expect("a page");
+    assert!(page.contains("Alike for all values to the eye, without a chart"));
 }
 
 #[test]
