@@ -49,12 +49,16 @@ impl Values {
         let values = self.0.values();
         let mut sizes = values.iter().map(|value| value.abs());
         let (unit, name) = (mechanism.unit.symbol(), self.name());
+        let change = match values[..] {
+            [from, .., to] => format!("from {} to {} {unit}", number(from), number(to)),
+            _ => format!(
+                "by {} {unit}",
+                values.iter().copied().map(number).collect::<String>()
+            ),
+        };
         sizes.any(|value| value > size).then(|| {
-            let [from, to] = [values.first(), values.last()].map(|end| number(*end.unwrap_or(&0.0)));
             let size = number(size);
-            format!(
-                "{name} changes from {from} to {to} {unit}, more than the size of the suspension, {size} {unit}: is it in another unit?"
-            )
+            format!("{name} changes {change}, more than the size of the suspension, {size} {unit}: is it in another unit?")
         })
     }
 }

@@ -24,11 +24,7 @@ pub(super) fn quantities(
     let columns = compared.iter();
     let columns = columns.filter_map(|known| known.stated.named.quantity.as_ref());
     let columns: Vec<&Column> = columns.collect();
-    let lines = (0..table.lines()).map(|line| {
-        let found = places.read(&numbers(places.leads, line), &columns);
-        found.map_err(|failure| of_table(failure, table, line))
-    });
-    let lines = lines.collect::<Result<Vec<_>, _>>()?;
+    let lines = visited(table, places, &columns)?;
     let reached: Vec<bool> = lines.iter().map(Option::is_some).collect();
     if let Some(failure) = out_of_reach(table, places.file, places.leads, &reached) {
         return Err(failure);
@@ -46,6 +42,28 @@ pub(super) fn quantities(
         quantity(course, known, model)
     });
     Ok(each.collect())
+}
+
+/// Reads the model's quantities in each line, none in lines out of reach, up to as many of these as are enough to refuse
+/// the table: the search for a way to such a line takes long.
+fn visited(
+    table: &MeasuredTable,
+    places: &Places<'_>,
+    columns: &[&Column],
+) -> Result<Vec<Option<Vec<f64>>>, Failure> {
+    const ENOUGH: usize = 20;
+    let mut lines = Vec::new();
+    let mut missing = 0;
+    for line in 0..table.lines() {
+        let found = places.read(&numbers(places.leads, line), columns);
+        let found = found.map_err(|failure| of_table(failure, table, line))?;
+        missing += usize::from(found.is_none());
+        lines.push(found);
+        if missing == ENOUGH {
+            break;
+        }
+    }
+    Ok(lines)
 }
 
 /// Says of an interruption how far the model has come in a table.

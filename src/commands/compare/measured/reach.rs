@@ -7,7 +7,7 @@ use crate::measured_table::MeasuredTable;
 use crate::mechanism::{ends, listed};
 use crate::number::number;
 
-/// Returns the failure at the first line out of reach, if there is one; `reached` has all lines.
+/// Returns the failure at the first line out of reach, if there is one; `reached` has the lines that were tried.
 pub(super) fn out_of_reach(
     table: &MeasuredTable,
     file: &str,
@@ -48,8 +48,13 @@ fn of_several(leads: &[Known], line: usize, reached: &[bool]) -> String {
         format!("`{}` {} {}", stated.named.title, number(at), stated.symbol)
     });
     let missing = reached.iter().filter(|reached| !**reached).count();
+    let first = match reached.len() < leads[0].numbers.len() {
+        true => "the first ",
+        false => "",
+    };
     format!(
-        "{} from the design position are together out of the model's reach; leave out the line ({missing} of {} are out of reach)",
+        "{} from the design position are together out of the model's reach; leave out the line ({missing} of {first}{} are out of \
+         reach)",
         listed(each),
         reached.len()
     )

@@ -126,6 +126,8 @@ const NO_WHEEL: &str = "unit = \"m\"\nstatements = \"\"\"\nfixed: fore at [0.3, 
 #[test]
 fn columns_that_the_model_cannot_follow_together_are_refused() {
     let [axle, heave] = [axle(), in_heave_and_roll()];
+    let far = "left toe [deg],left wheel travel [mm],right wheel travel [mm],steer [mm]\n0,0,0,0\n";
+    let far = far.to_owned() + &"0,9,900,0\n".repeat(30);
     for (model, table, expected) in [
         (
             &*axle,
@@ -172,6 +174,12 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
             "left toe [deg],left wheel travel [mm],right wheel travel [mm],steer [mm]\n0,0,0,0\n0,10,10,0\n0,10,900,0\n0,9,900,0\n",
             "m.csv:4:3: `left wheel travel` 10 mm, `right wheel travel` 900 mm and `steer` 0 mm from the design position are \
              together out of the model's reach; leave out the line (2 of 4 are out of reach). suspension range a.toml says what stops",
+        ),
+        (
+            &axle,
+            &far,
+            "m.csv:3:3: `left wheel travel` 9 mm, `right wheel travel` 900 mm and `steer` 0 mm from the design position are together \
+             out of the model's reach; leave out the line (20 of the first 21 are out of reach)",
         ),
     ] {
         let (_folder, output) = beside(model, table, &[]);
