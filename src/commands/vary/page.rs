@@ -18,6 +18,9 @@ pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
     let sections = first.map_or(&[][..], |variant| &variant.curves);
     let body = html! {
         p { (report.heading()) }
+        @if let Some(interrupt) = study.describe_interrupt() {
+            p { strong { "The study is not complete: " } (interrupt) }
+        }
         @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {
             p { strong { "Values are left out: " } (unbuilt) }
         }

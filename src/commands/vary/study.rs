@@ -231,14 +231,18 @@ impl Study {
         ))
     }
 
+    /// Says how many values an interrupt left out; `None` if it left out none.
+    pub(super) fn describe_interrupt(&self) -> Option<String> {
+        let left_out = self.left_out;
+        (left_out > 0)
+            .then(|| format!("interrupted; the last {left_out} of the values are left out"))
+    }
+
     /// Returns the failure of a study of which a part is missing.
     pub(super) fn failure(self, varied: &Varied<'_>) -> Option<Failure> {
         let file = varied.file;
-        if self.left_out > 0 {
-            return Some(Failure::Interrupted(format!(
-                "{file}: interrupted; the last {} of the values are left out",
-                self.left_out
-            )));
+        if let Some(interrupt) = self.describe_interrupt() {
+            return Some(Failure::Interrupted(format!("{file}: {interrupt}")));
         }
         let unbuilt = self.describe_unbuilt(varied);
         let unbuilt = unbuilt.map(|why| Failure::Solver(format!("{file}: {why}")));

@@ -28,3 +28,22 @@ fn an_interrupted_study_keeps_the_values_that_are_done() {
     assert!(!table.is_empty());
     assert!(table.iter().all(|(_, numbers)| numbers.len() == 3));
 }
+
+#[test]
+fn the_page_of_an_interrupted_study_says_that_values_are_missing() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), corner("")).expect("written");
+    let arguments = [
+        "vary",
+        "a.toml",
+        "rack.z=-0.006:0.006:4001",
+        "--of",
+        "toe",
+        "--html",
+        "-",
+    ];
+    let output = interrupted_by("-INT", folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(130), "{:?}", output.stderr);
+    let page = text(&output.stdout);
+    assert!(page.contains("The study is not complete: </strong>interrupted; the last "));
+}
