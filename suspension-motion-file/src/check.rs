@@ -15,7 +15,7 @@ use crate::number::exact;
 use crate::place_of_key::place_of_key;
 use crate::position::{Offset, Position};
 use crate::source::Source;
-use crate::table::{Table, in_order};
+use crate::table::Table;
 
 pub use instants::instants;
 
@@ -83,7 +83,7 @@ pub fn point_names(source: &Source, file: &MotionFile, known: &[String]) -> Resu
 fn missing<'a, V>(table: &Table<V>, known: &'a [impl Borrow<str>]) -> Vec<&'a str> {
     let entries = table.get_ref();
     let known = known.iter().map(Borrow::borrow);
-    known.filter(|name| !entries.contains_key(*name)).collect()
+    known.filter(|name| !entries.has(name)).collect()
 }
 
 fn quoted(names: &[&str]) -> String {
@@ -103,11 +103,8 @@ pub fn known_names<V>(
     known: &[impl Borrow<str>],
     has: &str,
 ) -> Result<(), Failure> {
-    let unknown = table
-        .get_ref()
-        .keys()
-        .filter(|key| known.iter().all(|name| name.borrow() != key.get_ref()))
-        .min_by_key(|key| key.span().start);
+    let mut names = table.get_ref().names();
+    let unknown = names.find(|key| known.iter().all(|name| name.borrow() != key.get_ref()));
     let Some(key) = unknown else {
         return Ok(());
     };
@@ -126,7 +123,7 @@ pub fn known_names<V>(
 ///
 /// [`Failure::Input`] at the first other value.
 pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<(), Failure> {
-    for (name, value) in in_order(table) {
+    for (name, value) in table.get_ref().iter() {
         let name = name.get_ref();
         if !value.get_ref().is_finite() {
             let message = format!("{kind} `{name}` is not a finite number");
@@ -142,7 +139,7 @@ pub fn finite_values(source: &Source, table: &Table<f64>, kind: &str) -> Result<
 ///
 /// [`Failure::Input`] at the first length that is not.
 pub fn lengths(source: &Source, table: &Table<f64>) -> Result<(), Failure> {
-    for (name, value) in in_order(table) {
+    for (name, value) in table.get_ref().iter() {
         let name = name.get_ref();
         let length = *value.get_ref();
         let fault = if !(length > 0.0 && length.is_finite()) {
@@ -174,7 +171,7 @@ pub fn points(
 ) -> Result<(), Failure> {
     let is_marker = |name: &str| markers.iter().any(|marker| marker == name);
     let mut placed: Vec<(&str, [f64; 3])> = Vec::new();
-    for (name, position) in in_order(&file.points) {
+    for (name, position) in file.points.get_ref().iter() {
         let name = name.get_ref();
         let refuse = |message: String| Err(source.refuse(&position.span(), message));
         let numbers = match position.get_ref() {
@@ -236,7 +233,7 @@ fn base_of_marker(
 ///
 /// [`Failure::Input`] at the first other polynomial.
 pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failure> {
-    for (name, coefficients) in in_order(table) {
+    for (name, coefficients) in table.get_ref().iter() {
         let name = name.get_ref();
         let Coefficients(numbers) = coefficients.get_ref();
         let fault = if numbers.is_empty() {

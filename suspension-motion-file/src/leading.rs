@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::check;
 use crate::failure::Failure;
 use crate::source::Source;
-use crate::table::{Table, in_order};
+use crate::table::Table;
 
 /// A measure that replaces a drive.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +38,13 @@ pub fn stand_in<V>(
         );
     }
     check::known_names(source, table, "drive", &[drives, measures].concat(), &has)?;
-    let missing = (0..drives.len()).filter(|index| !table.get_ref().contains_key(drives[*index]));
+    let missing = (0..drives.len()).filter(|index| !table.get_ref().has(drives[*index]));
     let missing: Vec<usize> = missing.collect();
     let number = |key: &Spanned<String>| measures.iter().position(|name| name == key.get_ref());
-    let leading = in_order(table).filter_map(|(key, _)| Some((key, number(key)?)));
+    let leading = table
+        .get_ref()
+        .iter()
+        .filter_map(|(key, _)| Some((key, number(key)?)));
     let leading: Vec<_> = leading.collect();
     let (place, message) = match (leading.as_slice(), missing.as_slice()) {
         ([], []) => return Ok(None),

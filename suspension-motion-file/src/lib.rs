@@ -45,7 +45,7 @@ pub use per_wheel::PerWheel;
 pub use position::{Offset, Position};
 pub use source::Source;
 pub use spring::SpringTable;
-pub use table::{Table, in_order};
+pub use table::{Entries, Table};
 pub use tell::tell;
 pub use torque::Torque;
 pub use tune::{AxisName, Direction, MoveTable, TargetTable, TuneTable};

@@ -1,6 +1,5 @@
 //! The loads of a load case.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Deserialize;
@@ -8,9 +7,10 @@ use serde::de::{
     self, MapAccess, SeqAccess, Visitor,
     value::{MapAccessDeserializer, SeqAccessDeserializer},
 };
-use toml::{Spanned, Value};
+use toml::Value;
 
 use crate::number_list::number_list;
+use crate::table::Entries;
 
 /// A load at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub enum Load {
 
 /// A load case: the loads by the names of places, measures and drives, and the springs that act, under the name `acting`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LoadCase(pub BTreeMap<Spanned<String>, Spanned<Load>>);
+pub struct LoadCase(pub Entries<Load>);
 
 /// A force and a moment, in the file's axes.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]

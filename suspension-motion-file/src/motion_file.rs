@@ -1,7 +1,5 @@
 //! The motion file: one mechanism, its lengths, the instants and the drives.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 use serde::Deserialize;
 use toml::Spanned;
@@ -14,7 +12,7 @@ use crate::mass::MassTable;
 use crate::position::{Offset, Position};
 use crate::source::Source;
 use crate::spring::SpringTable;
-use crate::table::Table;
+use crate::table::{Entries, Table};
 use crate::tune::TuneTable;
 use crate::vehicle::VehicleTable;
 use crate::{Angle, Axes, Length, Unit};
@@ -167,7 +165,7 @@ impl MotionFile {
 }
 
 fn no_points() -> Table<Position> {
-    Spanned::new(0..0, BTreeMap::new())
+    Spanned::new(0..0, Entries::EMPTY)
 }
 
 /// The instants of the motion, in one of two forms: steps or a list.

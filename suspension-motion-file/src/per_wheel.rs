@@ -1,6 +1,5 @@
 //! Values stated once for all wheels, or for some of them.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -8,9 +7,9 @@ use serde::Deserialize;
 use serde::de::{
     self, IntoDeserializer, MapAccess, Unexpected, Visitor, value::MapAccessDeserializer,
 };
-use toml::Spanned;
 
 use crate::axle::is_within;
+use crate::table::Entries;
 
 /// Values of wheels.
 #[derive(Clone, Debug)]
@@ -18,7 +17,7 @@ pub enum PerWheel<T> {
     /// One value for all wheels.
     All(T),
     /// Values for the wheels whose names contain these words: `left`, `front`, `front_left`.
-    Of(BTreeMap<String, Spanned<T>>),
+    Of(Entries<T>),
 }
 
 impl<T> PerWheel<T> {
@@ -26,7 +25,7 @@ impl<T> PerWheel<T> {
     pub fn is_of(&self, wheel: &str) -> bool {
         match self {
             Self::All(_) => true,
-            Self::Of(some) => some.keys().any(|words| is_within(words, wheel)),
+            Self::Of(some) => some.names().any(|words| is_within(words.get_ref(), wheel)),
         }
     }
 }
@@ -79,7 +78,7 @@ impl<'de, T: OfWheel + Deserialize<'de>> Visitor<'de> for OfWheelVisitor<T> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<PerWheel<T>, A::Error> {
-        let of_some = BTreeMap::deserialize(MapAccessDeserializer::new(map))?;
+        let of_some = Entries::deserialize(MapAccessDeserializer::new(map))?;
         if of_some.is_empty() {
             let message = format!("the table is empty; write {}, or leave it out", T::WRITTEN);
             return Err(de::Error::custom(message));

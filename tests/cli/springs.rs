@@ -263,3 +263,27 @@ fn an_invalid_spring_is_refused_at_its_place() {
         );
     }
 }
+
+/// Neither goes by the alphabet.
+#[test]
+fn springs_and_mistakes_in_them_come_in_the_order_of_the_file() {
+    let folder = folder();
+    let printed = |springs: &str| {
+        std::fs::write(folder.path().join("corner.toml"), corner("", springs)).expect("written");
+        run(folder.path(), &["motion", "corner.toml", "--csv", "-"])
+    };
+    let table = text(&printed(SPRINGS).stdout).to_owned();
+    let heading = table.lines().next().expect("a heading");
+    let place = |column: &str| heading.find(column).expect("a column");
+    assert!(
+        place("spring_force_N") < place("bar_moment_Nm"),
+        "{heading}"
+    );
+
+    let mistakes = SPRINGS.replace("rate = ", "rate = -");
+    let message = text(&printed(&mistakes).stderr).to_owned();
+    assert_eq!(
+        message.trim_end(),
+        "corner.toml:7:8: the rate of spring `spring` must be zero or a positive number"
+    );
+}

@@ -9,7 +9,7 @@ use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Load, LoadCase, MotionFile, Source, Wrench, in_order};
+use crate::file::{Load, LoadCase, MotionFile, Source, Wrench};
 use crate::loads::{Case, Site, contact_of};
 use crate::mechanism::Description;
 
@@ -40,7 +40,7 @@ pub(super) fn cases(
         mechanism,
         has_masses: file.masses.is_some(),
     };
-    let cases = in_order(table);
+    let cases = table.get_ref().iter();
     cases
         .map(|(name, loads)| reader.case(name, loads.get_ref()))
         .collect()

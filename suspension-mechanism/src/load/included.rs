@@ -56,7 +56,7 @@ pub(super) fn check_unit(
     };
     let stated = file.points.get_ref();
     let is_as_there = file.length == Length::Metre && file.axes == Axes::Iso;
-    if is_as_there || points(listing).all(|point| stated.contains_key(point)) {
+    if is_as_there || points(listing).all(|point| stated.has(point)) {
         return Ok(());
     }
     let message = format!(

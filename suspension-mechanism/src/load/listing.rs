@@ -117,7 +117,7 @@ fn find_in_catalogue(
     let stated = file.points.get_ref();
     let missing: Vec<_> = all
         .into_iter()
-        .filter(|point| !stated.contains_key(*point))
+        .filter(|point| !stated.has(point))
         .map(|point| format!("`{point}`"))
         .collect();
     if file.length != Length::Metre && !missing.is_empty() {
@@ -166,7 +166,7 @@ fn check_places(text: &Source, listing: &Listing, file: &MotionFile) -> Result<(
     let own = listing.stated().filter_map(|(point, at)| {
         let name = listing.name(Part::Point(point));
         let is_held = point < chassis + free && !unjoined.contains(&name);
-        (is_held && !points.contains_key(name)).then_some((name, at))
+        (is_held && !points.has(name)).then_some((name, at))
     });
     let own: Vec<(&str, Vector3<f64>)> = own.collect();
     for (index, (name, at)) in own.iter().enumerate() {
@@ -244,14 +244,14 @@ fn add_listed_points(
     for (point, at) in listing.stated() {
         let name = listing.name(Part::Point(point));
         let at = axes.turned(at);
-        if !stated.contains_key(name) {
+        if !stated.has(name) {
             let within = statement_of(written, name);
             let place = within.map_or_else(
                 || place.clone(),
                 |within| place.start + within.start..place.start + within.end,
             );
             let key = Spanned::new(place.clone(), name.to_owned());
-            stated.insert(key, Spanned::new(place, Position::At(at.into())));
+            stated.add(key, Spanned::new(place, Position::At(at.into())));
         }
     }
     let hardpoints = points(&listing).map(|name| stated_at(&file.points, name));

@@ -151,8 +151,9 @@ impl Loaded<'_> {
         };
         let table = &self.file.drives;
         let measure = &mechanism.names.measures[measure].name;
-        let stated = table.get_ref().get_key_value(measure.as_str());
-        let place = stated.map_or_else(|| table.span(), |(key, _)| key.span());
+        let mut stated = table.get_ref().names();
+        let stated = stated.find(|name| name.get_ref() == measure);
+        let place = stated.map_or_else(|| table.span(), Spanned::span);
         let message = format!(
             "`{measure}` is a measure that prescribes the motion; {command} needs a motion that is prescribed by drives alone"
         );

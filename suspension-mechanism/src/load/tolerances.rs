@@ -30,7 +30,7 @@ pub(super) fn tolerances(
         }
     };
     let mut found = Vec::new();
-    for (name, deviation) in table.get_ref() {
+    for (name, deviation) in table.get_ref().iter() {
         let changes = changes(name.get_ref()).ok_or_else(|| {
             let known = names.points.iter().map(String::as_str);
             let known: Vec<&str> = known.chain(names.links().map(|(link, _)| link)).collect();

@@ -8,7 +8,7 @@ mod targets;
 mod wanted_values;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, TuneTable, in_order};
+use crate::file::{MotionFile, Source, TuneTable};
 use crate::kinematics::Kinematics;
 use crate::tune::{Move, Target};
 use moves::Moves;
@@ -36,9 +36,15 @@ pub(super) fn tuning(
         across: mechanism.points().iter().map(|at| at.y).collect(),
     };
     let TuneTable { moves, targets } = table.get_ref();
-    let moves = in_order(moves).map(|(name, each)| of_moves.read_move(name, each));
+    let moves = moves
+        .get_ref()
+        .iter()
+        .map(|(name, each)| of_moves.read_move(name, each));
     let moves: Vec<Move> = moves.collect::<Result<_, _>>()?;
-    let targets = in_order(targets).map(|(name, each)| naming.read_target(name, each));
+    let targets = targets
+        .get_ref()
+        .iter()
+        .map(|(name, each)| naming.read_target(name, each));
     let targets: Vec<Target> = targets.collect::<Result<_, _>>()?;
     match (moves.is_empty(), targets.is_empty()) {
         (false, false) => Ok((moves, targets)),

@@ -1,12 +1,10 @@
 //! The springs that act in a load case by their rates.
 
-use std::collections::BTreeMap;
-
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Load, LoadCase};
+use crate::file::{Entries, Load, LoadCase};
 use crate::load::cases::{ACTING, Reader};
 use crate::loads::Case;
 
@@ -22,7 +20,7 @@ impl Reader<'_> {
         case: &Case,
         LoadCase(loads): &LoadCase,
     ) -> Result<Vec<usize>, Failure> {
-        let Some((_, stated)) = loads.iter().find(|(name, _)| name.get_ref() == ACTING) else {
+        let Some(stated) = loads.get(ACTING) else {
             return Ok(Vec::new());
         };
         let acting = self.named(stated).and_then(|springs| {
@@ -63,18 +61,13 @@ impl Reader<'_> {
     }
 
     /// Why a spring cannot act by its rate in a case, if another line of the case decides its load.
-    fn refusal(
-        &self,
-        spring: usize,
-        case: &Case,
-        loads: &BTreeMap<Spanned<String>, Spanned<Load>>,
-    ) -> Option<String> {
+    fn refusal(&self, spring: usize, case: &Case, loads: &Entries<Load>) -> Option<String> {
         let names = &self.mechanism.names;
         let spring = &names.vehicle.springs[spring];
         let (name, case_name) = (&spring.name, &case.name);
         // A measure of that name comes first: its load is added to that of the spring.
         let is_measure = names.measure_names().contains(&name.as_str());
-        if !is_measure && loads.keys().any(|stated| stated.get_ref() == name) {
+        if !is_measure && loads.has(name) {
             return Some(format!(
                 "load case `{case_name}` states the load of spring `{name}`, which cannot act by its rate as well: leave `{name}` out of \
                  {ACTING}, or leave out the line {name} = ..."

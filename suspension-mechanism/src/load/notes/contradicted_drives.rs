@@ -27,7 +27,7 @@ pub(in crate::load) fn doubts<L: Suspension<N>, const N: usize>(
     let size = extent(design.points.values()).norm();
     let stated = task.file.drives.get_ref();
     let drives = task.names.drives.iter().enumerate();
-    let drives = drives.filter(|(_, drive)| stated.contains_key(drive.name.as_str()));
+    let drives = drives.filter(|(_, drive)| stated.has(drive.name.as_str()));
     let unit = task.file.unit();
     let doubts = drives.filter_map(|(index, drive)| {
         let ends = ends(values.iter().map(|values| values[index]))?;

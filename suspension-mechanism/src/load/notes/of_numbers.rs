@@ -47,7 +47,11 @@ const RATES_OF_BARS: Range<f64> = 5.0..2e5;
 /// Notes on rates of springs and bars that seem to be in another unit.
 pub(super) fn rates(task: &Task<'_>) -> impl Iterator<Item = String> {
     let unit = task.file.unit();
-    let springs = task.file.springs.iter().flat_map(|table| table.get_ref());
+    let springs = task
+        .file
+        .springs
+        .iter()
+        .flat_map(|table| table.get_ref().iter());
     springs.filter_map(move |(name, stated)| {
         let along = stated.get_ref().along.get_ref();
         let mut measures = task.names.measures.iter();

@@ -2,7 +2,6 @@
 
 use suspension_runtime::Listing;
 
-use crate::file::in_order;
 use crate::load::task::Task;
 use crate::mechanism::{listed, name_on_other_side};
 
@@ -13,8 +12,8 @@ pub(in crate::load) fn note(task: &Task<'_>, listing: &Listing) -> Option<String
     let is_part = |name: &String| {
         task.names.points.contains(name) || statements.iter().any(|part| part.name == name)
     };
-    let has_mass = |name: &String| table.get_ref().keys().any(|key| key.get_ref() == name);
-    let pairs = in_order(table).filter_map(|(name, _)| {
+    let has_mass = |name: &String| table.get_ref().has(name);
+    let pairs = table.get_ref().iter().filter_map(|(name, _)| {
         let other = name_on_other_side(name.get_ref())?;
         (is_part(&other) && !has_mass(&other)).then(|| [name.get_ref().clone(), other])
     });

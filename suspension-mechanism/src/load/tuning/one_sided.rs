@@ -2,12 +2,12 @@
 
 use toml::Spanned;
 
-use crate::file::{MoveTable, TuneTable, in_order};
+use crate::file::{MoveTable, TuneTable};
 use crate::mechanism::{Names, listed, name_on_other_side};
 
 /// Notes on moves of points or links whose counterparts on the other side no move names, each with the line to add.
 pub(in crate::load) fn notes(table: &TuneTable, names: &Names) -> Vec<String> {
-    let moves: Vec<_> = in_order(&table.moves).collect();
+    let moves: Vec<_> = table.moves.get_ref().iter().collect();
     let tables = moves.iter().map(|(_, each)| each.get_ref());
     let moved: Vec<&str> = tables.flat_map(named).collect();
     let known = names.points.iter().map(String::as_str);

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{NumberList, TargetTable, Wanted, in_order};
+use crate::file::{NumberList, TargetTable, Wanted};
 use crate::load::tuning::measured;
 use crate::load::tuning::naming::Naming;
 use crate::mechanism::{Axis, CountedFrom, Grid, ends, evenly_spaced};
@@ -40,7 +40,11 @@ impl Naming<'_> {
                 return refuse(message.to_owned());
             }
         };
-        let over: Vec<_> = table.over.iter().flat_map(in_order).collect();
+        let over: Vec<_> = table
+            .over
+            .iter()
+            .flat_map(|table| table.get_ref().iter())
+            .collect();
         let (axes, mut wanted) = self.along(name, &over, stated)?;
         if !wanted.iter().all(|wanted| wanted.is_finite()) {
             let message = "the target is not finite";

@@ -33,7 +33,7 @@ pub(super) fn for_each_wheel<T: Clone>(
         PerWheel::Of(some) => some,
     };
     let names: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
-    let mut keys = of_some.keys();
+    let mut keys = of_some.names().map(Spanned::get_ref);
     if let Some(wanted) = keys.find(|key| !names.iter().any(|name| is_within(key, name))) {
         let message = if names == [""] {
             format!(
@@ -46,8 +46,10 @@ pub(super) fn for_each_wheel<T: Clone>(
     }
     // The longest of several that are in a wheel's name.
     let of_wheel = |name: &&str| {
-        let within = of_some.iter().filter(|(key, _)| is_within(key, name));
-        let longest = within.max_by_key(|(key, _)| key.split('_').count());
+        let within = of_some
+            .iter()
+            .filter(|(key, _)| is_within(key.get_ref(), name));
+        let longest = within.max_by_key(|(key, _)| key.get_ref().split('_').count());
         longest.map(|(_, value)| (value.get_ref().clone(), value.span()))
     };
     Ok(names.iter().map(of_wheel).collect())

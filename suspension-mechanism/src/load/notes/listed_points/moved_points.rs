@@ -44,7 +44,7 @@ impl<'a> Points<'a> {
         let same = SAME * file.length.metre();
         let each = names.iter().zip(&listed);
         let moved = each.clone().map(|(name, listed)| {
-            let at = match stated.get(*name)?.get_ref() {
+            let at = match stated.get(name)?.get_ref() {
                 Position::At(at) => Vector3::from(*at),
                 Position::Off(Offset { from, offset }) => {
                     place(from.get_ref())? + Vector3::from(*offset.get_ref())
@@ -52,7 +52,7 @@ impl<'a> Points<'a> {
             };
             ((at - (*listed)?).norm() > same).then_some(at)
         });
-        let unstated = each.map(|(name, listed)| listed.filter(|_| !stated.contains_key(*name)));
+        let unstated = each.map(|(name, listed)| listed.filter(|_| !stated.has(name)));
         Self {
             moved: moved.collect(),
             unstated: unstated.collect(),
