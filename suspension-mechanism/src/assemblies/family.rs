@@ -149,7 +149,11 @@ pub(crate) fn parts<G: Listing<N>, const N: usize>(
         let curvature = model.curvature(&change, &still, &change, &still);
         part.rows().all(|row| curvature[row] == Complex::ZERO)
     };
-    parts_in_order(&model.jacobian(&anywhere, &fixed), is_linear)
+    let jacobian = model.jacobian(&anywhere, &fixed);
+    let pattern = jacobian
+        .row_iter()
+        .map(|row| row.iter().map(|entry| *entry != Complex::ZERO).collect());
+    parts_in_order(&pattern.collect(), &is_linear)
 }
 
 /// The equation of a part's first drive.

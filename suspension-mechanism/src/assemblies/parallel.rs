@@ -8,7 +8,8 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
     let threads = thread::available_parallelism().map_or(1, usize::from);
     let todo = Mutex::new(items.iter().enumerate());
     let next = || todo.lock().ok()?.next();
-    let mut done: Vec<(usize, R)> = thread::scope(|scope| {
+    let mut results: Vec<Option<R>> = items.iter().map(|_| None).collect();
+    thread::scope(|scope| {
         let one = || {
             let mine = std::iter::from_fn(next);
             mine.map(|(index, item)| (index, work(item)))
@@ -17,13 +18,16 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
         let all: Vec<_> = (0..threads.min(items.len()))
             .map(|_| scope.spawn(one))
             .collect();
-        all.into_iter()
-            .flat_map(|thread| match thread.join() {
-                Ok(done) => done,
+        for thread in all {
+            match thread.join() {
+                Ok(done) => {
+                    for (index, result) in done {
+                        results[index] = Some(result);
+                    }
+                }
                 Err(panic) => std::panic::resume_unwind(panic),
-            })
-            .collect()
+            }
+        }
     });
-    done.sort_unstable_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, result)| result).collect()
+    results.into_iter().flatten().collect()
 }

@@ -3,9 +3,6 @@
 //! Duff, Erisman and Reid, Direct Methods for Sparse Matrices, chapter 6. Both corners of an axle follow from the rack, and a
 //! rocker from the corner whose pushrod it holds: their assemblies multiply, but are found one part at a time.
 
-use std::array;
-
-use nalgebra::{Complex, SMatrix};
 use suspension_listing::matching::augment;
 
 use crate::assemblies::factors::Vector;
@@ -24,24 +21,19 @@ pub(crate) struct Part {
 }
 
 /// Whether each unknown (column) occurs in each equation (row).
-type Pattern<const N: usize> = [[bool; N]; N];
+pub(crate) type Pattern = Vec<Vec<bool>>;
 
 /// The parts in an order in which each needs only those before it. Linear parts that need nothing else come first;
 /// later ones belong to the part that they follow from, which might otherwise have too few coordinates to be cut by a
 /// general plane.
-pub(crate) fn parts_in_order<const N: usize>(
-    jacobian: &SMatrix<Complex<f64>, N, N>,
-    is_linear: impl Fn(&Part) -> bool,
-) -> Vec<Part> {
-    let pattern: Pattern<N> =
-        array::from_fn(|row| array::from_fn(|column| jacobian[(row, column)] != Complex::ZERO));
-    let Some(matched) = matching(&pattern) else {
+pub(crate) fn parts_in_order(pattern: &Pattern, is_linear: &dyn Fn(&Part) -> bool) -> Vec<Part> {
+    let Some(matched) = matching(pattern) else {
         // Singular whatever the position: no order is possible.
-        let all = array::from_fn(|row| [row, row]);
-        return vec![Part::new(&pattern, &all, |_| true)];
+        let all: Vec<_> = (0..pattern.len()).map(|row| [row, row]).collect();
+        return vec![Part::new(pattern, &all, |_| true)];
     };
-    let part = |rows: Vec<usize>| Part::new(&pattern, &matched, |row| rows.contains(&row));
-    let mut pending = Pending::new(&pattern, &matched, is_linear);
+    let part = |rows: Vec<usize>| Part::new(pattern, &matched, |row| rows.contains(&row));
+    let mut pending = Pending::new(pattern, &matched, is_linear);
     let mut ordered = Vec::new();
     while let Some(rows) = pending.take_linear() {
         ordered.push(Part {
@@ -57,23 +49,28 @@ pub(crate) fn parts_in_order<const N: usize>(
 }
 
 /// Parts that are not yet in order.
-struct Pending<F, const N: usize> {
+struct Pending<'a> {
     parts: Vec<Part>,
     /// The equations of the parts that are in order.
-    found: [bool; N],
-    is_linear: F,
+    found: Vec<bool>,
+    is_linear: &'a dyn Fn(&Part) -> bool,
 }
 
-impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
+impl<'a> Pending<'a> {
     /// All parts, each as small as possible.
-    fn new(pattern: &Pattern<N>, matched: &[[usize; 2]; N], is_linear: F) -> Self {
+    fn new(
+        pattern: &Pattern,
+        matched: &[[usize; 2]],
+        is_linear: &'a dyn Fn(&Part) -> bool,
+    ) -> Self {
+        let count = pattern.len();
         let needs = reachable(pattern, matched);
         let together = |a: usize, b: usize| a == b || needs[a][b] && needs[b][a];
-        let firsts = (0..N).filter(|row| (0..*row).all(|before| !together(*row, before)));
+        let firsts = (0..count).filter(|row| (0..*row).all(|before| !together(*row, before)));
         let part = |first| Part::new(pattern, matched, |row| together(first, row));
         Self {
             parts: firsts.map(part).collect(),
-            found: [false; N],
+            found: vec![false; count],
             is_linear,
         }
     }
@@ -102,11 +99,7 @@ impl<F: Fn(&Part) -> bool, const N: usize> Pending<F, N> {
 
 impl Part {
     /// The part that consists of these rows.
-    fn new<const N: usize>(
-        pattern: &Pattern<N>,
-        matched: &[[usize; 2]; N],
-        is_own: impl Fn(usize) -> bool,
-    ) -> Self {
+    fn new(pattern: &Pattern, matched: &[[usize; 2]], is_own: impl Fn(usize) -> bool) -> Self {
         let (own, others): (Vec<_>, Vec<_>) = matched.iter().partition(|[row, _]| is_own(*row));
         let is_needed = |[_, column]: &[usize; 2]| {
             let mut rows = own.iter();
@@ -143,7 +136,7 @@ impl Part {
     }
 
     /// Whether all that it needs is found.
-    fn follows_from<const N: usize>(&self, found: &[bool; N]) -> bool {
+    fn follows_from(&self, found: &[bool]) -> bool {
         self.needed.iter().all(|[row, _]| found[*row])
     }
 
@@ -159,15 +152,16 @@ impl Part {
 }
 
 /// An unknown for each equation, all different; `None` if there are none such.
-fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
-    let columns = |row: &[bool; N]| (0..N).filter(|column| row[*column]).collect();
+fn matching(pattern: &Pattern) -> Option<Vec<[usize; 2]>> {
+    let count = pattern.len();
+    let columns = |row: &Vec<bool>| (0..count).filter(|column| row[*column]).collect();
     let columns: Vec<Vec<usize>> = pattern.iter().map(columns).collect();
-    let mut row_of = [None; N];
-    let mut rows = 0..N;
-    if !rows.all(|row| augment(row, &columns, &mut row_of, &mut [false; N])) {
+    let mut row_of = vec![None; count];
+    let mut rows = 0..count;
+    if !rows.all(|row| augment(row, &columns, &mut row_of, &mut vec![false; count])) {
         return None;
     }
-    let mut matched = [[0; 2]; N];
+    let mut matched = vec![[0; 2]; count];
     for (column, row) in row_of.into_iter().enumerate() {
         matched[row?] = [row?, column];
     }
@@ -175,14 +169,14 @@ fn matching<const N: usize>(pattern: &Pattern<N>) -> Option<[[usize; 2]; N]> {
 }
 
 /// The equations that must be solved before each one: those of its unknowns, and theirs in turn (Warshall 1962).
-fn reachable<const N: usize>(pattern: &Pattern<N>, matched: &[[usize; 2]; N]) -> Pattern<N> {
-    let mut needs: Pattern<N> =
-        array::from_fn(|row| array::from_fn(|other| pattern[row][matched[other][1]]));
-    for through in 0..N {
-        let beyond = needs[through];
+fn reachable(pattern: &Pattern, matched: &[[usize; 2]]) -> Pattern {
+    let needs_of = |row: &Vec<bool>| matched.iter().map(|[_, column]| row[*column]).collect();
+    let mut needs: Pattern = pattern.iter().map(needs_of).collect();
+    for through in 0..pattern.len() {
+        let beyond = needs[through].clone();
         for row in &mut needs {
             if row[through] {
-                for (needed, beyond) in row.iter_mut().zip(beyond) {
+                for (needed, beyond) in row.iter_mut().zip(&beyond) {
                     *needed |= beyond;
                 }
             }
@@ -197,8 +191,10 @@ mod tests {
 
     /// The unknowns of each part.
     fn parts(rows: [[u8; 5]; 5], is_linear: impl Fn(&Part) -> bool) -> Vec<Vec<usize>> {
-        let entry = |row: usize, column: usize| Complex::from(f64::from(rows[row][column]));
-        let parts = parts_in_order::<5>(&SMatrix::from_fn(entry), is_linear);
+        let pattern = rows
+            .map(|row| row.map(|entry| entry != 0).to_vec())
+            .to_vec();
+        let parts = parts_in_order(&pattern, &is_linear);
         let columns = parts.iter().map(|part| {
             let mut columns: Vec<usize> = part.columns().collect();
             columns.sort_unstable();

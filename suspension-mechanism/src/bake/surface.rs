@@ -97,11 +97,7 @@ pub fn bake_surface<L: Suspension<N>, const N: usize>(
         wanted,
         interrupted,
     };
-    let mut layouts: Vec<[usize; 2]> = (1..=MOST_PATCHES)
-        .flat_map(|along| (1..=MOST_PATCHES / along).map(move |across| [along, across]))
-        .collect();
-    layouts.sort_by_key(|[along, across]| (along * across, along.abs_diff(*across)));
-    for counts in layouts {
+    for counts in layouts() {
         if let Some((patches, reached)) = plane.patches(counts)? {
             return Ok(BakedSurface {
                 wanted: *wanted,
@@ -113,6 +109,15 @@ pub fn bake_surface<L: Suspension<N>, const N: usize>(
         }
     }
     Err(UnmetSurface::TooManyPatches)
+}
+
+/// The numbers of patches along each drive, the fewest first.
+fn layouts() -> Vec<[usize; 2]> {
+    let mut layouts: Vec<[usize; 2]> = (1..=MOST_PATCHES)
+        .flat_map(|along| (1..=MOST_PATCHES / along).map(move |across| [along, across]))
+        .collect();
+    layouts.sort_by_key(|[along, across]| (along * across, along.abs_diff(*across)));
+    layouts
 }
 
 type Patches = Vec<Vec<Patch<f64, 3, TERMS>>>;

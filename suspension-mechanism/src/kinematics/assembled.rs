@@ -77,11 +77,7 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
         let assemblies = distinct
             .iter()
             .map(|q| assembly(self.mechanism, &inputs, q));
-        let mut assemblies: Vec<_> = assemblies.collect();
-        assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-        for (number, assembly) in (1..).zip(&mut assemblies) {
-            assembly.number = number;
-        }
+        let assemblies = numbered(assemblies.collect());
         let tally = Tally {
             real: assemblies.len(),
             turned: census.real.len() - assemblies.len(),
@@ -89,6 +85,15 @@ impl<L: Suspension<N>, const N: usize> Assembled for Enumerated<'_, L, N> {
         };
         Some((assemblies, tally))
     }
+}
+
+/// The assemblies in the order of their distances, with their numbers.
+fn numbered(mut assemblies: Vec<Assembly>) -> Vec<Assembly> {
+    assemblies.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    for (number, assembly) in (1..).zip(&mut assemblies) {
+        assembly.number = number;
+    }
+    assemblies
 }
 
 fn still<L: Suspension<N>, const N: usize>(drives: &[f64]) -> Inputs<Still, L::Drives> {

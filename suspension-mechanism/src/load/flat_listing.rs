@@ -1,7 +1,5 @@
 //! The listing of a motion file as one text that states the design position of each point.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 use suspension_listing::text;
 use suspension_runtime::CatalogueAndFiles;
@@ -33,10 +31,13 @@ impl Loaded<'_> {
             let is_there = (stated - assembled).amax() <= ROUNDING * largest;
             (name.as_str(), if is_there { stated } else { assembled })
         });
-        let places: BTreeMap<&str, Vector3<f64>> = places.collect();
+        let places: Vec<(&str, Vector3<f64>)> = places.collect();
         let source = &self.listing.text;
         let includes = CatalogueAndFiles::beside(source.name());
-        let at = |name: &str| places.get(name).map(|at| <[f64; 3]>::from(*at));
+        let at = |name: &str| {
+            let (_, at) = places.iter().find(|(point, _)| *point == name)?;
+            Some(<[f64; 3]>::from(*at))
+        };
         text::flat(source.text(), source.name(), &includes, &at)
             .map_err(|mistakes| refused(source, &mistakes))
     }

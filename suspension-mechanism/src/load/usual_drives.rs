@@ -1,7 +1,5 @@
 //! Drives of wheels found by name, if the file does not state which drives move and steer them.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 use suspension_core::Values;
 
@@ -24,14 +22,14 @@ pub(super) fn effective_names<L: Suspension<N>, const N: usize>(
     let points: Vec<_> = design.points.values().collect();
     let size = design.model.size();
     let mut names = task.names.clone();
-    let mut unmoved: BTreeMap<usize, Vec<&Wheel>> = BTreeMap::new();
+    let mut unmoved: Vec<Vec<&Wheel>> = vec![Vec::new(); names.drives.len()];
     for (wheel, of_task) in names.wheels.iter_mut().zip(&task.names.wheels) {
         let rates = |drive: Option<usize>| design.per(drive?);
         if let (Some(drive), Some(rates)) = (wheel.travel, rates(wheel.travel))
             && !rises(wheel, &rates)
         {
             if !is_stated(&stated.travel, wheel) {
-                unmoved.entry(drive).or_default().push(of_task);
+                unmoved[drive].push(of_task);
             }
             wheel.travel = None;
         }
@@ -49,9 +47,10 @@ pub(super) fn effective_names<L: Suspension<N>, const N: usize>(
         wheel.lifted_by = lifting(wheel, &rates);
     }
     drop_idle(&mut names);
+    let unmoved = unmoved.iter().enumerate();
     let notes = unmoved
-        .iter()
-        .map(|(drive, wheels)| note(task, *drive, wheels));
+        .filter(|(_, wheels)| !wheels.is_empty())
+        .map(|(drive, wheels)| note(task, drive, wheels));
     (names, notes.collect())
 }
 

@@ -1,7 +1,5 @@
 //! The force on the chassis at each of its points, the sum of all parts that are joined there.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 
 use crate::loads::{By, Outcome, Structure};
@@ -30,11 +28,14 @@ impl Structure<'_> {
             points.map(|point| (*point, by[*point]))
         });
         let all = by_joints.chain(by_links).chain(by_actuators);
-        let mut together = BTreeMap::new();
+        let mut together = vec![None; self.chassis];
         for (point, force) in all.filter(|(point, _)| *point < self.chassis) {
-            *together.entry(point).or_insert_with(Vector3::zeros) += force;
+            *together[point].get_or_insert_with(Vector3::zeros) += force;
         }
-        together.into_iter().collect()
+        let together = together.into_iter().enumerate();
+        together
+            .filter_map(|(point, force)| Some((point, force?)))
+            .collect()
     }
 
     /// The forces of a link in tension on its ends.

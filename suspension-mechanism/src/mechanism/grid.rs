@@ -18,6 +18,21 @@ pub struct Grid {
 /// The drives that an axis moves, by number, with their values at one of its places.
 pub(super) type AxisPlace = Vec<(usize, f64)>;
 
+/// The places of an axis above the drives' values, by number, and those below, each in the order away from them.
+pub(super) fn outwards(axis: &[AxisPlace], drives: &[f64]) -> [Vec<usize>; 2] {
+    // The drives of an axis move together, so the first tells the direction.
+    let above_here = |index: &usize| {
+        let first = axis[*index].first();
+        first.map_or(0.0, |(drive, value)| value - drives[*drive])
+    };
+    let mut order: Vec<usize> = (0..axis.len()).collect();
+    order.sort_by(|a, b| above_here(a).total_cmp(&above_here(b)));
+    let is_below = |index: &usize| above_here(index) < 0.0;
+    let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
+    below.reverse();
+    [above, below]
+}
+
 /// An axis of a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {

@@ -66,7 +66,7 @@ pub struct Measure {
 
 impl Names {
     /// The names of a listing or a model.
-    pub fn new(parts: &impl Parts) -> Self {
+    pub fn new(parts: &dyn Parts) -> Self {
         let named = |count: usize, part: fn(usize) -> Part| -> Vec<String> {
             let each = (0..count).map(|index| parts.name(part(index)).to_owned());
             each.collect()

@@ -10,7 +10,7 @@ use super::place::{OnPlace, Place, VisitEnd};
 use crate::mechanism::around::Around;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::gradient::Gradient;
-use crate::mechanism::grid::Grid;
+use crate::mechanism::grid::{Grid, outwards};
 use crate::mechanism::known::{Arrival, DerivativeOrder, Known, Lists};
 use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
@@ -178,16 +178,7 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
             self.read_at(here);
             return;
         };
-        // The drives of an axis move together, so the first tells the direction.
-        let above_here = |index: &usize| {
-            let first = axis[*index].first();
-            first.map_or(0.0, |(drive, value)| value - here.drives[*drive])
-        };
-        let mut order: Vec<usize> = (0..axis.len()).collect();
-        order.sort_by(|a, b| above_here(a).total_cmp(&above_here(b)));
-        let is_below = |index: &usize| above_here(index) < 0.0;
-        let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
-        below.reverse();
+        let [above, below] = outwards(axis, &here.drives);
         for (upwards, way) in [(true, above), (false, below)] {
             let mut place = here.clone();
             place.motion = Motion {
