@@ -190,7 +190,22 @@ mod tests {
         let swept: Swept = "bump=-0.08:0.08:161".parse().expect("a drive");
         let values = swept.values();
         assert_eq!((values[0], values[80], values[160]), (-0.08, 0.0, 0.08));
-        assert!((values[1] + 0.079).abs() < 1e-16);
+        assert_eq!(values[1], -0.079);
+        for (text, place, expected) in [
+            ("z=-0.006:0.006:5", 3, "0.003"),
+            ("z=-0.3:0.6:4", 1, "0"),
+            ("z=-0.06:0.06:121", 61, "0.001"),
+            ("z=-60:60:121", 61, "1"),
+            ("z=0:1e-300:3", 1, "5e-301"),
+        ] {
+            let swept: Swept = text.parse().expect("values");
+            let expected: f64 = expected.parse().expect("a number");
+            assert_eq!(
+                swept.values()[place].to_bits(),
+                expected.to_bits(),
+                "{text}"
+            );
+        }
         let held: Swept = "steer = 0.01".parse().expect("a drive");
         assert_eq!((held.name.as_str(), held.values()), ("steer", vec![0.01]));
     }

@@ -2,6 +2,7 @@
 
 use crate::file::Dimension;
 use crate::mechanism::description::Description;
+use crate::number::unsigned_zero;
 
 /// The largest number of places of a grid.
 pub const MOST_PLACES: usize = 1_000_000;
@@ -118,12 +119,23 @@ fn check_kinds(mechanism: &Description, drives: &[(usize, f64)]) -> Result<(), S
     }
 }
 
-/// `count` values, evenly spaced from the first to the last: exact at both ends, and at zero in the middle.
+/// `count` values, evenly spaced from the first to the last: exact at both ends. Those between are rounded to 15 digits of the
+/// larger end, so that a place is 0.003 or 0 where spacing alone gives 0.0030000000000000005 or 3e-17.
 pub fn evenly_spaced([from, to]: [f64; 2], count: usize) -> Vec<f64> {
-    let last = count.saturating_sub(1).max(1) as f64;
-    let value = |index: usize| {
-        let part = index as f64 / last;
-        from * (1.0 - part) + to * part
+    /// The decimals of the smallest number.
+    const MOST: f64 = 340.0;
+    let last = count.saturating_sub(1).max(1);
+    let decimals = 14.0 - from.abs().max(to.abs()).log10().floor();
+    let decimals = decimals.clamp(0.0, MOST) as usize;
+    let value = |index: usize| match index {
+        0 => from,
+        _ if index == last => to,
+        _ => {
+            let part = index as f64 / last as f64;
+            let value = from * (1.0 - part) + to * part;
+            let rounded = format!("{value:.decimals$}").parse().unwrap_or(value);
+            unsigned_zero(rounded)
+        }
     };
     (0..count).map(value).collect()
 }
