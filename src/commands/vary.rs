@@ -4,6 +4,7 @@ mod page;
 mod report;
 mod study;
 mod values;
+mod varied;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -17,8 +18,9 @@ use crate::load::{describe_one_sided, load};
 use crate::output::destinations::Destinations;
 use crate::quantities::is_first_in_curves;
 use report::Report;
-use study::{Spans, Study, Varied};
+use study::{Spans, Study};
 use values::Values;
+use varied::Varied;
 
 /// The arguments of `suspension vary`.
 #[derive(Args, Clone, Debug)]

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::characteristics::DesignNumber;
-use crate::commands::vary::study::{Study, Variant, Varied, label};
+use crate::commands::vary::study::{Study, Variant};
+use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
 use crate::output::page::in_digits;
 use crate::output::records::{self, Field};

@@ -6,62 +6,17 @@ use crate::characteristics::{
     Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, parameters, unmet_range,
     ways,
 };
+use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
-use crate::kinematics::{Kinematics, Unbuilt, elsewhere};
+use crate::kinematics::{Kinematics, Unbuilt};
 use crate::mechanism::listed;
-use crate::number::{rounded, without_rounding};
+use crate::number::without_rounding;
 use crate::output::progress::Progress;
 use crate::quantities::Column;
-use crate::sensitivities::{Change, read};
+use crate::sensitivities::read;
 
 /// Smaller differences are rounding, absolute or relative to a larger number.
 pub(super) const ROUNDING: f64 = 1e-9;
-
-/// What is varied, in which suspension.
-pub(super) struct Varied<'a> {
-    pub(super) file: &'a str,
-    pub(super) mechanism: &'a dyn Kinematics,
-    pub(super) change: Change,
-}
-
-impl Varied<'_> {
-    /// Names a value, for example `rack.z 3 mm`.
-    pub(super) fn in_words(&self, value: f64) -> String {
-        let unit = self.mechanism.unit.symbol();
-        format!("{} {} {unit}", self.change.name, label(value))
-    }
-
-    /// Says which points are not where the file or the largest of the values puts them; `None` if there are none.
-    pub(super) fn describe_elsewhere(&self, values: &[f64]) -> Option<String> {
-        let largest = values.iter().copied();
-        let largest = largest.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-        let points = elsewhere(self.mechanism, self.change.per_unit.times(largest).points);
-        let names = &self.mechanism.names.points;
-        let points = points.iter().map(|point| format!("`{}`", names[*point]));
-        let points = listed(points);
-        (!points.is_empty()).then(|| {
-            format!(
-                "with {} the points do not satisfy the listing; the suspension is assembled with {points} elsewhere",
-                self.in_words(largest)
-            )
-        })
-    }
-
-    /// Says that no value changes anything.
-    pub(super) fn describe_no_effect(&self) -> String {
-        format!(
-            "{}: {} changes no quantity at the design position and no derivative there; vary another coordinate, or draw the curves \
-             over travel with --html",
-            self.file, self.change.name
-        )
-    }
-}
-
-/// Returns a value with the digits in which evenly spaced values are told.
-pub(super) fn label(value: f64) -> String {
-    const DIGITS: usize = 6;
-    rounded(without_rounding(value), DIGITS)
-}
 
 /// The suspension at a value.
 pub(super) struct Variant {
@@ -159,15 +114,21 @@ impl Study {
         let numbers = read(mechanism, &self.columns).unwrap_or_default();
         let mut curves = Vec::new();
         if let Some(spans) = spans {
-            let name = format!("{} with {}", varied.file, varied.in_words(value));
             let unit = mechanism.unit;
-            let ways = ways(mechanism, spans, unit, interrupted);
-            let failures = ways.iter().filter_map(|along| along.visited.failure(&name));
-            self.cut_short
-                .extend(failures.map(|failure| failure.to_string()));
+            let mut ways = ways(mechanism, spans, unit, interrupted);
             let rises = Rise::of_drives(mechanism, &parameters(mechanism, unit), unit);
             curves = all_curves(mechanism, &ways, &rises);
-            self.locked = self.locked.take().or_else(|| unmet_range(&ways, &name));
+            let failures = ways
+                .iter()
+                .filter_map(|along| along.visited.failure(varied.file));
+            let failures = failures.map(|failure| varied.with_value(value, failure).to_string());
+            let cut_short: Vec<String> = failures.collect();
+            // That a usual range is longer than the reach is told once, not of each value.
+            ways.retain(|along| self.cut_short.is_empty() || !along.is_usual);
+            let locked = || unmet_range(&ways, varied.file);
+            let locked = || locked().map(|failure| varied.with_value(value, failure));
+            self.locked = self.locked.take().or_else(locked);
+            self.cut_short.extend(cut_short);
         }
         self.variants.push(Variant {
             value,
@@ -245,7 +206,11 @@ impl Study {
             return Some(Failure::Interrupted(format!("{file}: {interrupt}")));
         }
         let unbuilt = self.describe_unbuilt(varied);
-        let unbuilt = unbuilt.map(|why| Failure::Solver(format!("{file}: {why}")));
-        unbuilt.or(self.locked)
+        let unbuilt = unbuilt.map(|why| format!("{file}: {why}"));
+        match (unbuilt, self.locked) {
+            (None, locked) => locked,
+            (Some(unbuilt), None) => Some(Failure::Solver(unbuilt)),
+            (Some(unbuilt), Some(locked)) => Some(Failure::Solver(format!("{unbuilt}\n{locked}"))),
+        }
     }
 }

@@ -31,7 +31,7 @@ pub struct Along {
     /// The changes from the design position.
     pub changes: Vec<f64>,
     /// Whether their range is the usual one, because the user states none.
-    is_usual: bool,
+    pub is_usual: bool,
     /// Each state, and the state with derivatives with respect to each of the drives.
     pub visited: Visited<(State, Vec<Option<State>>)>,
 }

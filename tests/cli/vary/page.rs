@@ -58,12 +58,31 @@ fn a_drive_that_is_no_height_has_curves_over_wheel_travel_too() {
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
 }
 
+/// The arm is 50 mm long, the usual travel 60 mm.
+#[test]
+fn a_usual_range_beyond_the_reach_is_told_once() {
+    let short = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.0 }\nstatements = \"\"\"\n\
+                 fixed: front at [0.2, 0.0, 0.0], rear at [-0.2, 0.0, 0.0], top at [0.0, 0.02, 0.1];\n\
+                 free: tip at [0.0, 0.05, 0.0];\nhinge arm: front, rear -> tip;\npoint hub: arm at [0.0, 0.04, 0.0];\n\
+                 wheel: hub -> tip;\ndrive bump: tip.z;\nmeasure spring: length(top -> tip);\n\"\"\"\n";
+    let (page, message) = page(short, &["top.z=-0.002:0.002:3"], 0);
+    assert_eq!(
+        message.matches("note: the usual range of bump").count(),
+        1,
+        "{message}"
+    );
+    assert_eq!(page.matches("The curves are cut short: ").count(), 3);
+    assert!(page.contains("a.toml with top.z 0.002 m: 12 of 61 places are out of reach"));
+    assert_eq!(page.matches("`suspension range a.toml`").count(), 3);
+}
+
 #[test]
 fn a_lock_within_the_travel_cuts_the_curves_short() {
     let (page, message) = page(&corner(""), &["rack.z=0.002", "--travel", "-0.05:0.6"], 3);
     assert!(page.contains("The curves are cut short: "), "{message}");
     assert!(page.contains("a.toml with rack.z 0.002 m: "), "{message}");
-    assert!(message.contains("a.toml with rack.z"), "{message}");
+    let of_design = "\na.toml: 43 of 61 places are out of reach";
+    assert!(message.contains(of_design), "{message}");
     assert_eq!(
         message.matches("is it in another unit?").count(),
         0,

@@ -90,6 +90,28 @@ fn values_without_a_suspension_are_named_and_the_others_kept() {
     assert!(text(&output.stderr).contains(expected), "{output:?}");
 }
 
+/// One value has no suspension, the others lock within the travel.
+#[test]
+fn the_last_message_has_values_without_a_suspension_and_a_lock() {
+    let folder = folder();
+    let arguments = [
+        "tie_rod=-0.7:0.002:2",
+        "--travel",
+        "-0.05:0.6",
+        "--html",
+        "v.html",
+    ];
+    let output = vary(folder.path(), &corner(""), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    for expected in [
+        "\na.toml: no suspension can be assembled with tie_rod -0.7 m: ",
+        "\na.toml: 43 of 61 places are out of reach",
+    ] {
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
 #[test]
 fn values_in_another_unit_are_noted() {
     let folder = folder();
