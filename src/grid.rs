@@ -78,6 +78,11 @@ impl Swept {
         &self.name
     }
 
+    /// Returns the number of values.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// Returns the values in order.
     pub fn values(&self) -> Vec<f64> {
         evenly_spaced([self.from, self.to], self.count)

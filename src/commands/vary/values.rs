@@ -7,6 +7,9 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::extent;
 use crate::number::number;
 
+/// The most values.
+const MOST: usize = 1000;
+
 /// A name with values, for example `rack.z=-0.006:0.006:5`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Values(Swept);
@@ -17,6 +20,12 @@ impl FromStr for Values {
     fn from_str(text: &str) -> Result<Self, String> {
         let wanted = "write NAME=FROM:TO:COUNT, as rack.z=-0.006:0.006:5, or NAME=VALUE";
         let swept = Swept::parse(text, wanted)?;
+        let count = swept.count();
+        if count > MOST {
+            return Err(format!(
+                "COUNT is {count}; at most {MOST} are allowed, of which each has a column in the table and curves on the page"
+            ));
+        }
         if swept.values() == [0.0] {
             return Err(format!(
                 "{}=0 is the design itself, from which the values count; {wanted}",

@@ -6,7 +6,7 @@ use suspension_listing::did_you_mean::{did_you_mean, unknown};
 use crate::failure::Failure;
 use crate::kinematics::{Changes, Kinematics};
 use crate::load::loaded::Loaded;
-use crate::mechanism::{Description, listed, moved_together, name_on_other_side};
+use crate::mechanism::{Description, Names, listed, moved_together, name_on_other_side};
 use crate::quantities::Axis;
 use crate::sensitivities::Change;
 
@@ -84,10 +84,13 @@ impl Loaded<'_> {
     }
 }
 
+/// What is before the name of a link in that of the change of its length.
+const LENGTH: &str = "length ";
+
 /// A coordinate, a length without or with the word before it, or a move.
 fn find<'a>(known: &'a [Change], name: &str) -> Option<&'a Change> {
     let called = |name: &str| known.iter().find(|change| change.name == name);
-    called(name).or_else(|| called(&format!("length {name}")))
+    called(name).or_else(|| called(&format!("{LENGTH}{name}")))
 }
 
 fn named_point(mechanism: &Description, name: &str) -> Option<usize> {
@@ -162,16 +165,46 @@ fn describe_unknown(mechanism: &Description, known: &[Change], name: &str) -> St
                 axes(name)
             )
         }
-        None => {
-            let others = known.iter().filter(|change| !change.name.contains('.'));
-            let others = others.map(|change| change.name.trim_start_matches("length "));
-            let meant = did_you_mean(name, others.chain(points.iter().copied()));
-            format!(
-                "`{name}` is no coordinate of a point, as {}.z, no link and no move of [tune]{meant}",
-                points.first().unwrap_or(&"POINT")
-            )
-        }
+        None => describe_no_change(mechanism, known, name),
     }
+}
+
+/// The same about a name without an axis: what is near to it, or what it is instead and all that can be changed.
+fn describe_no_change(mechanism: &Description, known: &[Change], name: &str) -> String {
+    let Names {
+        points, measures, ..
+    } = &mechanism.names;
+    let is_measure = measures.iter().any(|measure| measure.name == name);
+    let what = match mechanism.names.drive_names().contains(&name) {
+        true => "a drive, which moves the suspension and is no part of its design",
+        false if is_measure => "a measure, which follows from the points",
+        false => "no coordinate of a point, no link and no move of [tune]",
+    };
+    let whole = known.iter().map(|change| change.name.as_str());
+    let whole = whole.filter(|change| !change.contains('.'));
+    let (links, moves): (Vec<_>, Vec<_>) = whole.partition(|change| change.starts_with(LENGTH));
+    let links: Vec<&str> = links
+        .into_iter()
+        .map(|link| &link[LENGTH.len()..])
+        .collect();
+    let each = links.iter().chain(&moves).copied();
+    let meant = did_you_mean(name, each.chain(points.iter().map(String::as_str)));
+    if what.starts_with("no") && !meant.is_empty() {
+        return format!("`{name}` is {what}{meant}");
+    }
+    let points: Vec<&str> = points.iter().map(String::as_str).collect();
+    let kinds = [
+        ("the links", &links),
+        ("the moves of [tune]", &moves),
+        ("x, y or z of the points", &points),
+    ];
+    let kinds = kinds.iter().filter(|(_, names)| !names.is_empty());
+    let kinds = kinds.map(|(kind, names)| format!("{kind} {}", names.join(", ")));
+    let kinds: Vec<String> = kinds.collect();
+    format!(
+        "`{name}` is {what}; what can be varied: {}",
+        kinds.join("; ")
+    )
 }
 
 /// A note on points or links of one side that a change moves, whose counterparts on the other side it does not, with the

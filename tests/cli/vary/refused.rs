@@ -21,6 +21,23 @@ fn what_cannot_be_varied_is_refused_in_a_sentence() {
             "no link and no move of [tune]; did you mean `tie_rod`?",
         ),
         (
+            "damper=0:1:3",
+            "a.toml: `damper` is a measure, which follows from the points; what can be varied: the links tie_rod, pushrod, ",
+        ),
+        (
+            "bump=0:1:3",
+            "a.toml: `bump` is a drive, which moves the suspension and is no part of its design; what can be varied: the links tie_rod, pushrod, ",
+        ),
+        (
+            "banana=0:1:3",
+            "`banana` is no coordinate of a point, no link and no move of [tune]; what can be varied: the links tie_rod, pushrod, ",
+        ),
+        (
+            "banana=0:1:3",
+            "; x, y or z of the points lower_front, lower_rear, ",
+        ),
+        ("rack.z=0:1:1001", "COUNT is 1001; at most 1000 are allowed"),
+        (
             "rack.z,rack.z=0:1:3",
             "a.toml: `rack.z` is given twice; remove one",
         ),
