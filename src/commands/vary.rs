@@ -102,7 +102,7 @@ impl Arguments {
             numbers,
         };
         to.write(
-            || report(&printed).text(),
+            || report(&printed).text(!self.of.is_empty()),
             |forms| report(&written).write(forms),
             || page::html(&report(&written), self.of.is_empty()),
         )?;
@@ -158,8 +158,9 @@ moves one side alone; left_tie_ball.z,right_tie_ball.z moves both as in a mirror
 left_tie_ball.y,-right_tie_ball.y.
 
 The table has a row for each quantity at the design position and for its derivative with respect to each drive (toe per bump is
-bump steer), and a column for each value. The design itself is always among them. Angles are in degrees. The table of --csv
-has all quantities without --of, with the columns value, of, quantity, unit and number; `of` has design, per bump and the like.
+bump steer), and a column for each value. The design itself is always among them. Without --of a line below the table names what
+is alike for all values. Angles are in degrees. The table of --csv has all quantities without --of, with the columns value, of,
+quantity, unit and number; `of` has design, per bump and the like.
 
 The page of --html has a chart for each quantity that the values change visibly, over the drives of travel and steering and,
 where a drive of travel is not the height of its wheel, over wheel travel; its curves are blue for the least value, red for

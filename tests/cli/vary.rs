@@ -204,6 +204,28 @@ fn prints_a_row_for_each_quantity_and_a_column_for_each_value() {
     assert_eq!(lines.len(), 6);
 }
 
+/// The rack is on neither the kingpin nor a wishbone.
+#[test]
+fn quantities_that_no_value_changes_are_named_below_the_table() {
+    let folder = folder();
+    let output = vary(folder.path(), &corner(""), &["rack.z=-0.002:0.002:3"]);
+    let printed = text(&output.stdout);
+    let (table, alike) = printed
+        .split_once("\nAlike for all values: ")
+        .expect("both");
+    assert!(table.contains("\n  toe per bump (deg/m)") && !table.contains("caster (deg)"));
+    assert!(
+        alike
+            .split(", ")
+            .any(|name| name.starts_with("caster ") && name.ends_with(" deg")),
+        "{alike}"
+    );
+    let asked = ["rack.z=-0.002:0.002:3", "--of", "caster"];
+    let output = vary(folder.path(), &corner(""), &asked);
+    let printed = text(&output.stdout);
+    assert!(printed.contains("\n  caster (deg)") && !printed.contains("Alike"));
+}
+
 #[test]
 fn json_has_a_header_and_the_rows_of_csv() {
     let folder = folder();

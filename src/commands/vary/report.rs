@@ -32,22 +32,45 @@ struct Header<'a> {
 }
 
 impl Report<'_> {
-    /// Returns a table with a row for each number and a column for each value.
-    pub(super) fn text(&self) -> String {
-        let titles = self.numbers.iter();
-        let titles = titles.map(|number| match number.symbol.as_str() {
+    /// Returns a table with a row for each number and a column for each value; below it the names of numbers that are alike
+    /// in all columns, unless they are asked for.
+    pub(super) fn text(&self, shows_all: bool) -> String {
+        let cells = |number: &DesignNumber| -> Vec<String> {
+            let variants = self.study.variants.iter();
+            variants
+                .map(|variant| in_digits(variant.shown(number)))
+                .collect()
+        };
+        let is_shown = |number: &&DesignNumber| {
+            let cells = cells(number);
+            shows_all || cells.len() == 1 || cells.iter().any(|cell| *cell != cells[0])
+        };
+        let (shown, alike): (Vec<_>, Vec<_>) = self.numbers.iter().partition(is_shown);
+        let titles = shown.iter().map(|number| match number.symbol.as_str() {
             "" => number.title.clone(),
             symbol => format!("{} ({symbol})", number.title),
         });
         let first = TextColumn::left(titles).headed("quantity");
         let of_variant = |variant: &Variant| {
-            let numbers = self.numbers.iter();
-            let cells = numbers.map(|number| in_digits(variant.shown(number)));
+            let cells = shown.iter().map(|number| in_digits(variant.shown(number)));
             TextColumn::right(cells).headed(heading(variant))
         };
         let columns = self.study.variants.iter().map(of_variant);
         let table = in_parts(2, WIDTH, &first, columns.collect());
-        format!("{}\n\n{table}", self.heading())
+        let alike: Vec<String> = alike.into_iter().map(|number| self.told(number)).collect();
+        let alike = match alike[..] {
+            [] => String::new(),
+            _ => format!("\nAlike for all values: {}\n", alike.join(", ")),
+        };
+        format!("{}\n\n{table}{alike}", self.heading())
+    }
+
+    /// A number that all variants have, with its unit.
+    fn told(&self, number: &DesignNumber) -> String {
+        let variants = self.study.variants.first();
+        let shown = variants.map_or(f64::NAN, |variant| variant.shown(number));
+        let told = format!("{} {} {}", number.title, in_digits(shown), number.symbol);
+        told.trim_end().to_owned()
     }
 
     /// Says what is varied.
@@ -57,7 +80,7 @@ impl Report<'_> {
             mechanism,
             change,
         } = self.varied;
-        let (unit, axes) = (mechanism.unit.symbol(), mechanism.axes.in_words());
+        let (unit, axes) = (mechanism.unit.length.in_words(), mechanism.axes.in_words());
         format!(
             "{file}: change of {} from the design, in {unit}; axes of {axes}",
             change.name
