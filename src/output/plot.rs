@@ -1,6 +1,7 @@
 //! Plots as SVG: over time, or over another quantity.
 
 use plotters::coord::types::RangedCoordf64;
+use plotters::element::{DashedPathElement, DynElement, IntoDynElement};
 use plotters::prelude::*;
 
 use crate::mechanism::ends;
@@ -32,6 +33,8 @@ pub struct Curve {
     pub marks: Vec<(f64, f64)>,
     /// Its colour.
     pub colour: Colour,
+    /// Whether its line is dashed, which tells it from others in black and white too.
+    pub is_dashed: bool,
 }
 
 /// Width and height in pixels.
@@ -127,15 +130,16 @@ impl Chart {
         Ok(())
     }
 
-    fn draw_curves(&self, plane: &mut Plane<'_, '_>, up: &Axis) -> Drawn {
+    fn draw_curves<'a, 'b: 'a>(&self, plane: &mut Plane<'a, 'b>, up: &Axis) -> Drawn {
         for (index, curve) in self.curves.iter().enumerate() {
             let colour = curve.colour.of_curve(index);
             let mut later = self.curves[index + 1..].iter();
             // A curve that a later one covers, as that of the other wheel, shows on both sides of it.
             let is_covered = later.any(|other| up.shows_as_one(curve, other));
             let stroke = colour.stroke_width(if is_covered { 5 } else { 2 } * FINE);
+            let is_dashed = curve.is_dashed;
             let runs = curve.line.split(|point| !is_finite(point));
-            let drawn = runs.map(|run| PathElement::new(run.to_vec(), stroke));
+            let drawn = runs.map(|run| path(run.to_vec(), stroke, is_dashed));
             let drawn = plane.draw_series(drawn)?.label(&curve.name);
             let in_legend = 24 * FINE as i32;
             if curve.line.is_empty() {
@@ -143,7 +147,8 @@ impl Chart {
                     Circle::new((x + in_legend / 2, y), 4 * FINE, colour.filled())
                 });
             } else {
-                drawn.legend(move |(x, y)| PathElement::new([(x, y), (x + in_legend, y)], stroke));
+                let ends = move |(x, y)| vec![(x, y), (x + in_legend, y)];
+                drawn.legend(move |at| path(ends(at), stroke, is_dashed));
             }
             let marks = curve.marks.iter();
             plane.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
@@ -163,6 +168,20 @@ impl Chart {
         let time = Axis::fit(all.iter().map(|point| point.0), [0.02, 0.02])?;
         let value = Axis::fit(all.iter().map(|point| point.1), [MARGIN, above])?;
         Some([time, value])
+    }
+}
+
+/// Returns a line through points, solid or dashed.
+fn path<'b, P: Clone + 'static>(
+    points: Vec<P>,
+    stroke: ShapeStyle,
+    is_dashed: bool,
+) -> DynElement<'static, SVGBackend<'b>, P> {
+    const DASH: u32 = 8 * FINE;
+    const GAP: u32 = 4 * FINE;
+    match is_dashed {
+        true => DashedPathElement::new(points, DASH, GAP, stroke).into_dyn(),
+        false => PathElement::new(points, stroke).into_dyn(),
     }
 }
 

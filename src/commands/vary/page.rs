@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use crate::characteristics::{Curves, Line};
 use crate::commands::vary::report::{DESIGN, Report};
 use crate::commands::vary::study::{ROUNDING, Variant};
+use crate::commands::vary::varied::label;
 use crate::mechanism::ends;
 use crate::output::colour::Colour;
 use crate::output::page::{charts, page};
@@ -68,6 +69,7 @@ fn chart(report: &Report<'_>, curves: &Curves, line: &Line) -> Chart {
         Some(Curve {
             line: section.points(line),
             colour,
+            is_dashed: is_dashed(variant),
             ..Curve::default()
         })
     };
@@ -120,17 +122,38 @@ fn coloured<'a>(report: &Report<'a>) -> impl Iterator<Item = (&'a Variant, Colou
     })
 }
 
+/// Returns whether the curve of a variant is dashed: those below the design are, so that black and white tells them from those
+/// above it.
+fn is_dashed(variant: &Variant) -> bool {
+    variant.value < 0.0
+}
+
 /// The names of the curves of all charts.
 fn legend(report: &Report<'_>) -> Markup {
+    let unit = report.varied.mechanism.unit.symbol();
     let name = |variant: &Variant| match variant.value {
         0.0 => DESIGN.to_owned(),
-        value => report.varied.in_words(value),
+        value => {
+            let plus = if value > 0.0 { "+" } else { "" };
+            format!("{plus}{} {unit}", label(value))
+        }
+    };
+    let style = |(variant, colour): (&Variant, Colour)| {
+        let dashes = if is_dashed(variant) {
+            "dashed"
+        } else {
+            "solid"
+        };
+        format!(
+            "border-color: {}; border-top-style: {dashes}",
+            colour.in_css()
+        )
     };
     html! {
         p.legend {
             @for (variant, colour) in coloured(report) {
                 span {
-                    span.line style={ "border-color: " (colour.in_css()) } {}
+                    span.line style=(style((variant, colour))) {}
                     (name(variant))
                 }
             }

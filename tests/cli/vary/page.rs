@@ -19,10 +19,12 @@ fn page(file: &str, arguments: &[&str], code: i32) -> (String, String) {
 fn the_page_has_a_curve_for_each_value_and_names_them() {
     let (page, _) = page(&corner(""), &["rack.z=-0.006:0.006:5", "--of", "toe"], 0);
     for name in [
-        "rack.z -0.006 m",
-        "rack.z -0.003 m",
-        ">design<",
-        "rack.z 0.003 m",
+        "></span>-0.006 m</span>",
+        "></span>-0.003 m</span>",
+        "></span>design</span>",
+        "></span>+0.003 m</span>",
+        "border-color: rgb(40,50,190); border-top-style: dashed",
+        "border-color: rgb(190,25,40); border-top-style: solid",
         "Over bump",
         "Over steer",
     ] {
@@ -41,6 +43,9 @@ fn the_page_has_a_curve_for_each_value_and_names_them() {
         page[..black].contains("stroke=\"#2832BE\""),
         "the lowest is drawn before it"
     );
+    // A curve, or its dashes: those of the least value, which is below the design, and of the greatest.
+    let lines = |colour| page.matches(&format!("stroke=\"{colour}\"")).count();
+    assert!(lines("#2832BE") > 10 && lines("#BE1928") == 1);
 }
 
 /// Over a damper's length each wheel travels another way: the page has curves over the travel of the wheel too.
