@@ -25,7 +25,7 @@ mod row;
 mod row_corner;
 mod row_name;
 mod shark;
-mod side;
+pub(super) mod side;
 mod stand_in;
 mod subsystem;
 mod table;

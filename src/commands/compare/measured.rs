@@ -8,6 +8,7 @@ mod places;
 mod quantities;
 mod quantity;
 mod reach;
+mod rig_names;
 mod smooth;
 
 use std::path::Path;

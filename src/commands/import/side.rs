@@ -4,7 +4,7 @@ use clap::ValueEnum;
 
 /// A side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Side {
+pub(in crate::commands) enum Side {
     /// The left one.
     Left,
     /// The right one.
@@ -20,7 +20,7 @@ impl Side {
     }
 
     /// Returns the side in words.
-    pub(super) fn name(self) -> &'static str {
+    pub(in crate::commands) fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
             Self::Right => "right",
@@ -50,7 +50,7 @@ pub(super) enum Sides {
 
 /// An end of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum End {
+pub(in crate::commands) enum End {
     /// The front axle.
     Front,
     /// The rear axle.
@@ -59,7 +59,7 @@ pub(super) enum End {
 
 impl End {
     /// Returns the end in words.
-    pub(super) fn name(self) -> &'static str {
+    pub(in crate::commands) fn name(self) -> &'static str {
         match self {
             Self::Front => "front",
             Self::Rear => "rear",
@@ -69,14 +69,14 @@ impl End {
 
 /// The corners to which the rows below a heading or a group of columns belong, as far as the heading says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Section {
-    pub(super) end: Option<End>,
-    pub(super) side: Option<Side>,
+pub(in crate::commands) struct Section {
+    pub(in crate::commands) end: Option<End>,
+    pub(in crate::commands) side: Option<Side>,
 }
 
 impl Section {
     /// Returns what a word in small letters says.
-    pub(super) fn of_word(word: &str) -> Option<Self> {
+    pub(in crate::commands) fn of_word(word: &str) -> Option<Self> {
         let (end, side) = match corner_of(word) {
             Some((end, side)) => (Some(end), Some(side)),
             None => (end_of(word), side_of(word)),

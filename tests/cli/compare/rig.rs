@@ -167,6 +167,75 @@ fn the_steering_wheel_leads_the_model() {
     );
 }
 
+/// An arm of the left wheel in the axes of Adams, whose y points to the right.
+const LEFT_IN_ADAMS: &str = "unit = \"mm\"\naxes = \"Adams\"\ntime = { instants = [0.0] }\ndrives = { bump = 0.0 }\nstatements = \"\"\"\n\
+    fixed: front at [-300, 0, 0], rear at [200, 0, 0];\nfree: tip at [0, -500, 0];\nhinge arm: front, rear -> tip;\n\
+    point hub: arm at [0, -400, 0];\nwheel: hub -> tip;\ndrive bump: tip.z;\n\"\"\"\n";
+
+/// The rows of a table with the model's names, and of the same numbers under those of rigs.
+#[test]
+fn the_names_of_rigs_are_read_as_those_of_the_model() {
+    let axle = axle().replace(
+        "vehicle = { wheel_radius = 0.3 }",
+        "vehicle = { wheel_radius = 0.3, rack_per_turn = 0.05 }",
+    );
+    let car = include_str!("../../../examples/front_and_rear_axle.toml");
+    for (model, own, of_rigs) in [
+        (
+            LEFT_IN_ADAMS,
+            "wheel travel [mm],camber [deg],toe [deg],recession [mm],tip z [mm]",
+            "Wheel travel L [mm],Camber FL [deg],L toe [deg],Wheel recession [mm],tip z [mm]",
+        ),
+        (
+            &*axle,
+            "left wheel travel [mm],right wheel travel [mm],steer [mm],left toe [deg],right caster [deg]",
+            "Wheel Displacement FL [mm],Jounce (RH) [mm],Rack-Travel [mm],Toe L [deg],Castor angle FR [deg]",
+        ),
+        (
+            &axle,
+            "left wheel travel [mm],right toe [deg],steering wheel angle [deg],left kingpin [deg],left mechanical trail [mm]",
+            "Wheel Center Vertical Displacement LF [mm],R Toe [deg],Handwheel Angle [deg],KPI L [deg],Caster trail L [mm]",
+        ),
+        (
+            CORNER,
+            "steer [mm],wheel travel [mm],toe [deg],camber [deg],recession [mm]",
+            "Steering rack displacement [mm],Left wheel jounce [mm],Toe FL [deg],Front left camber [deg],Wheel recession L [mm]",
+        ),
+        (
+            car,
+            "front_left wheel travel [mm],rear_right toe [deg],rear_right wheel travel [mm],front_steer [mm],front_left camber [deg]",
+            "Wheel travel FL [mm],Toe RR [deg],Wheel travel Z RR [mm],Rack displacement [mm],LF camber [deg]",
+        ),
+    ] {
+        let compared = |headings: &str| {
+            let table = format!("{headings}\n0,0,0,0,0\n9,8,7,6,5\n");
+            let (_folder, output) = beside(model, &table, &["--csv", "-"]);
+            assert_eq!(output.status.code(), Some(0), "{headings}: {output:?}");
+            assert_eq!(text(&output.stderr), "", "{headings}");
+            text(&output.stdout).to_owned()
+        };
+        assert_eq!(compared(of_rigs), compared(own));
+    }
+}
+
+#[test]
+fn what_a_rig_measures_elsewhere_is_left_out() {
+    let table = "Wheel travel L [mm],Toe L [deg],Toe R [deg],Jounce bumper force [N]\n0,0,0,0\n";
+    let (_folder, output) = beside(CORNER, table, &[]);
+    let left_out = "has no such quantities: `Toe R [deg]`, `Jounce bumper force [N]`;";
+    assert!(text(&output.stderr).contains(left_out), "{output:?}");
+    let table = "Wheel travel L [mm],Toe L [deg],Handwheel angle [deg]\n0,0,0\n";
+    let (_folder, output) = beside(CORNER, table, &[]);
+    let expected =
+        "m.csv:1:33: there is no `steering_wheel_angle` of this mechanism: it needs rack_per_turn";
+    assert!(text(&output.stderr).starts_with(expected), "{output:?}");
+    let rear = axle().replace("wheel_radius = 0.3", "wheel_radius = 0.3, axle = \"rear\"");
+    let table = "Wheel travel RL [mm],Toe FL [deg],Toe RL [deg]\n0,0,0\n";
+    let (_folder, output) = beside(&rear, table, &[]);
+    let left_out = "has no such quantities: `Toe FL [deg]`;";
+    assert!(text(&output.stderr).contains(left_out), "{output:?}");
+}
+
 /// The order of words does not matter unless it tells two names apart.
 #[test]
 fn the_exact_name_is_found_before_others_of_the_same_words() {

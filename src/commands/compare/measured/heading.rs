@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use suspension_listing::did_you_mean::mistyped;
 
+use super::rig_names::in_own_words;
 use crate::characteristics::{
     Title, as_in_tables, columns_of_positions, not_of_this, suggest_for_wheels,
 };
@@ -114,13 +115,17 @@ impl Named {
             }));
         }
         let wheels = &mechanism.names.wheels;
-        let in_tables = as_in_tables(name);
-        let is_exact = |column: &Column| column.title() == in_tables;
-        let is_called = |column: &Column| Title::is_called(column, wheels, name);
-        let found = known.iter().position(is_exact);
-        match found.or_else(|| known.iter().position(is_called)) {
+        let in_own_words = in_own_words(mechanism, name);
+        let position = |name: &str| {
+            let in_tables = as_in_tables(name);
+            let exact = known.iter().position(|column| column.title() == in_tables);
+            let mut columns = known.iter();
+            exact.or_else(|| columns.position(|column| Title::is_called(column, wheels, name)))
+        };
+        match position(name).or_else(|| position(&in_own_words)) {
             Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
-            None => unsteered(mechanism, &in_tables)
+            None => unsteered(mechanism, &as_in_tables(name))
+                .or_else(|| unsteered(mechanism, &in_own_words))
                 .or_else(|| meant(mechanism, &known, name))
                 .map_or(Ok(None), Err),
         }

@@ -148,7 +148,7 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
         ),
         (
             &axle,
-            "Wheel travel L [mm],Toe L [deg]\n0,0\n",
+            "Pad height L [mm],Toe L [deg]\n0,0\n",
             "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are steer, bump_left, \
              bump_right), or with wheel travel, as `left wheel travel [mm]` and `right wheel travel [mm]`, for which [vehicle] may \
              have to state travel = \"DRIVE\", or with steering_wheel_angle, for which",

@@ -1,0 +1,105 @@
+//! Names by which rigs call what the model calls otherwise.
+
+use crate::commands::import::side::{End, Section, Side};
+use crate::mechanism::{Axle, Description, Wheel};
+
+/// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
+const OF_RIGS: [(&[&str], &[&str]); 20] = [
+    (&["wheel", "centre", "vertical", "travel"], WHEEL_TRAVEL),
+    (&["wheel", "vertical", "travel"], WHEEL_TRAVEL),
+    (&["vertical", "travel"], WHEEL_TRAVEL),
+    (&["wheel", "travel", "z"], WHEEL_TRAVEL),
+    (&["wheel", "jounce"], WHEEL_TRAVEL),
+    (&["jounce"], WHEEL_TRAVEL),
+    (&["hand", "wheel", "angle"], STEERING_WHEEL),
+    (&["handwheel", "angle"], STEERING_WHEEL),
+    (&["handwheel"], STEERING_WHEEL),
+    (&["swa"], STEERING_WHEEL),
+    (&["steering", "rack", "travel"], RACK),
+    (&["rack", "travel"], RACK),
+    (&["kingpin", "inclination"], &["kingpin"]),
+    (&["king", "pin", "inclination"], &["kingpin"]),
+    (&["kpi"], &["kingpin"]),
+    (&["castor", "angle"], &["caster"]),
+    (&["castor"], &["caster"]),
+    (&["caster", "trail"], &["mechanical", "trail"]),
+    (&["wheel", "recession"], &["recession"]),
+    (&["track", "width"], &["track"]),
+];
+
+const WHEEL_TRAVEL: &[&str] = &["wheel", "travel"];
+const STEERING_WHEEL: &[&str] = &["steering", "wheel", "angle"];
+/// The drive that steers has its own name.
+const RACK: &[&str] = &["rack"];
+
+/// Returns the name in tables of what a rig calls so; another name, with its words as the model writes them.
+pub(super) fn in_own_words(mechanism: &Description, name: &str) -> String {
+    let name = name.to_lowercase();
+    let words = name.split([' ', '_', '-', '(', ')']);
+    let words = words.filter(|word| !word.is_empty()).flat_map(plain);
+    let mut words: Vec<&str> = words.filter(|word| !is_unsaid(mechanism, word)).collect();
+    let mut entries = OF_RIGS.iter();
+    let entry = entries.find(|(of_rig, _)| of_rig.iter().all(|word| words.contains(word)));
+    if let Some((of_rig, own)) = entry {
+        words.retain(|word| !of_rig.contains(word));
+        match *own == RACK {
+            true => words.extend(rack_drive(mechanism)),
+            false => words.extend(*own),
+        }
+    }
+    words.join("_")
+}
+
+/// Returns what one word of a rig means: corners and sides are often codes.
+fn plain(word: &str) -> Vec<&str> {
+    let section = match word {
+        "l" => Section::of_word("left"),
+        "r" => Section::of_word("right"),
+        _ => Section::of_word(word),
+    };
+    match (section, word) {
+        (Some(Section { end, side }), _) => {
+            let (end, side) = (end.map(End::name), side.map(Side::name));
+            end.into_iter().chain(side).collect()
+        }
+        (None, "displacement") => vec!["travel"],
+        (None, "center") => vec!["centre"],
+        (None, word) => vec![word],
+    }
+}
+
+/// Whether a word is true of all wheels, whose names leave it out: the end of the vehicle where an axle is, and the side of
+/// a single wheel.
+fn is_unsaid(mechanism: &Description, word: &str) -> bool {
+    let wheels = &mechanism.names.wheels;
+    let is_of_end = |axle| {
+        let is_other = |wheel: &Wheel| wheel.axle.is_some_and(|own| own != axle);
+        let is_said = |wheel: &Wheel| wheel.name.split('_').any(|part| part == word);
+        !wheels.iter().any(|wheel| is_other(wheel) || is_said(wheel))
+    };
+    let is_on_side = |sign: f64| match &wheels[..] {
+        [wheel] if wheel.name.is_empty() => wheel
+            .design
+            .is_some_and(|[_, centre]| sign * mechanism.axes.turned(centre).y > 0.0),
+        _ => false,
+    };
+    match word {
+        "front" => is_of_end(Axle::Front),
+        "rear" => is_of_end(Axle::Rear),
+        "left" => is_on_side(1.0),
+        "right" => is_on_side(-1.0),
+        _ => false,
+    }
+}
+
+/// The drive that moves a rack, if there is one alone.
+fn rack_drive(mechanism: &Description) -> Option<&str> {
+    let names = &mechanism.names;
+    match names.vehicle.steer[..] {
+        [drive] => {
+            let drive = &names.drives[drive];
+            (!drive.kind.is_angle()).then_some(&*drive.name)
+        }
+        _ => None,
+    }
+}
