@@ -12,6 +12,7 @@ use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends};
+use crate::number::without_rounding;
 use crate::quantities::{Column, WHEEL_TRAVEL};
 
 /// A column that the model knows.
@@ -91,6 +92,12 @@ impl Known {
 
     pub(super) fn changes(&self) -> bool {
         ends(self.numbers.iter().copied()).is_some_and(|[least, greatest]| least < greatest)
+    }
+
+    /// Whether it takes the model away from the design position.
+    pub(super) fn departs(&self) -> bool {
+        let mut numbers = self.numbers.iter();
+        numbers.any(|number| without_rounding(*number) != 0.0)
     }
 
     /// The wheel travel that it states.
@@ -188,7 +195,12 @@ fn doubt(
     numbers: &[f64],
     absolute: bool,
 ) -> Option<String> {
+    /// The most that a rig lets a drive move which it holds away from the design position, as a part of the distance: such a
+    /// small motion tells nothing of the unit.
+    const HELD: f64 = 0.05;
     let (drive, _) = *stated.named.drives.first()?;
-    let ends = ends(numbers.iter().copied())?;
+    let [least, greatest] = ends(numbers.iter().copied())?;
+    let is_held = !absolute && greatest - least < HELD * least.abs().max(greatest.abs());
+    let ends = [if is_held { greatest } else { least }, greatest];
     doubt_of_option(mechanism, drive, (ends, stated.unit), absolute)
 }

@@ -4,6 +4,7 @@ use super::columns::Known;
 use super::smooth::smoothed;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced, listed};
+use crate::number::number;
 
 /// The way of the model through the places of a table.
 pub(super) struct Course {
@@ -30,12 +31,24 @@ fn moving(leads: &[Known]) -> Vec<&Known> {
     }
 }
 
-/// Says which columns the model follows if more than one changes.
+/// Says which columns take the model away from the design position, and where, if these are several.
 pub(super) fn followed(leads: &[Known]) -> Option<String> {
-    let moving = moving(leads);
-    let titles = moving.iter().map(|lead| lead.stated.named.title.clone());
-    let message = || format!("A follows {} of B in each line", listed(titles));
-    (moving.len() > 1).then(message)
+    let away = leads.iter().filter(|lead| lead.departs());
+    let each = away.map(|lead| {
+        let title = &lead.stated.named.title;
+        let [least, greatest] = ends(lead.numbers.iter().copied()).unwrap_or_default();
+        let symbol = &lead.stated.symbol;
+        match lead.changes() {
+            true => format!(
+                "{title} ({} to {} {symbol})",
+                number(least),
+                number(greatest)
+            ),
+            false => format!("{title} ({} {symbol})", number(least)),
+        }
+    });
+    let each: Vec<String> = each.collect();
+    (each.len() > 1).then(|| format!("A follows {} of B in each line", listed(each)))
 }
 
 impl Course {
@@ -132,11 +145,11 @@ fn curve(leads: &[Known], axis: &Known, around: f64) -> Vec<(f64, Vec<f64>)> {
     };
     let place = |at: f64| {
         let reach = around.max(gap(at));
-        let number = |lead: &Known| {
+        let smooth = |lead: &Known| {
             let numbers = axis.numbers.iter().zip(&lead.numbers);
             smoothed(numbers.map(|(at, number)| (*at, *number)), at, reach)
         };
-        (at, leads.iter().map(number).collect())
+        (at, leads.iter().map(smooth).collect())
     };
     let range = ends(axis.numbers.iter().copied()).unwrap_or_default();
     evenly_spaced(range, ALONG).into_iter().map(place).collect()

@@ -15,10 +15,10 @@ pub(super) fn out_of_reach(
     reached: &[bool],
 ) -> Option<Failure> {
     let line = reached.iter().position(|reached| !reached)?;
-    let changing: Vec<&Known> = leads.iter().filter(|lead| lead.changes()).collect();
-    let (column, message) = match changing[..] {
+    let away: Vec<&Known> = leads.iter().filter(|lead| lead.departs()).collect();
+    let (column, message) = match away[..] {
         [] | [_] => {
-            let lead = changing.first().map_or(&leads[0], |lead| *lead);
+            let lead = away.first().map_or(&leads[0], |lead| *lead);
             (lead.column, of_one(lead, line, reached))
         }
         [first, ..] => (first.column, of_several(leads, line, reached)),

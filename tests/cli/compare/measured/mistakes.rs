@@ -55,6 +55,12 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
              the lines beyond. suspension range a.toml says what stops the model",
         ),
         (
+            "toe [deg];bump [mm];steer [mm]\n0;-20;15\n0; 900;15\n",
+            &[],
+            "m.csv:3:4: `bump` 900 mm and `steer` 15 mm from the design position are together out of the model's reach; leave out \
+             the line (1 of 2 are out of reach)",
+        ),
+        (
             "toe [deg],wheel travel [mm]\n0,-900\n",
             &[],
             "m.csv:2:3: -900 mm from the design position is out of the model's reach, which has none of the places; leave out",

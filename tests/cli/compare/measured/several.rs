@@ -177,10 +177,28 @@ fn places_without_an_axis_are_counted_by_the_lines_of_the_file() {
     for expected in [
         "Over the lines of the table",
         "at a line of the table",
-        "A follows left wheel travel, right wheel travel and steer of B in each line",
+        "A follows left wheel travel (-40",
+        " and steer (-20",
+        " mm) of B in each line",
     ] {
         assert!(page.contains(expected), "{expected}");
     }
+}
+
+#[test]
+fn a_column_that_holds_the_model_away_from_the_design_position_is_stated() {
+    let table =
+        "bump_left [mm],bump_right [mm],steer [mm],left toe [deg]\n-20,0,15.5,0\n30,0,15.5,0\n";
+    let (_folder, output) = beside(&axle(), table, &[]);
+    let expected = "A follows bump_left (-20 to 30 mm) and steer (15.5 mm) of B in each line\n";
+    assert!(text(&output.stdout).contains(expected), "{output:?}");
+    let noisy = table.replacen("15.5", "15.52", 1);
+    let (_folder, output) = beside(&axle(), &noisy, &[]);
+    assert_eq!(text(&output.stderr), "", "{output:?}");
+    assert!(
+        text(&output.stdout).contains("and steer (15.5 to 15.52 mm) of B"),
+        "{output:?}"
+    );
 }
 
 /// The travel of a wheel is compared where a column of its drive says where it is.
