@@ -125,8 +125,15 @@ impl Known {
     /// What its numbers count, with their unit: changes of drives, or of the steering wheel, or wheel travel.
     pub(super) fn label(&self) -> String {
         let Stated { named, symbol, .. } = &self.stated;
-        let change = self.travel().map_or("change of ", |_| "");
-        format!("{change}{} ({symbol})", named.title)
+        let wheel = self.travel().map(|travel| travel.wheel.as_deref());
+        match wheel {
+            None => format!("change of {} ({symbol})", named.title),
+            Some(None | Some("")) => format!("{} ({symbol})", named.title),
+            Some(Some(wheel)) => {
+                let wheel = wheel.replace('_', " ");
+                format!("travel of the {wheel} wheel ({symbol})")
+            }
+        }
     }
 }
 

@@ -128,8 +128,8 @@ fn the_column_that_changes_most_is_the_axis_beside_noise() {
     let roll = rig(cycle().map(|at| [at, -at, 0.0]));
     let steering = rig(cycle().map(|at| [0.0, 0.0, 0.5 * at]));
     for (table, along) in [
-        (parallel, "left wheel travel (mm)"),
-        (roll, "left wheel travel (mm)"),
+        (parallel, "travel of the left wheel (mm)"),
+        (roll, "travel of the left wheel (mm)"),
         (steering, "change of steer (mm)"),
     ] {
         for model in [axle(), by_dampers(), in_heave_and_roll()] {
