@@ -82,6 +82,8 @@ impl Chart {
             .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
         let name_size = fitting(&self.across, 17, width + MARGIN[1]);
         self.draw_axes(&mut plane, axes, width, name_size)?;
+        // Marks that stand close together would hide a line.
+        self.draw_marks(&mut plane)?;
         self.draw_curves(&mut plane, y)?;
         if self.curves.iter().all(|curve| curve.name.is_empty()) {
             return Ok(());
@@ -130,6 +132,15 @@ impl Chart {
         Ok(())
     }
 
+    fn draw_marks(&self, plane: &mut Plane<'_, '_>) -> Drawn {
+        for (index, curve) in self.curves.iter().enumerate() {
+            let colour = curve.colour.of_curve(index);
+            let marks = curve.marks.iter();
+            plane.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
+        }
+        Ok(())
+    }
+
     fn draw_curves<'a, 'b: 'a>(&self, plane: &mut Plane<'a, 'b>, up: &Axis) -> Drawn {
         for (index, curve) in self.curves.iter().enumerate() {
             let colour = curve.colour.of_curve(index);
@@ -150,8 +161,6 @@ impl Chart {
                 let ends = move |(x, y)| vec![(x, y), (x + in_legend, y)];
                 drawn.legend(move |at| path(ends(at), stroke, is_dashed));
             }
-            let marks = curve.marks.iter();
-            plane.draw_series(marks.map(|mark| Circle::new(*mark, 4 * FINE, colour.filled())))?;
         }
         Ok(())
     }

@@ -79,8 +79,19 @@ pub(super) fn compare(
         notes: followed(&leads).into_iter().chain(unknown).collect(),
         missing: Vec::new(),
         parts: parts(&quantities, &course.label),
-        charts: vec![(format!("Over {}", course.title), charts.collect())],
+        charts: vec![(heading_of_charts(&course), charts.collect())],
     })
+}
+
+/// Returns the heading of the charts, which says if they do not show all places.
+fn heading_of_charts(course: &Course) -> String {
+    let shown = match course.stride {
+        1 => String::new(),
+        stride => {
+            format!("; 1 of {stride} measured places is drawn, and that of the largest difference")
+        }
+    };
+    format!("Over {}{shown}", course.title)
 }
 
 /// Compares the numbers as they are measured, and without the offset of each quantity.

@@ -113,6 +113,34 @@ fn the_page_has_marks_over_the_curve_of_the_model() {
     assert!(!page.contains("\nwithout offset\n</text>"), "{page}");
 }
 
+/// The only place of the model is a mark, too: it has no curve.
+#[test]
+fn a_table_of_one_place_has_a_mark_of_the_model() {
+    let table = "bump [mm],spring [mm]\n20,400\n20,400\n";
+    let (folder, output) = beside(&arm("m", 1.0, 0.4), table, &["--html", "c.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    // The model and the two lines, with two marks in the legend.
+    assert_eq!(page.matches("<circle").count(), (1 + 2) + 2);
+}
+
+/// The largest difference is at the second of 4001 places, of which the first and each third behind it are drawn.
+#[test]
+fn a_chart_of_many_places_is_thinned_and_says_so() {
+    let line = |line: i32| {
+        let at = f64::from(line) * 0.01;
+        let off = if line == 1 { 5.0 } else { 1.0 };
+        format!("{at:?},{:?}\n", 1000.0 * spring(at / 1000.0) + off)
+    };
+    let lines: String = (0..4001).map(line).collect();
+    let table = format!("bump [mm],spring [mm]\n{lines}");
+    let (folder, output) = beside(&arm("m", 1.0, 0.4), &table, &["--html", "c.html"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    assert!(page.contains("1 of 3 measured places is drawn, and that of the largest difference"));
+    assert_eq!(page.matches("<circle").count(), 2 * (1334 + 1 + 1));
+}
+
 #[test]
 fn coordinates_of_points_have_their_axes_in_names() {
     let table = "bump [mm],lower_ball_y,Lower_ball z [m]\n0,0.7,0.17\n";

@@ -18,6 +18,8 @@ pub(super) struct Course {
     pub(super) around: f64,
     /// The distance of each from the design position, with the sign of its number in the axis column.
     pub(super) from_design: Vec<f64>,
+    /// How many lines of the table are between those that charts show.
+    pub(super) stride: usize,
     /// The places of the model's curve, each with the numbers of all columns that lead.
     pub(super) curve: Vec<(f64, Vec<f64>)>,
 }
@@ -58,11 +60,12 @@ impl Course {
         let shares: Vec<Vec<f64>> = moving.iter().map(|lead| lead.shares(mechanism)).collect();
         let from_design = from_design(&shares);
         let axis = widest(&shares);
+        let stride = table.lines().div_ceil(MOST_DRAWN).max(1);
         if is_ambiguous(&shares, axis) {
             let at: Vec<f64> = (0..table.lines())
                 .map(|line| table.line_in_file(line) as f64)
                 .collect();
-            let places = at.iter().copied().enumerate();
+            let places = at.iter().copied().enumerate().step_by(stride);
             return Self {
                 title: "the lines of the table".to_owned(),
                 label: "line of the table".to_owned(),
@@ -71,6 +74,7 @@ impl Course {
                     .collect(),
                 at,
                 around: 0.0,
+                stride,
                 from_design,
             };
         }
@@ -81,6 +85,7 @@ impl Course {
             label: axis.label(),
             at: axis.numbers.clone(),
             around,
+            stride,
             from_design,
             curve: curve(leads, axis, around),
         }
@@ -95,6 +100,9 @@ pub(super) fn numbers(leads: &[Known], line: usize) -> Vec<f64> {
 fn span(shares: &[f64]) -> f64 {
     ends(shares.iter().copied()).map_or(0.0, |[least, greatest]| greatest - least)
 }
+
+/// The most measured places that a chart shows: more are no clearer, and make the page slow.
+const MOST_DRAWN: usize = 2000;
 
 /// The part of the range whose places tell of the noise of one.
 const AROUND: f64 = 0.05;
@@ -151,6 +159,10 @@ fn curve(leads: &[Known], axis: &Known, around: f64) -> Vec<(f64, Vec<f64>)> {
         };
         (at, leads.iter().map(smooth).collect())
     };
-    let range = ends(axis.numbers.iter().copied()).unwrap_or_default();
-    evenly_spaced(range, ALONG).into_iter().map(place).collect()
+    let [from, to] = ends(axis.numbers.iter().copied()).unwrap_or_default();
+    let count = if from < to { ALONG } else { 1 };
+    evenly_spaced([from, to], count)
+        .into_iter()
+        .map(place)
+        .collect()
 }

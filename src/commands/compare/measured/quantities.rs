@@ -94,6 +94,7 @@ fn quantity(course: &Course, measured: Known, [lines, curve]: [Vec<f64>; 2]) -> 
         symbol: measured.stated.symbol,
         places: places.filter(is_known).collect(),
         around: course.around,
+        stride: course.stride,
         curve: along.zip(curve).collect(),
     }
 }

@@ -11,6 +11,8 @@ pub(super) struct Quantity {
     pub(super) places: Vec<Place>,
     /// How far along the course the places around one tell of its noise.
     pub(super) around: f64,
+    /// How many places are between those that are drawn.
+    pub(super) stride: usize,
     /// The curve of the model.
     pub(super) curve: Vec<(f64, f64)>,
 }
@@ -67,24 +69,27 @@ impl Quantity {
         self.places.iter().map(shifted).collect()
     }
 
-    /// Draws the curve of the model and the measured points, as they are and without the offset.
+    /// Draws the curve of the model and the measured points, as they are and without the offset. A curve of one place is a mark,
+    /// on which those without the offset would lie.
     pub(super) fn chart(&self, [model, measured]: &[String; 2], across: &str) -> Chart {
         let marks = |name: String, places: &[Place]| Curve {
             name,
-            marks: places
-                .iter()
-                .map(|place| (place.at, place.values[1]))
-                .collect(),
+            marks: self.drawn(places),
             ..Curve::default()
+        };
+        let [line, of_one] = match self.curve[..] {
+            [_] => [Vec::new(), self.curve.clone()],
+            _ => [self.curve.clone(), Vec::new()],
         };
         let model = Curve {
             name: model.clone(),
-            line: self.curve.clone(),
+            line,
+            marks: of_one,
             ..Curve::default()
         };
         let mut curves = vec![model, marks(measured.clone(), &self.places)];
         let offset = self.offset().map_or(0.0, |offset| offset.value());
-        if offset != 0.0 {
+        if offset != 0.0 && self.curve.len() > 1 {
             let shifted = self.without_offset();
             curves.push(marks("without offset".to_owned(), &shifted));
         }
@@ -94,5 +99,14 @@ impl Quantity {
             quantity: self.symbol.clone(),
             curves,
         }
+    }
+
+    /// Returns the measured points of places to draw: of many the one with the largest difference, and others.
+    fn drawn(&self, places: &[Place]) -> Vec<(f64, f64)> {
+        let off = |place: &Place| place.difference().abs();
+        let farthest = places.iter().max_by(|a, b| off(a).total_cmp(&off(b)));
+        let drawn = places.iter().step_by(self.stride).chain(farthest);
+        let drawn = drawn.take(places.len());
+        drawn.map(|place| (place.at, place.values[1])).collect()
     }
 }
