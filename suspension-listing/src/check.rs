@@ -1,6 +1,7 @@
 //! Checks of a listing: names and operands first, then uses, counts and structural rank.
 
 mod determined;
+mod freedom;
 mod generated;
 mod held;
 mod lengths;

@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 use syn::{Error, Ident};
 
+use crate::check::freedom::Freedom;
 use crate::check::held::turning;
 use crate::check::neither_side::{WithoutImage, hint_shared_point};
 use crate::errors::{self, Errors};
@@ -16,10 +17,21 @@ use crate::system::{AXES, Equation, System};
 /// Checks that there are as many equations as unknowns, and that each equation can be assigned an unknown of its own
 /// (structural rank).
 pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
+    let freedom = || Freedom::at_design(system).unwrap_or_default();
     if system.rows().len() == system.size() {
-        structural_rank(listing, system, errors);
+        structural_rank(listing, system, freedom, errors);
     } else {
-        errors.push(wrong_count(listing, system));
+        errors.push(wrong_count(listing, system, &freedom()));
+    }
+}
+
+/// A hint on what can still move; empty if nothing is known.
+fn loose_in_words(system: &System, freedom: &Freedom<'_>) -> String {
+    let turning = turning(system);
+    if turning.is_empty() {
+        freedom.loose()
+    } else {
+        turning
     }
 }
 
@@ -39,12 +51,12 @@ pub(super) fn place_of_scalar(listing: &Listing, system: &System, scalar: &Name)
     equation.map_or(listing.span, |equation| place_of(listing, equation))
 }
 
-fn wrong_count(listing: &Listing, system: &System) -> Error {
+fn wrong_count(listing: &Listing, system: &System, freedom: &Freedom<'_>) -> Error {
     let (equations, unknowns) = (system.rows().len(), system.size());
     let remedy = if equations < unknowns {
         let missing = unknowns - equations;
-        let turning = turning(system);
-        format!("{missing} more needed: add a link, a drive, or list a point in its body{turning}")
+        let hint = loose_in_words(system, freedom);
+        format!("{missing} more needed: add a link, a drive, or list a point in its body{hint}")
     } else {
         let excess = equations - unknowns;
         let mirrored = listing.sides.first();
@@ -54,7 +66,8 @@ fn wrong_count(listing: &Listing, system: &System) -> Error {
                 let of_one_side = mirrored.map(describe_images).unwrap_or_default();
                 format!("{}{of_one_side}", remedy_for_too_many(system))
             });
-        format!("{excess} too many: {remedy}")
+        let (redundant, loose) = (freedom.redundant(), freedom.loose());
+        format!("{excess} too many: {remedy}{redundant}{loose}")
     };
     let drives_chassis = system.drives.iter().any(|drive| drive.moves.is_some());
     let note = if drives_chassis {
@@ -123,7 +136,12 @@ fn count_by_kind(listing: &Listing, system: &System) -> String {
     words.collect::<Vec<_>>().join(" + ")
 }
 
-fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
+fn structural_rank<'s>(
+    listing: &Listing,
+    system: &'s System,
+    freedom: impl Fn() -> Freedom<'s>,
+    errors: &mut Errors,
+) {
     let pattern = system.pattern();
     let mut row_of = vec![None; system.size()];
     let equations = system.equations.iter();
@@ -132,24 +150,25 @@ fn structural_rank(listing: &Listing, system: &System, errors: &mut Errors) {
     for (row, (equation, name)) in rows.zip(&names).enumerate() {
         if !augment(row, &pattern, &mut row_of, &mut vec![false; system.size()]) {
             let name = name.at(place_of(listing, equation));
-            errors.push(redundant_equation(&name));
+            errors.push(redundant_equation(&name, &freedom().redundant()));
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
-        errors.push(undetermined(listing, system, column));
+        let hint = loose_in_words(system, &freedom());
+        errors.push(undetermined(listing, system, column, &hint));
     }
 }
 
-fn redundant_equation(name: &Ident) -> Error {
+fn redundant_equation(name: &Ident, hint: &str) -> Error {
     errors::at(
         name,
         format!(
-            "`{name}` is one equation too many for the points it joins, while others have too few; move it there"
+            "`{name}` is one equation too many for the points it joins, while others have too few; move it there{hint}"
         ),
     )
 }
 
-fn undetermined(listing: &Listing, system: &System, column: usize) -> Error {
+fn undetermined(listing: &Listing, system: &System, column: usize, hint: &str) -> Error {
     let coordinates = 3 * system.free.len();
     let (name, unknown, place) = if column < coordinates {
         let point = &system.free[column / 3].named.name;
@@ -162,6 +181,8 @@ fn undetermined(listing: &Listing, system: &System, column: usize) -> Error {
     };
     Error::new(
         place,
-        format!("no equation is left to determine `{unknown}`; join `{name}` by a link or a body"),
+        format!(
+            "no equation is left to determine `{unknown}`; join `{name}` by a link or a body{hint}"
+        ),
     )
 }

@@ -5,6 +5,7 @@ mod catalogue;
 mod did_you_mean;
 mod elimination;
 mod flat;
+mod freedom;
 mod include;
 mod limits;
 mod lowering;
