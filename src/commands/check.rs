@@ -113,9 +113,11 @@ fn in_words(ends: Option<&str>) -> String {
 
 fn singular(name: &str, mechanism: &dyn Kinematics) -> Failure {
     let why = mechanism.end_of_angle(&mechanism.design);
-    let why = why.map(|why| format!("; {why}")).unwrap_or_default();
+    let remedy = "move a point of the equations that depend on each other, or replace one of their statements by \
+                  one that holds the unknowns that are not determined";
+    let why = why.unwrap_or_else(|| remedy.to_owned());
     Failure::Solver(format!(
-        "{name}: the design position is singular: drives do not determine the motion there{why}"
+        "{name}: the design position is singular: drives do not determine the motion there; {why}"
     ))
 }
 

@@ -12,6 +12,7 @@ use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
+use crate::mechanism::REPORT_OF_SINGULAR;
 use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::files::{announce, print};
@@ -67,6 +68,12 @@ impl Arguments {
             csv.refuse_input("--csv")?;
         }
         let mechanism = &*loaded.at_design()?;
+        if !mechanism.is_determined() {
+            return Err(Failure::Solver(format!(
+                "{}: the design position is singular, where quantities have no derivatives; {REPORT_OF_SINGULAR}",
+                source.name()
+            )));
+        }
         let changes = loaded.changes(mechanism)?;
         let tolerances = loaded.tolerances(mechanism)?;
         if tolerances.is_empty() && (self.samples.is_some() || self.seed.is_some()) {

@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::Pair;
+use crate::mechanism::{Pair, REPORT_OF_SINGULAR};
 use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::target::Target;
@@ -106,7 +106,7 @@ impl Arguments {
         };
         let locked = || {
             Failure::Solver(format!(
-                "{file}: the mechanism is singular at its design position"
+                "{file}: the design position is singular; {REPORT_OF_SINGULAR}"
             ))
         };
         let of = |number: usize| Wheel::compute(mechanism, number, &travel);

@@ -150,6 +150,11 @@ impl dyn Kinematics + '_ {
         let visited = self.visit(&here, DerivativeOrder::First, &never, read);
         visited.places.into_iter().flatten().next()
     }
+
+    /// Whether the drives determine the motion where the mechanism starts.
+    pub fn is_determined(&self) -> bool {
+        self.at_start(&mut |place| place.per(0).is_some()) == Some(true)
+    }
 }
 
 impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {

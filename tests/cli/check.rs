@@ -104,6 +104,34 @@ fn a_singular_design_names_dependent_equations_and_loose_unknowns() {
     assert!(text(&output.stderr).contains("the design position is singular"));
 }
 
+/// The links of an arm that hangs straight down do not hold its tip along y, and the tip cannot rise along them: no
+/// derivative exists, and none is printed.
+#[test]
+fn commands_refuse_a_singular_design_and_name_the_report() {
+    let folder = folder();
+    let file = arm("[0.0, 0.0, -0.2]").replace("bump = 0.0", "bump = -0.2");
+    std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    for (arguments, expected) in [
+        (
+            &["motion", "a.toml"][..],
+            "the design position is singular: the drives do not determine the motion there; `suspension check` names",
+        ),
+        (
+            &["sweep", "a.toml", "--drive", "bump=0:0.1:3"],
+            "the design position is singular: the drives do not determine the motion there; `suspension check` names",
+        ),
+        (
+            &["sensitivities", "a.toml"],
+            "a.toml: the design position is singular, where quantities have no derivatives; `suspension check` names",
+        ),
+    ] {
+        let output = run(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(3), "{output:?}");
+        let message = text(&output.stderr);
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
 /// Names of lengths that bodies keep are made like this.
 #[test]
 fn a_locking_link_named_after_its_points_is_named() {

@@ -91,6 +91,7 @@ impl Lock {
         }
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {
+            _ if self.is_at(design) => self.singular_in_words(names),
             Some(turns) => {
                 let drive = &names.drives[turns];
                 let change = describe_change_from_design(
@@ -116,7 +117,25 @@ impl Lock {
             None => end,
         }
     }
+
+    /// Whether the drives have these values.
+    fn is_at(&self, drives: &[f64]) -> bool {
+        let mut pairs = self.drives.iter().zip(drives);
+        pairs.all(|(here, there)| is_near(*here, *there))
+    }
+
+    /// A description of a lock in the design position.
+    fn singular_in_words(&self, names: &Names) -> String {
+        let why = match self.turns {
+            Some(turns) => format!("the drive `{}` locks there", names.drives[turns].name),
+            None => "the drives do not determine the motion there".to_owned(),
+        };
+        format!("the design position is singular: {why}; {REPORT_OF_SINGULAR}")
+    }
 }
+
+/// The remedy for a singular design position.
+pub const REPORT_OF_SINGULAR: &str = "`suspension check` names the equations that depend on each other there and the unknowns that are free";
 
 /// A description of a drive's change from the design position, such as `at +0.0712 m from the design`.
 pub fn describe_change_from_design(change: f64, symbol: &str) -> String {
@@ -138,6 +157,11 @@ const STEPS: usize = 3;
 /// when the next step has shrunk to rounding.
 const NEAR: f64 = 1e-9;
 
+/// Whether a drive's value is another one, as far as a tracker that stops there can tell.
+fn is_near(here: f64, there: f64) -> bool {
+    (there - here).abs() <= NEAR * here.abs().max(1.0)
+}
+
 /// The number of the drive that turns where a motion has stopped; `None` if none does. If one locks, the held ones do
 /// too: a drive that moves is named before them.
 fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
@@ -158,8 +182,7 @@ fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
             let curve = Curve::new(model, inputs, *index)?;
             let path = settings.path(curve, position, increasing).ok()?;
             let turning = path.filter_map(|stretch| stretch.ok()?.turning).next()?;
-            let apart = (turning.place.value - value).abs();
-            (!turning.is_end_of_angle && apart <= NEAR * value.abs().max(1.0)).then_some(())
+            (!turning.is_end_of_angle && is_near(*value, turning.place.value)).then_some(())
         };
         [true, false]
             .into_iter()
