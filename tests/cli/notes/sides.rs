@@ -48,6 +48,20 @@ fn a_point_of_neither_side_shared_by_both_sides_is_noted() {
     }
 }
 
+/// Balls of pitman arm and idler arm, on whose line both tie rods end.
+#[test]
+fn a_relay_rod_between_points_of_neither_side_is_not_noted() {
+    let arms = "left_outer at [0.4, 0.65, 0.3], left_inner at [0.3, 0.35, 0.3], low at [0.2, 0.3, 0.2], high at [0.2, 0.3, 0.4], \
+                idler_low at [0.2, -0.3, 0.2], idler_high at [0.2, -0.3, 0.4]";
+    let statements = "free: pitman at [0.1, 0.3, 0.3], idler at [0.1, -0.3, 0.3], left_ball at [0.1, 0.2, 0.3];\n\
+                      hinge left_arm: left_outer, left_inner -> left_wheel_centre;\nhinge pitman_arm: low, high -> pitman;\n\
+                      hinge idler_arm: idler_low, idler_high -> idler;\nlink relay: pitman -> idler;\n\
+                      slide left_place: left_ball on pitman -> idler;\nlink near: pitman -> left_ball;\nlink far: pitman -> right_ball;\n\
+                      drive steer: pitman.y;";
+    let file = axle(arms, statements).replace("drives = {", "drives = { steer = 0.3,");
+    assert_eq!(notes(&file), "");
+}
+
 /// The image of a point has its position of the listing, although the file moves the point.
 #[test]
 fn a_point_moved_without_its_mirror_image_is_noted() {

@@ -13,7 +13,8 @@ use crate::number::rounded;
 const MIDDLE: f64 = 1e-6;
 
 /// Notes on points off the middle of the vehicle that are joined both by a part and by its image on the other side:
-/// one of the two reaches across the vehicle.
+/// one of the two reaches across the vehicle. A part that joins such points of both sides, as of a relay rod from the
+/// pitman arm to the idler arm, is meant to.
 pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
     task: &Task<'_>,
     listing: &Listing,
@@ -21,11 +22,18 @@ pub(in crate::load) fn notes<P: Values<Vector3<f64>>>(
 ) -> Vec<String> {
     let y: Vec<f64> = given.values().map(|point| task.y_in_file(&point)).collect();
     let off = y.iter().fold(0.0, |off: f64, y| off.max(y.abs())) * MIDDLE;
-    let parts: Vec<Statement<'_>> = listing.parts().collect();
-    let points = task.names.points.iter().zip(y).enumerate();
-    let notes = points.filter_map(|(point, (name, y))| {
-        let is_of_neither = side_of(name).is_none() && y.abs() > off;
-        let [part, other] = is_of_neither.then(|| parts_on_both_sides(&parts, point)).flatten()?;
+    let names = &task.names.points;
+    let is_of_neither = |point: usize| side_of(&names[point]).is_none() && y[point].abs() > off;
+    let spans = |part: &Statement<'_>| {
+        let ends = part.points.iter().filter(|point| is_of_neither(**point));
+        let (left, right): (Vec<usize>, Vec<usize>) = ends.partition(|point| y[**point] > 0.0);
+        !left.is_empty() && !right.is_empty()
+    };
+    let parts: Vec<Statement<'_>> = listing.parts().filter(|part| !spans(part)).collect();
+    let points = (0..names.len()).filter(|point| is_of_neither(*point));
+    let notes = points.filter_map(|point| {
+        let (name, y) = (&names[point], y[point]);
+        let [part, other] = parts_on_both_sides(&parts, point)?;
         let side = side_of(part.name)?;
         let (part, other) = (part.name, other.name);
         let (unit, y) = (task.file.unit().symbol(), rounded(y.abs(), 4));
