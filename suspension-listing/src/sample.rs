@@ -11,4 +11,4 @@ pub use likely::likely;
 pub use path::positions;
 
 /// The number of unknowns above which a compiler would be held up.
-const MOST_UNKNOWNS: usize = 60;
+pub(crate) const MOST_UNKNOWNS: usize = 60;

@@ -1,5 +1,7 @@
 //! A check of whether the equations can determine the unknowns: counts and structural rank.
 
+use std::cell::LazyCell;
+
 use proc_macro2::Span;
 use syn::{Error, Ident};
 
@@ -17,11 +19,11 @@ use crate::system::{AXES, Equation, System};
 /// Checks that there are as many equations as unknowns, and that each equation can be assigned an unknown of its own
 /// (structural rank).
 pub(crate) fn determined(listing: &Listing, system: &System, errors: &mut Errors) {
-    let freedom = || Freedom::at_design(system).unwrap_or_default();
+    let freedom = LazyCell::new(|| Freedom::at_design(system).unwrap_or_default());
     if system.rows().len() == system.size() {
-        structural_rank(listing, system, freedom, errors);
+        structural_rank(listing, system, &freedom, errors);
     } else {
-        errors.push(wrong_count(listing, system, &freedom()));
+        errors.push(wrong_count(listing, system, &freedom));
     }
 }
 
@@ -139,7 +141,7 @@ fn count_by_kind(listing: &Listing, system: &System) -> String {
 fn structural_rank<'s>(
     listing: &Listing,
     system: &'s System,
-    freedom: impl Fn() -> Freedom<'s>,
+    freedom: &LazyCell<Freedom<'s>, impl FnOnce() -> Freedom<'s>>,
     errors: &mut Errors,
 ) {
     let pattern = system.pattern();
@@ -150,11 +152,11 @@ fn structural_rank<'s>(
     for (row, (equation, name)) in rows.zip(&names).enumerate() {
         if !augment(row, &pattern, &mut row_of, &mut vec![false; system.size()]) {
             let name = name.at(place_of(listing, equation));
-            errors.push(redundant_equation(&name, &freedom().redundant()));
+            errors.push(redundant_equation(&name, &freedom.redundant()));
         }
     }
     for column in (0..system.size()).filter(|column| row_of[*column].is_none()) {
-        let hint = loose_in_words(system, &freedom());
+        let hint = loose_in_words(system, freedom);
         errors.push(undetermined(listing, system, column, &hint));
     }
 }

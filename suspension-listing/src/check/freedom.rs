@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::name::Name;
-use crate::sample;
+use crate::sample::{self, MOST_UNKNOWNS};
 use crate::system::{Body, Site, System};
 
 /// The most names of a list in a message.
@@ -28,9 +28,12 @@ pub(super) struct Freedom<'s> {
 }
 
 impl<'s> Freedom<'s> {
-    /// The freedom at the design position; `None` if the listing does not state all of it, or if its geometry is
-    /// degenerate.
+    /// The freedom at the design position; `None` if the listing does not state all of it, if its geometry is degenerate, or
+    /// beyond [`MOST_UNKNOWNS`], where this takes too long.
     pub(super) fn at_design(system: &'s System) -> Option<Self> {
+        if system.size() > MOST_UNKNOWNS {
+            return None;
+        }
         let entries = sample::entries(system, &[system.design()?]);
         let (rows, columns) = (system.rows().len(), system.size());
         let mut by_row = vec![vec![0.0; columns]; rows];
