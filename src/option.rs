@@ -10,6 +10,13 @@ pub(crate) fn number(wanted: impl Into<String>) -> impl TypedValueParser<Value =
     number_where(wanted.into(), |_| true)
 }
 
+/// Parses a number above zero that is finite; `wanted` says what to write.
+pub(crate) fn positive(wanted: impl Into<String>) -> impl TypedValueParser<Value = f64> {
+    number_where(wanted.into(), |number: &f64| {
+        *number > 0.0 && number.is_finite()
+    })
+}
+
 /// Parses a whole number, which the help names `called`.
 pub(crate) fn whole_number<T>(called: &str, least: T) -> impl TypedValueParser<Value = T> + use<T>
 where

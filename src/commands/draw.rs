@@ -7,7 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::option::number;
+use crate::option::positive;
 use crate::output::beside::in_out;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
@@ -28,7 +28,7 @@ pub struct Arguments {
         long,
         value_name = "LENGTH",
         allow_negative_numbers = true,
-        value_parser = number("LENGTH is a number in the unit of the file, as 0.3")
+        value_parser = positive("LENGTH is a positive number in the unit of the file, as 0.3")
     )]
     wheel_radius: Option<f64>,
 }
@@ -40,13 +40,6 @@ impl Arguments {
     ///
     /// See [`Failure`].
     pub fn run(self) -> Result<(), Failure> {
-        if self
-            .wheel_radius
-            .is_some_and(|radius| !(radius > 0.0 && radius.is_finite()))
-        {
-            let message = "--wheel-radius is not a positive finite number";
-            return Err(Failure::Input(message.to_owned()));
-        }
         let out = self.out.clone();
         let out = Target::from(out.unwrap_or_else(|| in_out(&self.file, ".svg")));
         let source = Source::read(&self.file)?;

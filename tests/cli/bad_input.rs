@@ -114,7 +114,7 @@ fn options_without_effect_are_refused() {
         ),
         (
             "draw a.toml --wheel-radius -1",
-            "--wheel-radius is not a positive finite number",
+            "'-1' for '--wheel-radius <LENGTH>': LENGTH is a positive number in the unit of the file, as 0.3",
         ),
         (
             "tables a.toml --as carmaker --travel -0.1:0.1",

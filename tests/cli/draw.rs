@@ -133,7 +133,7 @@ fn a_wheel_radius_that_is_no_number_is_refused_with_its_format() {
     let folder = folder();
     let output = run(folder.path(), &["draw", "a.toml", "--wheel-radius", "x"]);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    let wanted = "LENGTH is a number in the unit of the file, as 0.3";
+    let wanted = "LENGTH is a positive number in the unit of the file, as 0.3";
     assert!(text(&output.stderr).contains(wanted), "{output:?}");
 }
 

@@ -112,8 +112,11 @@ impl Baking<'_> {
 
     /// Refuses a tolerance that is not positive, and the wheel of a listing without one.
     fn check(&self) -> Result<(), Failure> {
-        if !(self.request.tolerance > 0.0 && self.request.tolerance.is_finite()) {
-            return Err(self.refuse("a tolerance is a positive number of metres"));
+        let tolerance = self.request.tolerance;
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            let message =
+                format!("--tolerance {tolerance} is not a positive number of metres, as 1e-6");
+            return Err(self.refuse(&message));
         }
         if self.request.wish == Wish::Wheel && self.mechanism.names.wheels.is_empty() {
             return Err(

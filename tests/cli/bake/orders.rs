@@ -118,11 +118,11 @@ fn wrong_arguments_of_bake_give_exit_code_2_and_one_sentence() {
         ),
         (
             &["--tolerance", "0"],
-            "a.toml: a tolerance is a positive number of metres",
+            "a.toml: --tolerance 0 is not a positive number of metres, as 1e-6",
         ),
         (
             &["--tolerance", "-1"],
-            "a.toml: a tolerance is a positive number of metres",
+            "a.toml: --tolerance -1 is not a positive number of metres, as 1e-6",
         ),
         (
             &["--out", "./a.toml"],
