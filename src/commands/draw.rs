@@ -56,8 +56,8 @@ impl Arguments {
 
 const NOTES: &str = "\
 The legend names what is drawn. A rack is the line between the outermost points that the drive of steering alone moves, all
-equally: a corner has only one of them. A bar is drawn where the listing measures an angle about it, with the arms that begin
-at its ends, as
+equally and straight; a corner has only one of them, from which a short part of the rack is drawn. A bar is drawn where the
+listing measures an angle about it, with the arms that begin at its ends, as
 `measure bar_twist: angle(right_outer -> right_drop, left_outer -> left_drop about right_outer -> left_outer);`.
 
 Exit codes: 0 done, 1 the drawing cannot be written, 2 wrong input, 3 the mechanism does not assemble.

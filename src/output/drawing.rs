@@ -20,10 +20,10 @@ use nalgebra::Vector3;
 use crate::mechanism::Axes;
 use crate::output::svg::{Area, Drawn, FINE, document};
 use disc::rim;
-use forces::put;
 pub use forces::{Acting, Forces, InLink};
 use labels::{Labels, Segment};
 use marks::CHASSIS;
+pub use rack::Rack;
 pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
@@ -41,8 +41,8 @@ pub struct Drawing {
     pub chassis: usize,
     /// Links: each joins two points, by their indices.
     pub links: Vec<[usize; 2]>,
-    /// Steering racks: the ends of each, by their indices.
-    pub racks: Vec<[usize; 2]>,
+    /// Steering racks.
+    pub racks: Vec<Rack>,
     /// Slides: the ends of each line and the point on it, by their indices.
     pub slides: Vec<[usize; 3]>,
     /// Measured lengths, springs and dampers among them: the ends of each, by their indices.
@@ -88,13 +88,13 @@ impl Drawing {
     }
 
     fn draw(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
-        axes::draw(area, view, shown, self.unit)?;
+        let texts = axes::draw(area, view, shown, self.unit)?;
         for other in &self.others {
             self.draw_mechanism(area, view, other, FAINT)?;
         }
         self.draw_mechanism(area, view, &self.points, 1.0)?;
         self.draw_forces(area, view)?;
-        self.draw_points(area, view, shown)
+        self.draw_points(area, view, (shown, &texts))
     }
 
     /// Draws wheels, bodies and lines at a place of the motion.
@@ -126,8 +126,8 @@ impl Drawing {
         for link in self.without_force(&self.links) {
             marks::link(area, line(link), opacity)?;
         }
-        for rack in &self.racks {
-            marks::rack(area, line(rack), opacity)?;
+        for rack in self.racks.iter().filter_map(|rack| rack.line(at)) {
+            marks::rack(area, rack.map(|at| view.pixels(&at)).into(), opacity)?;
         }
         for bar in &self.bars {
             marks::bar(area, line(bar), opacity)?;
@@ -153,7 +153,13 @@ impl Drawing {
         axes.filter_map(line).collect()
     }
 
-    fn draw_points(&self, area: &Area<'_>, view: &View, shown: (u32, u32)) -> Drawn {
+    /// Draws the points with their names, which avoid the `texts` that are there.
+    fn draw_points(
+        &self,
+        area: &Area<'_>,
+        view: &View,
+        (shown, texts): ((u32, u32), &[[i32; 4]]),
+    ) -> Drawn {
         let places = self.points.iter().map(|at| view.pixels(at));
         let places: Vec<(i32, i32)> = places.collect();
         for (index, &place) in places.iter().enumerate() {
@@ -166,11 +172,13 @@ impl Drawing {
         let labelled = shared_labels::labels(&self.names, &places, 2 * FINE as i32);
         let places: Vec<(i32, i32)> = labelled.iter().map(|(_, place)| *place).collect();
         let mut labels = Labels::new(&places, self.segments(view), shown, FINE as i32);
+        texts.iter().for_each(|text| labels.avoid(*text));
         if view.seen == Seen::Oblique {
             labels.avoid(self.draw_legend(area, shown)?);
         }
-        for (name, place) in &labelled {
-            put(area, &mut labels, (name, *place), [CHASSIS; 2])?;
+        let boxes = labels.put_all(&labelled);
+        for ((name, _), boxed) in labelled.iter().zip(&boxes) {
+            labels.draw(area, name, boxed, [CHASSIS; 2])?;
         }
         self.draw_numbers(area, view, &mut labels)
     }
@@ -183,7 +191,6 @@ impl Drawing {
             .links
             .iter()
             .chain(&self.lengths)
-            .chain(&self.racks)
             .chain(&self.bars)
             .copied()
             .chain(slides);
@@ -195,7 +202,8 @@ impl Drawing {
             edges.collect::<Vec<_>>()
         });
         let axes = self.axes(&self.points).into_iter();
-        let others = axes.chain(self.arrows());
+        let racks = self.racks.iter().filter_map(|rack| rack.line(&self.points));
+        let others = axes.chain(self.arrows()).chain(racks);
         let others = others.map(|line| line.map(|at| view.pixels(&at)));
         lines.chain(edges).chain(others).collect()
     }
@@ -207,8 +215,9 @@ impl Drawing {
             let rims = self.wheels.iter().filter_map(|wheel| rim(wheel, at));
             at.iter().copied().chain(rims.flatten())
         });
-        let arrows = self.arrows().into_iter().flatten();
-        with_rim.chain(arrows).collect()
+        let racks = self.racks.iter().filter_map(|rack| rack.line(&self.points));
+        let lines = self.arrows().into_iter().chain(racks).flatten();
+        with_rim.chain(lines).collect()
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use plotters::prelude::*;
 
+use super::labels;
 use super::marks::CHASSIS;
 use super::view::{Seen, View};
 use super::{FONT_SIZE, pixels};
@@ -25,21 +26,53 @@ const FOOT: f64 = 30.0;
 /// The least distance between the ticks of a ruler.
 const TICKS: f64 = 70.0;
 
-/// Draws the axes and the scale or rulers on a sheet of the given size in pixels.
-pub(super) fn draw(area: &Area<'_>, view: &View, shown: (u32, u32), unit: &str) -> Drawn {
+/// Draws the axes and the scale or rulers on a sheet of the given size in pixels, and returns the boxes of the texts.
+pub(super) fn draw(
+    area: &Area<'_>,
+    view: &View,
+    shown: (u32, u32),
+    unit: &str,
+) -> Result<Vec<[i32; 4]>, Box<dyn std::error::Error>> {
     let size = [f64::from(shown.0), f64::from(shown.1)];
-    let title = pixels([10.0, 8.0]);
-    area.draw(&Text::new(view.title, title, font(FONT_SIZE)))?;
+    let mut texts = Texts {
+        area,
+        boxes: Vec::new(),
+    };
+    texts.write(view.title, [10.0, 8.0], FONT_SIZE)?;
     if view.seen == Seen::Oblique {
-        draw_triad(area, view, size)?;
-        draw_scale(area, view, size, unit)
+        draw_triad(&mut texts, view, size)?;
+        draw_scale(&mut texts, view, size, unit)?;
     } else {
-        draw_ruler(area, view, size, unit, Way::Across)?;
-        draw_ruler(area, view, size, unit, Way::Up)
+        draw_ruler(&mut texts, view, size, unit, Way::Across)?;
+        draw_ruler(&mut texts, view, size, unit, Way::Up)?;
+    }
+    Ok(texts.boxes)
+}
+
+/// An area, and the boxes of the texts on it.
+struct Texts<'a, 'b> {
+    area: &'a Area<'b>,
+    boxes: Vec<[i32; 4]>,
+}
+
+impl Texts<'_, '_> {
+    /// Writes a text whose upper left corner and font size are given in pixels.
+    fn write(&mut self, text: &str, [left, top]: [f64; 2], size: u32) -> Drawn {
+        let font = ("sans-serif", size * FINE).into_font().color(&CHASSIS);
+        let (x, y) = pixels([left, top]);
+        self.area.draw(&Text::new(text, (x, y), font))?;
+        let size = f64::from(size);
+        let (right, bottom) = pixels([left + labels::width(text, size), top + size]);
+        self.boxes.push([x, y, right, bottom]);
+        Ok(())
+    }
+
+    fn line(&self, ends: [[f64; 2]; 2], style: ShapeStyle) -> Drawn {
+        Ok(self.area.draw(&PathElement::new(ends.map(pixels), style))?)
     }
 }
 
-fn draw_triad(area: &Area<'_>, view: &View, [_, height]: [f64; 2]) -> Drawn {
+fn draw_triad(texts: &mut Texts<'_, '_>, view: &View, [_, height]: [f64; 2]) -> Drawn {
     let origin = [CORNER[0], height - CORNER[1]];
     for (axis, name) in NAMES.iter().enumerate() {
         let [right, up] = [view.across[axis], view.up[axis]];
@@ -49,20 +82,19 @@ fn draw_triad(area: &Area<'_>, view: &View, [_, height]: [f64; 2]) -> Drawn {
                 origin[1] - part * AXIS * up,
             ]
         };
-        let line = [at(0.0), at(1.0)].map(pixels);
-        area.draw(&PathElement::new(line, CHASSIS.stroke_width(2 * FINE)))?;
-        // The position of a text is its upper left corner.
+        texts.line([at(0.0), at(1.0)], CHASSIS.stroke_width(2 * FINE))?;
         let [x, y] = at(1.35);
-        area.draw(&Text::new(
-            *name,
-            pixels([x - 4.0, y - 8.0]),
-            font(FONT_SIZE),
-        ))?;
+        texts.write(name, [x - 4.0, y - 8.0], FONT_SIZE)?;
     }
     Ok(())
 }
 
-fn draw_scale(area: &Area<'_>, view: &View, [width, height]: [f64; 2], unit: &str) -> Drawn {
+fn draw_scale(
+    texts: &mut Texts<'_, '_>,
+    view: &View,
+    [width, height]: [f64; 2],
+    unit: &str,
+) -> Drawn {
     let length = round_below(LONGEST / view.scale);
     let [right, y] = [width - SCALE[0], height - SCALE[1]];
     let left = right - length * view.scale;
@@ -72,11 +104,10 @@ fn draw_scale(area: &Area<'_>, view: &View, [width, height]: [f64; 2], unit: &st
         [[left, y - 5.0], [left, y + 5.0]],
         [[right, y - 5.0], [right, y + 5.0]],
     ] {
-        area.draw(&PathElement::new(line.map(pixels), stroke))?;
+        texts.line(line, stroke)?;
     }
     let text = format!("{} {unit}", label(length, length));
-    area.draw(&Text::new(text, pixels([left, y - 20.0]), font(FONT_SIZE)))?;
-    Ok(())
+    texts.write(&text, [left, y - 20.0], FONT_SIZE)
 }
 
 /// The lower or the left side of the sheet.
@@ -87,7 +118,13 @@ enum Way {
 }
 
 /// Draws a ruler with lines over the sheet, for the coordinate to the right or upwards.
-fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way) -> Drawn {
+fn draw_ruler(
+    texts: &mut Texts<'_, '_>,
+    view: &View,
+    size: [f64; 2],
+    unit: &str,
+    way: Way,
+) -> Drawn {
     let (direction, sheet, length) = match way {
         Way::Across => (view.across, 0, size[0]),
         Way::Up => (view.up, 1, size[1]),
@@ -119,26 +156,18 @@ fn draw_ruler(area: &Area<'_>, view: &View, size: [f64; 2], unit: &str, way: Way
             ),
             Way::Up => ([[0.0, place], [size[0], place]], [4.0, place - 16.0]),
         };
-        area.draw(&PathElement::new(
-            line.map(pixels),
-            BLACK.mix(0.1).stroke_width(FINE),
-        ))?;
-        area.draw(&Text::new(label(value, step), pixels(text), font(SMALL)))?;
+        texts.line(line, BLACK.mix(0.1).stroke_width(FINE))?;
+        texts.write(&label(value, step), text, SMALL)?;
     }
     let name = format!("{} ({unit})", NAMES[axis]);
     let place = match way {
         Way::Across => [size[0] - 44.0, size[1] - 36.0],
         Way::Up => [4.0, 28.0],
     };
-    area.draw(&Text::new(name, pixels(place), font(FONT_SIZE)))?;
-    Ok(())
+    texts.write(&name, place, FONT_SIZE)
 }
 
 const SMALL: u32 = 12;
-
-fn font(size: u32) -> TextStyle<'static> {
-    ("sans-serif", size * FINE).into_font().color(&CHASSIS)
-}
 
 /// Formats a value with as many decimals as its step has.
 fn label(value: f64, step: f64) -> String {

@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{Pos, VPos};
 
 use super::Drawing;
-use super::labels::{Boxed, Labels};
+use super::labels::Labels;
 use super::marks::{self, ACTING, CHASSIS, LINK};
 use super::view::View;
 use crate::mechanism::extent;
@@ -103,7 +102,8 @@ impl Drawing {
             let [a, b] = link.ends.map(|end| view.pixels(&self.points[end]));
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
             let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
-            put(area, labels, (&text, middle), shades(colour(link.tension)))?;
+            let colours = shades(colour(link.tension));
+            put(area, labels, (&text, middle), colours)?;
         }
         for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
             let text = format!("{:.0} N", acting.force.norm());
@@ -130,20 +130,13 @@ fn shades(colour: RGBColor) -> [RGBColor; 2] {
     [colour, RGBColor(red / 2, green / 2, blue / 2)]
 }
 
-/// Draws a text beside a place, with a leader where it is further away; the colours are those of leader and text.
-pub(super) fn put(
+/// Draws a text beside a place; the colours are those of leader and text.
+fn put(
     area: &Area<'_>,
     labels: &mut Labels,
     (text, place): (&str, (i32, i32)),
-    [leader_colour, colour]: [RGBColor; 2],
+    colours: [RGBColor; 2],
 ) -> Drawn {
-    let Boxed { at, anchor, leader } = labels.put(text, place);
-    if let Some(end) = leader {
-        let stroke = leader_colour.mix(0.5).stroke_width(FINE);
-        area.draw(&PathElement::new([place, end], stroke))?;
-    }
-    let font = ("sans-serif", labels.font_size()).into_font();
-    let style = font.color(&colour).pos(Pos::new(anchor, VPos::Top));
-    area.draw(&Text::new(text, at, style))?;
-    Ok(())
+    let boxed = labels.put(text, place);
+    labels.draw(area, text, &boxed, colours)
 }

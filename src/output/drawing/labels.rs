@@ -1,18 +1,32 @@
 //! The placement of names beside their points.
 
+mod places;
 #[cfg(test)]
 mod tests;
 
-use plotters::style::text_anchor::HPos;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::FONT_SIZE;
+use crate::output::svg::{Area, Drawn, FINE};
+use places::{common, inside, places_around};
 
 /// A placed name: the corner or the middle of its box nearest to its point, so that the name stays beside the point for any
 /// font width; and the end of the line from the point to a name that is farther away.
+#[derive(Clone, Copy)]
 pub(super) struct Boxed {
-    pub(super) at: (i32, i32),
-    pub(super) anchor: HPos,
-    pub(super) leader: Option<(i32, i32)>,
+    at: (i32, i32),
+    anchor: HPos,
+    leader: Option<(i32, i32)>,
+    /// The place of the name: left, top, right and bottom.
+    place: [i32; 4],
+    point: (i32, i32),
+}
+
+impl Boxed {
+    fn leader(&self) -> Option<Segment> {
+        self.leader.map(|end| [self.point, end])
+    }
 }
 
 /// The ends of a line on the sheet.
@@ -21,6 +35,7 @@ pub(super) type Segment = [(i32, i32); 2];
 /// The placed names, and the boxes and lines that they must avoid, the outside of the sheet included.
 pub(super) struct Labels {
     points: Vec<(i32, i32)>,
+    names: Vec<Boxed>,
     taken: Vec<[i32; 4]>,
     sides: [[i32; 4]; 4],
     lines: Vec<Segment>,
@@ -29,9 +44,11 @@ pub(super) struct Labels {
     font_size: u32,
 }
 
-/// The font size with many points, in pixels.
+/// The font size with many points, in pixels, and the number of pixels of the sheet for each point below which it is used.
 const SMALL: u32 = 10;
-const MANY: usize = 24;
+const ROOM: u32 = 24_000;
+/// How often all names are placed again, each beside all others.
+const ROUNDS: usize = 3;
 /// The widths of a small letter and of a digit or capital, and the height of a line, as parts of the font size.
 const LETTER: f64 = 0.5;
 const DIGIT: f64 = 0.65;
@@ -57,6 +74,7 @@ impl Labels {
         (width, height): (u32, u32),
         unit: i32,
     ) -> Self {
+        let is_crowded = points.len() > (width * height / ROOM) as usize;
         let [width, height] = [width, height].map(|size| size as i32 * unit);
         let sides = [
             [-width, -height, 0, 2 * height],
@@ -68,15 +86,12 @@ impl Labels {
         let around = |&(x, y): &(i32, i32)| [x - half, y - half, x + half, y + half];
         Self {
             points: points.to_vec(),
+            names: Vec::new(),
             taken: points.iter().map(around).collect(),
             sides,
             lines,
             unit,
-            font_size: if points.len() > MANY {
-                SMALL
-            } else {
-                FONT_SIZE
-            },
+            font_size: if is_crowded { SMALL } else { FONT_SIZE },
         }
     }
 
@@ -90,57 +105,82 @@ impl Labels {
         self.font_size as i32 * self.unit
     }
 
-    /// Finds a place for a name beside its point: the first one with the smallest penalty.
-    pub(super) fn put(&mut self, name: &str, (x, y): (i32, i32)) -> Boxed {
-        let unit = self.unit;
+    /// Finds places for names beside their points: each is moved again when all are placed.
+    pub(super) fn put_all(&mut self, names: &[(String, (i32, i32))]) -> Vec<Boxed> {
+        let first = self.names.len();
+        for (name, point) in names {
+            self.put(name, *point);
+        }
+        for _ in 0..ROUNDS {
+            for (index, (name, point)) in names.iter().enumerate() {
+                let best = self.best(name, *point, Some(first + index));
+                self.names[first + index] = best;
+            }
+        }
+        self.names[first..].to_vec()
+    }
+
+    /// Finds a place for a name beside its point, which it keeps.
+    pub(super) fn put(&mut self, name: &str, point: (i32, i32)) -> Boxed {
+        let best = self.best(name, point, None);
+        self.names.push(best);
+        best
+    }
+
+    /// Returns the first place with the smallest penalty for a name beside its point; `own` is the index of its present one.
+    fn best(&self, name: &str, (x, y): (i32, i32), own: Option<usize>) -> Boxed {
         let size = f64::from(self.font_size());
         let width = width(name, size) as i32;
         let height = (LINE * size) as i32;
-        let around = |away: usize| {
-            let gap = GAPS[away] * unit;
-            let columns = [x + gap, x - gap - width, x - width / 2];
-            let rows = [y - height / 2, y - gap - height, y + gap];
-            let places = [
-                (0, 0),
-                (1, 0),
-                (0, 1),
-                (0, 2),
-                (1, 1),
-                (1, 2),
-                (2, 1),
-                (2, 2),
-            ];
-            places.map(|(column, row): (usize, usize)| {
-                let (left, top) = (columns[column], rows[row]);
-                (away, column, [left, top, left + width, top + height])
-            })
+        let others = || {
+            let names = self.names.iter().enumerate();
+            names.filter_map(move |(index, name)| (Some(index) != own).then_some(name))
         };
-        let places = (0..GAPS.len()).flat_map(around);
-        let cost = |(away, _, place): &(usize, usize, [i32; 4])| {
+        let around = |away: usize| places_around((x, y), [width, height], GAPS[away], self.unit);
+        let places = (0..GAPS.len()).flat_map(|away| around(away).map(|place| (away, place)));
+        let cost = |(away, (_, place)): &(usize, (HPos, [i32; 4]))| {
             let doubt = match (self.is_beside_another(place, (x, y)), away) {
                 (false, _) => 0.0,
                 (true, 0) => DOUBTFUL,
                 // A leader says whose name it is.
                 (true, _) => AWAY / 2.0,
             };
-            self.collisions(place) + AWAY * *away as f64 + doubt
+            self.collisions(place, others()) + AWAY * *away as f64 + doubt
         };
         let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b)));
-        let (away, column, place) = best.unwrap_or((0, 0, [x, y, x, y]));
-        self.taken.push(place);
+        let (away, (anchor, place)) = best.unwrap_or((0, (HPos::Left, [x, y, x, y])));
         let [left, top, right, bottom] = place;
-        let leader = (away > 0).then(|| (x.clamp(left, right), y.clamp(top, bottom)));
-        self.lines.extend(leader.map(|end| [(x, y), end]));
-        let (anchor, across) = match column {
-            0 => (HPos::Left, left),
-            1 => (HPos::Right, right),
-            _ => (HPos::Center, x),
+        let across = match anchor {
+            HPos::Left => left,
+            HPos::Right => right,
+            HPos::Center => x,
         };
         Boxed {
             at: (across, top),
             anchor,
-            leader,
+            leader: (away > 0).then(|| (x.clamp(left, right), y.clamp(top, bottom))),
+            place,
+            point: (x, y),
         }
+    }
+
+    /// Draws a text where it was put, with a leader from its point where it is farther away; the colours are those of leader
+    /// and text.
+    pub(super) fn draw(
+        &self,
+        area: &Area<'_>,
+        text: &str,
+        boxed: &Boxed,
+        [leader_colour, colour]: [RGBColor; 2],
+    ) -> Drawn {
+        if let Some(leader) = boxed.leader() {
+            let stroke = leader_colour.mix(0.5).stroke_width(FINE);
+            area.draw(&PathElement::new(leader, stroke))?;
+        }
+        let font = ("sans-serif", self.font_size()).into_font();
+        let style = font.color(&colour).pos(Pos::new(boxed.anchor, VPos::Top));
+        area.draw(&Text::new(text, boxed.at, style))?;
+        Ok(())
     }
 
     /// Whether a place is so near to another point than its own that it could be the name of either.
@@ -153,12 +193,17 @@ impl Labels {
         })
     }
 
-    /// Returns the penalty of a place, in pixels.
-    fn collisions(&self, place: &[i32; 4]) -> f64 {
+    /// Returns the penalty of a place among other names, in pixels.
+    fn collisions<'a>(&self, place: &[i32; 4], others: impl Iterator<Item = &'a Boxed>) -> f64 {
         let unit = f64::from(self.unit);
         let overlap = |other: &[i32; 4]| common(place, other) as f64 / (unit * unit);
         let struck = |line: &Segment| STRUCK * inside(line, place) / unit;
-        self.taken.iter().map(overlap).sum::<f64>()
+        let of_name = |name: &Boxed| {
+            let leader = name.leader();
+            overlap(&name.place) + leader.as_ref().map_or(0.0, struck)
+        };
+        others.map(of_name).sum::<f64>()
+            + self.taken.iter().map(overlap).sum::<f64>()
             + self.sides.iter().map(overlap).sum::<f64>() * CUT
             + self.lines.iter().map(struck).sum::<f64>()
     }
@@ -171,34 +216,4 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
         .chars()
         .map(|letter| if is_wide(letter) { DIGIT } else { LETTER });
     size * widths.sum::<f64>()
-}
-
-/// Returns the area that two boxes have in common.
-fn common(a: &[i32; 4], b: &[i32; 4]) -> i64 {
-    let along =
-        |low: usize, high: usize| i64::from((a[high].min(b[high]) - a[low].max(b[low])).max(0));
-    along(0, 2) * along(1, 3)
-}
-
-/// Returns the length of a line within a box (Liang and Barsky 1984).
-fn inside([from, to]: &Segment, [left, top, right, bottom]: &[i32; 4]) -> f64 {
-    let [dx, dy] = [to.0 - from.0, to.1 - from.1].map(f64::from);
-    let sides = [
-        (-dx, from.0 - left),
-        (dx, right - from.0),
-        (-dy, from.1 - top),
-        (dy, bottom - from.1),
-    ];
-    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-    for (outwards, room) in sides {
-        let room = f64::from(room);
-        if outwards < 0.0 {
-            enters = enters.max(room / outwards);
-        } else if outwards > 0.0 {
-            leaves = leaves.min(room / outwards);
-        } else if room < 0.0 {
-            return 0.0;
-        }
-    }
-    (leaves - enters).max(0.0) * dx.hypot(dy)
 }

@@ -74,7 +74,7 @@ impl Drawing {
         let any_without_force = |lines: &[[usize; 2]]| self.without_force(lines).next().is_some();
         // The title of a drawing with forces has the colours of links and lengths with a force.
         let [links, lengths] = [&self.links, &self.lengths].map(|lines| any_without_force(lines));
-        let [racks, bars] = [&self.racks, &self.bars].map(|lines| !lines.is_empty());
+        let [racks, bars] = [!self.racks.is_empty(), !self.bars.is_empty()];
         let [fixed, moving] = [self.chassis > 0, self.points.len() > self.chassis];
         let wheels = !self.wheels.is_empty();
         let marks = [

@@ -15,7 +15,10 @@ fn corner() -> Drawing {
         axes: Axes::Iso,
         chassis: 2,
         links: vec![[0, 2], [1, 2]],
-        racks: vec![[0, 1]],
+        racks: vec![Rack {
+            ends: [0, 1],
+            beyond: Vector3::zeros(),
+        }],
         slides: vec![[2, 3, 0]],
         lengths: vec![[1, 3]],
         bars: vec![[0, 3]],

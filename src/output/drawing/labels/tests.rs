@@ -7,10 +7,8 @@ fn labels_of_neighbouring_points_do_not_overlap() {
     for point in points {
         labels.put("upper_front", point);
     }
-    let [a, b, c] = &labels.taken[3..] else {
-        panic!("three names")
-    };
-    assert_eq!([common(a, b), common(a, c), common(b, c)], [0; 3]);
+    let [a, b, c] = [0, 1, 2].map(|name| labels.names[name].place);
+    assert_eq!([common(&a, &b), common(&a, &c), common(&b, &c)], [0; 3]);
 }
 
 /// Without a leader it could be the name of the other point.
@@ -22,8 +20,7 @@ fn a_label_near_another_point_has_a_leader() {
     let lines = [left.as_slice(), &[[(90, 85), (200, 85)]]].concat();
     let mut labels = Labels::new(&points, lines, (300, 300), 1);
     for (name, point) in [("lower_ball", points[0]), ("pushrod_lower", points[1])] {
-        let leader = labels.put(name, point).leader;
-        let place = *labels.taken.last().expect("a name");
+        let Boxed { leader, place, .. } = labels.put(name, point);
         assert!(
             leader.is_some() || !labels.is_beside_another(&place, point),
             "{name}"
@@ -35,14 +32,10 @@ fn a_label_near_another_point_has_a_leader() {
 fn numbers_side_by_side_do_not_overlap_in_a_wide_font() {
     let places = [(100, 100), (150, 100)];
     let mut labels = Labels::new(&[], Vec::new(), (300, 300), 1);
-    let left = places.map(|place| {
-        labels.put("-2331 N", place);
-        labels.taken.last().expect("a number")[0]
-    });
+    let [a, b] = places.map(|place| labels.put("-2331 N", place).place);
     // The width of the text in DejaVu Sans.
     let wide = 3.97 * f64::from(FONT_SIZE);
-    let taken = &labels.taken;
-    assert!(taken[0][1] != taken[1][1] || f64::from(left[1] - left[0]) >= wide);
+    assert!(a[1] != b[1] || f64::from(b[0] - a[0]) >= wide);
 }
 
 #[test]
@@ -53,15 +46,9 @@ fn labels_of_points_at_the_edges_stay_on_the_sheet() {
     points.extend([(10, 100), (290, 100), (10, 120), (290, 120)]);
     let mut labels = Labels::new(&points, Vec::new(), (300, 300), 1);
     for point in points.iter().rev().take(4).chain([&(60, 105)]) {
-        labels.put("upper_front", *point);
+        let [left, _, right, _] = labels.put("upper_front", *point).place;
+        assert!(left >= 0 && right <= 300, "{left} to {right}");
     }
-    let names = &labels.taken[points.len()..];
-    assert_eq!(names.len(), 5);
-    assert!(
-        names
-            .iter()
-            .all(|[left, _, right, _]| *left >= 0 && *right <= 300)
-    );
 }
 
 #[test]
@@ -70,9 +57,8 @@ fn a_label_does_not_cover_the_link_at_its_point() {
     for end in [(300, 150), (0, 150), (150, 300), (300, 300), (290, 140)] {
         let line = [point, end];
         let mut labels = Labels::new(&[point], vec![line], (300, 300), 1);
-        labels.put("ball", point);
-        let place = labels.taken.last().expect("a name");
-        assert_eq!(inside(&line, place), 0.0, "{end:?}");
+        let place = labels.put("ball", point).place;
+        assert_eq!(inside(&line, &place), 0.0, "{end:?}");
     }
 }
 
@@ -91,4 +77,23 @@ fn length_of_a_line_within_a_box_is_its_clipped_length() {
             "{line:?}"
         );
     }
+}
+
+/// The first name has the free place of the second, which has no other.
+#[test]
+fn a_name_makes_room_for_a_later_one() {
+    let points = [(100, 100), (100, 130)];
+    // Lines leave the second point only the place above it.
+    let lines = vec![
+        [(0, 130), (90, 130)],
+        [(110, 125), (200, 125)],
+        [(0, 145), (200, 145)],
+    ];
+    let names = ["first", "second"].map(str::to_owned);
+    let names: Vec<_> = names.into_iter().zip(points).collect();
+    let mut labels = Labels::new(&points, lines, (300, 300), 1);
+    let [first, second] = &labels.put_all(&names)[..] else {
+        panic!("two names")
+    };
+    assert_eq!(common(&first.place, &second.place), 0);
 }
