@@ -132,6 +132,31 @@ fn a_move_without_effect_on_any_target_is_noted() {
     assert!(!text(&output.stderr).contains("note:"), "{output:?}");
 }
 
+/// It stays at zero, where its box begins: a wider box would change nothing.
+#[test]
+fn a_move_without_effect_is_not_at_the_end_of_its_box() {
+    let folder = folder();
+    let idle = "[tune.moves.bush]\npoints = [\"lower_front\"]\nalong = \"x\"\nby = [0.0, 0.01]\n";
+    let output = met(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{idle}{FLAT}")),
+    );
+    let report = text(&output.stdout);
+    let line = report.lines().find(|line| line.starts_with("bush"));
+    assert!(
+        line.is_some_and(|line| line.ends_with("box from 0 to 0.01 m")),
+        "{report}"
+    );
+    let small = FLAT.replace("by = [-0.03, 0.03]", "by = [-1e-4, 1e-4]");
+    let output = tuned(
+        folder.path(),
+        &file("double_wishbone", DRIVES, &format!("{idle}{small}")),
+    );
+    let expected =
+        "a.toml: not met: bump_steer; at the end of their boxes: rack_height, ball_height\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
+}
+
 /// The rack's height turns the tie rod about its other end at the design position: toe is that of the tie rod's length, which
 /// is built anew.
 #[test]

@@ -19,10 +19,10 @@ pub(super) struct Report<'a> {
 impl Report<'_> {
     pub(super) fn text(&self) -> String {
         let unit = self.mechanism.unit.symbol();
-        let moves = self.moves.iter().zip(&self.tuned.moved);
-        let moves = moves.map(|(each, by)| {
+        let moves = self.moves.iter().zip(&self.tuned.moved).enumerate();
+        let moves = moves.map(|(index, (each, by))| {
             let [least, greatest] = each.by.map(number);
-            let end = if at_end(each, *by) {
+            let end = if self.is_at_end(index) {
                 ", at its end"
             } else {
                 ""
@@ -76,6 +76,12 @@ impl Report<'_> {
         (target.name.clone(), is, rest)
     }
 
+    /// Whether a move that changes a target ends at an end of its box: one that changes none stays where it began.
+    fn is_at_end(&self, index: usize) -> bool {
+        let (by, [least, greatest]) = (self.tuned.moved[index], self.moves[index].by);
+        !self.tuned.idle.contains(&index) && (by <= least || by >= greatest)
+    }
+
     /// Names the points that did not follow their moves.
     pub(super) fn held(&self) -> Option<String> {
         let names = &self.mechanism.names.points;
@@ -113,9 +119,8 @@ impl Report<'_> {
         if unmet.is_empty() {
             return None;
         }
-        let moves = self.moves.iter().zip(&self.tuned.moved);
-        let ends = moves.filter(|(each, by)| at_end(each, **by));
-        let ends: Vec<&str> = ends.map(|(each, _)| each.name.as_str()).collect();
+        let ends = (0..self.moves.len()).filter(|each| self.is_at_end(*each));
+        let ends: Vec<&str> = ends.map(|each| self.moves[each].name.as_str()).collect();
         let unaffected = self.tuned.unaffected.iter();
         let unaffected = unaffected.map(|target| self.targets[*target].name.as_str());
         let unaffected: Vec<&str> = unaffected.filter(|name| unmet.contains(name)).collect();
@@ -139,10 +144,6 @@ impl Report<'_> {
             reasons.join("; ")
         ))
     }
-}
-
-fn at_end(each: &Move, by: f64) -> bool {
-    by <= each.by[0] || by >= each.by[1]
 }
 
 fn greatest(off: &Deviations) -> f64 {
