@@ -17,6 +17,8 @@ pub(super) struct Found<'a> {
     pub(super) unborne: Unborne,
     /// The springs by number that are stretched or twisted at any place, but have no load.
     pub(super) left_out: BTreeSet<usize>,
+    /// The springs by number that act by their rates, but have no load at any place.
+    pub(super) unstretched: BTreeSet<usize>,
     /// The number of places.
     pub(super) places: usize,
     /// The numbers of the first place, and which of them vary over the places.
@@ -52,6 +54,7 @@ impl<'a> Found<'a> {
             case,
             unborne,
             left_out: BTreeSet::new(),
+            unstretched: case.acting.iter().copied().collect(),
             places: 0,
             place: place.clone(),
             varies: vec![false; place.len()],
@@ -65,6 +68,9 @@ impl<'a> Found<'a> {
     pub(super) fn add(&mut self, outcome: &Outcome, (state, place): (&State, &Rc<[f64]>)) {
         self.places += 1;
         self.left_out.extend(self.case.left_out(state));
+        for spring in self.case.loaded(state) {
+            self.unstretched.remove(&spring);
+        }
         for ((varies, first), here) in self.varies.iter_mut().zip(&*self.place).zip(&**place) {
             *varies |= first != here;
         }

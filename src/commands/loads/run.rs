@@ -12,7 +12,7 @@ use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
 use crate::commands::loads::note::{shared_along_lines, springs_bear_nothing};
 use crate::commands::loads::report::Report;
-use crate::commands::loads::springs_left_out::springs_left_out;
+use crate::commands::loads::springs_left_out::{springs_left_out, springs_without_load};
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
@@ -192,6 +192,7 @@ impl<'a> Run<'a> {
         springs_bear_nothing(self.source, names, found)
             .into_iter()
             .chain(springs_left_out(self.source, names, found))
+            .chain(springs_without_load(self.source, names, found))
             .chain(shared_along_lines(
                 self.source,
                 (names, self.structure),

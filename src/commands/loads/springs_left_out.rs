@@ -1,6 +1,7 @@
-//! The note on springs that do not act in load cases although the places stretch or twist them.
+//! Notes on springs that do not act in load cases although the places stretch or twist them, and on those that act and
+//! bear nothing because no place does.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::commands::loads::found::Found;
 use crate::mechanism::{Names, listed};
@@ -30,6 +31,37 @@ pub(super) fn springs_left_out(
         format!("note: {file}: {note}")
     })
     .collect()
+}
+
+/// Returns one note for all cases in which the same springs act and bear nothing at any place.
+pub(super) fn springs_without_load(
+    file: &str,
+    names: &Names,
+    found: &[Option<Found<'_>>],
+) -> Vec<String> {
+    let mut cases: BTreeMap<&BTreeSet<usize>, Vec<&str>> = BTreeMap::new();
+    for found in found.iter().flatten() {
+        if !found.unstretched.is_empty() {
+            let of_springs = cases.entry(&found.unstretched).or_default();
+            of_springs.push(&found.case.name);
+        }
+    }
+    let each = cases.iter().map(|(springs, cases)| {
+        let [spring, acts, bears, measure] = match springs.len() {
+            1 => ["spring", "acts", "bears", "its measure is"],
+            _ => ["springs", "act", "bear", "their measures are"],
+        };
+        let quoted = springs.iter();
+        let quoted = quoted.map(|spring| format!("`{}`", names.vehicle.springs[*spring].name));
+        let tables = cases.iter().map(|case| format!("[loads.{case}]"));
+        format!(
+            "note: {file}: the {spring} {} {acts} in {} and {bears} nothing: {measure} as at the design position at every place; move a drive \
+             with --drive, or state a load at the design position, load = ..., under [springs.NAME]",
+            listed(quoted),
+            listed(tables)
+        )
+    });
+    each.collect()
 }
 
 fn note(names: &Names, [left_out, acting]: [&[usize]; 2], cases: &[&str]) -> String {

@@ -1,9 +1,9 @@
-//! Springs that a load case leaves out although they are stretched or twisted.
+//! Springs that a load case leaves out although they are stretched or twisted, and those that bear a load.
 
 use crate::loads::Case;
 use crate::mechanism::State;
 
-/// The change of a spring's load below which a report would show none, N or N m.
+/// The load of a spring, or its change, below which a report would show none, N or N m.
 const SHOWN: f64 = 0.05;
 
 impl Case {
@@ -20,5 +20,11 @@ impl Case {
             is_stretched && !self.acting.contains(number) && !has_load(spring.measure)
         });
         left_out.map(|(number, _)| number)
+    }
+
+    /// The springs by number that act by their rates and have a load at a state.
+    pub fn loaded<'s>(&'s self, state: &'s State) -> impl Iterator<Item = usize> + 's {
+        let acting = self.acting.iter().copied();
+        acting.filter(|spring| state.load_of(&state.springs[*spring]).abs() > SHOWN)
     }
 }

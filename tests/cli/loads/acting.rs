@@ -208,6 +208,32 @@ fn springs_that_do_not_act_are_noted_with_the_remedy() {
     }
 }
 
+/// Without --drive the case is solved at the design position alone, where a bar has no twist.
+#[test]
+fn springs_that_act_and_bear_nothing_are_noted_with_the_remedy() {
+    let one = "note: a.toml: the spring `arb` acts in [loads.a] and bears nothing: its measure is as at the design position at every place; move \
+               a drive with --drive, or state a load at the design position, load = ..., under [springs.NAME]\n";
+    let both = "note: a.toml: the springs `arb` and `coil` act in [loads.a] and bear nothing: their measures are as at the design position at every \
+                place; move a drive with --drive, or state a load at the design position, load = ..., under [springs.NAME]\n";
+    let unloaded = axle("[loads.a]\nacting = [\"arb\", \"coil\"]\n").replace("load = 2000.0\n", "");
+    for (file, more, expected) in [
+        (
+            axle("[loads.a]\nacting = [\"arb\", \"coil\"]\n"),
+            &[][..],
+            one,
+        ),
+        (unloaded, &[], both),
+        (axle("[loads.a]\nacting = [\"coil\"]\n"), &[], ""),
+        (axle("[loads.a]\nacting = [\"arb\"]\n"), &ROLL, ""),
+    ] {
+        let (code, _, notes) = run_loads(&file, more);
+        assert_eq!(code, Some(0), "{notes}");
+        let notes = notes.split_inclusive('\n');
+        let notes: String = notes.filter(|note| note.contains("nothing: ")).collect();
+        assert_eq!(notes, expected);
+    }
+}
+
 /// At the design position, where a grid begins, a spring without a preload bears nothing.
 #[test]
 fn the_note_on_bushes_names_those_that_bear_a_load_anywhere() {
