@@ -19,9 +19,9 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Returns the number, or zero if it is no more than rounding.
+/// Returns the number, or zero if it is no more than rounding: of coordinates in millimetres, as of a long car, too.
 pub fn without_rounding(value: f64) -> f64 {
-    const ROUNDING: f64 = 1e-12;
+    const ROUNDING: f64 = 1e-11;
     if value.abs() < ROUNDING { 0.0 } else { value }
 }
 
@@ -92,6 +92,13 @@ mod tests {
         ] {
             assert_eq!(number(value), expected);
         }
+    }
+
+    /// Rounding of a coordinate of 2600 mm is 5e-13 mm, and several of them add up.
+    #[test]
+    fn rounding_of_millimetres_is_zero() {
+        assert_eq!(number(without_rounding(-1.16957e-12)), "0");
+        assert_eq!(number(without_rounding(1e-9)), "1e-9");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::file::Dimension;
 use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::measure::signal_nearest;
 use crate::mechanism::names::Names;
-use crate::number::number;
+use crate::number::{number, without_rounding};
 use suspension_motion_file::Unit;
 
 /// The measure that leads instead of a drive.
@@ -118,6 +118,10 @@ impl<const N: usize> Lead<N> {
     fn value_in_words(&self, names: &Names, value: f64, unit: Unit) -> String {
         let kind = names.measures[self.measure].kind;
         let value = (value + self.offset) * Dimension::from(kind).file_factor(unit);
-        format!("{} {}", number(value), Dimension::from(kind).symbol(unit))
+        format!(
+            "{} {}",
+            number(without_rounding(value)),
+            Dimension::from(kind).symbol(unit)
+        )
     }
 }

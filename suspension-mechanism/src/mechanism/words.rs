@@ -4,7 +4,7 @@ use suspension_core::SolveError;
 
 use crate::file::Dimension;
 use crate::mechanism::names::Names;
-use crate::number::number;
+use crate::number::{number, without_rounding};
 use suspension_motion_file::Unit;
 
 /// The remedy for a lock in the motion of a file.
@@ -29,7 +29,11 @@ impl Names {
             value * Dimension::from(drive.kind).file_factor(unit),
             Dimension::from(drive.kind).symbol(unit),
         );
-        format!("{} = {} {symbol}", drive.name, number(value))
+        format!(
+            "{} = {} {symbol}",
+            drive.name,
+            number(without_rounding(value))
+        )
     }
 
     /// All drives' values in words, with `instead` in place of one of them.
