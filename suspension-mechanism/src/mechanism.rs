@@ -32,6 +32,7 @@ mod state;
 mod suspension;
 mod through_instants;
 mod travel;
+mod turning_drive;
 mod under_forces;
 mod vehicle;
 mod visit;

@@ -220,3 +220,32 @@ bump = [0.35, 0.3]
         assert!(messages.contains(expected), "{messages}");
     }
 }
+
+/// At a lock every drive that moves turns: the one that leads into it is named, with the link that is at its limit. With the other
+/// drive held, `range` finds the tie rod's limit 160.9 mm from the design.
+#[test]
+fn of_several_drives_the_one_that_leads_into_the_lock_is_named() {
+    let folder = folder();
+    for (bump, steer, expected) in [
+        (
+            "[0.3, 0.001]",
+            "[0.34, 0.9]",
+            "the drive `steer` locks at +0.16",
+        ),
+        (
+            "[0.3, 0.9]",
+            "[0.34, 0.001]",
+            "the drive `bump` locks at +0.13",
+        ),
+    ] {
+        let file = format!(
+            "linkage = 'double_wishbone_pushrod'\nunit = 'm'\n[time]\nstart = 0.0\nstop = 1.0\nstep = 0.1\n[drives]\nbump = {bump}\n\
+             steer = {steer}\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["motion", "a.toml"]);
+        let message = text(&output.stderr);
+        assert!(message.contains(expected), "{message}");
+        assert!(message.contains("` is too long: it has"), "{message}");
+    }
+}

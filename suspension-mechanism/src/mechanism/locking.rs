@@ -1,9 +1,8 @@
 //! The end of a motion that its drives lead: the drive that turns there, and the link or hinge that limits it.
 
 use nalgebra::SVector;
-use suspension_core::path::{Continuation, Curve};
+use suspension_core::SolveError;
 use suspension_core::step::stepper::Stopped;
-use suspension_core::{Inputs, Linkage, SolveError, Still, Values};
 
 use crate::file::Dimension;
 use crate::mechanism::drives::DriveLaws;
@@ -12,6 +11,7 @@ use crate::mechanism::hinge::Hinge;
 use crate::mechanism::misfit::{Misfit, find_hinge_at_lock};
 use crate::mechanism::names::Names;
 use crate::mechanism::suspension::Suspension;
+use crate::mechanism::turning_drive::{is_near, turning_drive};
 use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
@@ -149,44 +149,3 @@ pub fn describe_change_from_design(change: f64, symbol: &str) -> String {
 
 /// How far beyond the lock the cause is searched for, as a fraction of the way to the requested position.
 const BEYOND: f64 = 0.01;
-
-/// The number of steps within which the turning point must lie: the motion has stopped beside it.
-const STEPS: usize = 3;
-
-/// How near a drive's value must be to the value where it turns, as a fraction of itself or of one: the tracker stops
-/// when the next step has shrunk to rounding.
-const NEAR: f64 = 1e-9;
-
-/// Whether a drive's value is another one, as far as a tracker that stops there can tell.
-fn is_near(here: f64, there: f64) -> bool {
-    (there - here).abs() <= NEAR * here.abs().max(1.0)
-}
-
-/// The number of the drive that turns where a motion has stopped; `None` if none does. If one locks, the held ones do
-/// too: a drive that moves is named before them.
-fn turning_drive<L: Linkage<N, Scalar = f64>, const N: usize>(
-    model: &L,
-    inputs: &Inputs<Still, L::Drives>,
-    position: &SVector<f64, N>,
-) -> Option<usize> {
-    let settings = Continuation {
-        max_steps: STEPS,
-        ..Continuation::default()
-    };
-    let drives = inputs.drives.value.values().enumerate();
-    let with_rates = drives.zip(inputs.drives.rate.values());
-    let (moved, held): (Vec<_>, Vec<_>) = with_rates.partition(|(_, rate)| *rate != 0.0);
-    let mut drives = moved.into_iter().chain(held).map(|(drive, _)| drive);
-    let turning = drives.find(|(index, value)| {
-        let turns_there = |increasing| {
-            let curve = Curve::new(model, inputs, *index)?;
-            let path = settings.path(curve, position, increasing).ok()?;
-            let turning = path.filter_map(|stretch| stretch.ok()?.turning).next()?;
-            (!turning.is_end_of_angle && is_near(*value, turning.place.value)).then_some(())
-        };
-        [true, false]
-            .into_iter()
-            .any(|way| turns_there(way).is_some())
-    });
-    turning.map(|(index, _)| index)
-}

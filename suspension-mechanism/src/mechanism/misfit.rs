@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use suspension_core::solve::lu::Lu;
 use suspension_core::solve::motion::Prescribed;
-use suspension_core::{Linkage, Values};
+use suspension_core::{Inputs, Linkage, Still, Values};
 
 use crate::mechanism::drives::DriveLaws;
 use crate::mechanism::hinge::Hinge;
@@ -57,7 +57,9 @@ impl Misfit {
         q: &SVector<f64, N>,
     ) -> Option<Self> {
         let place = Place::new(model, drives, reached);
-        let AtLock { shares, mut along } = place.analyse_lock(q)?;
+        let AtLock {
+            shares, mut along, ..
+        } = place.analyse_lock(q)?;
         // A line of a driven or held angle would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = || (0..names.equations.len()).filter(is_link);
@@ -125,7 +127,7 @@ pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let AtLock { shares, along } = Place::new(model, drives, reached).analyse_lock(q)?;
+    let AtLock { shares, along, .. } = Place::new(model, drives, reached).analyse_lock(q)?;
     let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
     let share = |hinge: &Hinge| {
         let rows = (0..N).filter(|row| hinge.has(*row));
@@ -145,7 +147,9 @@ fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
 /// changes no equation to first order, `J v = 0`. To second order a drive `s` with `f^T dF/ds = 1` has
 /// `s'' = -f^T C(v, v)` along it: the equations with large `f_k C_k(v, v)` prevent the drive from going further. The
 /// forces `f` alone do not show which these are: a link that bears much and does not rotate has `C_k(v, v) = 0`.
-struct AtLock<const N: usize> {
+pub(crate) struct AtLock<const N: usize> {
+    /// `f`, a unit vector.
+    pub(crate) forces: SVector<f64, N>,
     /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; equations with a negative share
     /// let the drive go on.
     shares: SVector<f64, N>,
@@ -153,7 +157,8 @@ struct AtLock<const N: usize> {
     along: SVector<f64, N>,
 }
 
-struct Place<'a, L: Linkage<N>, const N: usize> {
+/// A mechanism with its drives at a time.
+pub(crate) struct Place<'a, L: Linkage<N>, const N: usize> {
     model: &'a L,
     fixed: L::Fixed,
     drives: L::Drives,
@@ -161,8 +166,12 @@ struct Place<'a, L: Linkage<N>, const N: usize> {
 
 impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
     fn new(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
-        let inputs = drives.inputs::<L::Drives>(t);
-        let Prescribed { fixed, drives } = Prescribed::new(model, &inputs);
+        Self::of(model, &drives.inputs(t))
+    }
+
+    /// The place with these drives.
+    pub(crate) fn of(model: &'a L, inputs: &Inputs<Still, L::Drives>) -> Self {
+        let Prescribed { fixed, drives } = Prescribed::new(model, inputs);
         Self {
             model,
             fixed: fixed.value,
@@ -170,12 +179,12 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         }
     }
 
-    fn residual(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+    pub(crate) fn residual(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
         self.model.residual(q, &self.fixed, &self.drives)
     }
 
     /// `f` and `v` by inverse iteration: they are the singular vectors of the smallest singular value.
-    fn analyse_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
+    pub(crate) fn analyse_lock(&self, q: &SVector<f64, N>) -> Option<AtLock<N>> {
         let still = L::Fixed::default();
         let factors = Lu::factor(&self.model.jacobian(q, &self.fixed)).ok()?;
         let mut forces = SVector::<f64, N>::from_element(1.0);
@@ -186,7 +195,11 @@ impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
         }
         let bend = self.model.curvature(&along, &still, &along, &still);
         let shares = forces.component_mul(&bend) / forces.dot(&bend);
-        Some(AtLock { shares, along })
+        Some(AtLock {
+            forces,
+            shares,
+            along,
+        })
     }
 
     /// The configuration where all equations but that of a link hold and the error of this one is as small as
