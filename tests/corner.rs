@@ -192,6 +192,38 @@ fn step_towards_drives_out_of_reach_stops_at_the_lock() {
     assert!((points.second_rate.wheel_centre.z - expected.second_rate.bump).abs() < 1e-10);
 }
 
+/// Whatever goes on, a failure states the time on the clock, that of the lock.
+#[test]
+fn failures_state_the_time_on_the_clock() {
+    const START: f64 = 8.0;
+    let mut corner = design();
+    let here = Signal::still(corner.drives());
+    corner.step(START, here).expect("a pause");
+    let far = Drives {
+        bump: corner.drives().bump + 1.0,
+        ..corner.drives()
+    };
+    let refused = corner.step(0.5, Signal::still(far)).expect_err("a lock");
+    let mut goes = corner;
+    let stopped = goes.step_towards(0.5, Signal::still(far));
+    let stopped = stopped.expect_err("a lock").error;
+    assert_eq!(stopped.reached, goes.time());
+    assert_eq!(refused.error.reached, stopped.reached);
+    assert!((START + 0.05..START + 0.45).contains(&stopped.reached));
+    assert!(
+        refused.to_string().starts_with("stopped at time 8."),
+        "{refused}"
+    );
+    let not_finite = Drives {
+        bump: f64::NAN,
+        ..far
+    };
+    let refused = corner
+        .step(0.5, Signal::still(not_finite))
+        .expect_err("NaN");
+    assert_eq!(refused.error.reached, START);
+}
+
 #[test]
 fn a_corner_with_a_changed_length_is_assembled() {
     let points = Model::design();

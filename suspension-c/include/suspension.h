@@ -131,7 +131,7 @@ typedef struct {
     float value;
     /** The limit for `value`. */
     float bound;
-    /** For steps in sub-steps: the time from the start, s, up to which there are solutions. */
+    /** For steps in sub-steps: the time from the start of the step, s, up to which there are solutions. */
     float reached;
 } susp_f32_failure;
 
@@ -311,7 +311,7 @@ typedef struct {
     double value;
     /** The limit for `value`. */
     double bound;
-    /** For steps in sub-steps: the time from the start, s, up to which there are solutions. */
+    /** For steps in sub-steps: the time from the start of the step, s, up to which there are solutions. */
     double reached;
 } susp_f64_failure;
 

@@ -45,7 +45,7 @@ structures! {
         value: T,
         /// The limit for `value`.
         bound: T,
-        /// For steps in sub-steps: the time from the start, s, up to which there are solutions.
+        /// For steps in sub-steps: the time from the start of the step, s, up to which there are solutions.
         reached: T,
     }
 

@@ -155,14 +155,16 @@ where
 
     fn step(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
         let drives = signal(drives, self.counts.drives);
+        let start = self.corner.time();
         let stepped = self.corner.step(dt, drives);
-        stepped.map_err(|failure| failure.error.facts())
+        stepped.map_err(|failure| from_start(start, failure.error.facts()))
     }
 
     fn step_towards(&mut self, dt: f64, drives: &[f64]) -> Result<Report<f64>, Facts> {
         let drives = signal(drives, self.counts.drives);
+        let start = self.corner.time();
         let advanced = self.corner.step_towards(dt, drives);
-        advanced.map_err(|failure| failure.error.facts())
+        advanced.map_err(|failure| from_start(start, failure.error.facts()))
     }
 
     fn read_drives(&self, drives: Row<'_>) {
@@ -231,4 +233,10 @@ fn signal<D: Values<f64>>(row: &[f64], count: usize) -> Signal<D> {
         rate: part(1),
         second_rate: part(2),
     }
+}
+
+/// The facts of a step that began at a time on the clock, with the time that it has reached from its start.
+fn from_start(start: f64, facts: Facts) -> Facts {
+    let reached = facts.reached.map(|reached| reached - start);
+    Facts { reached, ..facts }
 }

@@ -45,7 +45,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Stopped`], with times from the start of the step; the corner is then unchanged. Detecting that a
+    /// See [`Stopped`], with times on the clock of [`Corner::time`]; the corner is then unchanged. Detecting that a
     /// mechanism locks takes about two hundred times as long as a step. The unknown that is named there is the one
     /// that moves farthest at the lock; the program's `range` says which link is too long or too short to go on.
     pub fn step(
@@ -58,7 +58,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
             let motion = &mut self.motion;
             self.tracker.step_between(&self.model, ends, dt, motion)
         });
-        let report = stepped.map_err(|stopped| stopped.named(self.model.listing()))?;
+        let report = stepped.map_err(|stopped| {
+            let reached = self.time() + stopped.reached;
+            let stopped = Stopped { reached, ..stopped };
+            stopped.named(self.model.listing())
+        })?;
         self.drives = drives;
         self.clock.advance(dt);
         Ok(report)
@@ -100,8 +104,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Stopped`], with times from the start of the step; the corner then stands at
-    /// [`Stopped::reached`].
+    /// See [`Stopped`], with times on the clock of [`Corner::time`]; the corner then stands at [`Stopped::reached`].
     pub fn step_towards(
         &mut self,
         dt: T,
@@ -118,6 +121,10 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
             Ok(_) => dt,
             Err(stopped) => stopped.reached,
         });
-        advanced.map_err(|stopped| stopped.named(self.model.listing()))
+        let reached = self.time();
+        advanced.map_err(|stopped| {
+            let stopped = Stopped { reached, ..stopped };
+            stopped.named(self.model.listing())
+        })
     }
 }
