@@ -159,8 +159,9 @@ reaction. The line acting = [\"arb\"] and --drive left_bump,-right_bump=-0.03:0.
 in roll. If a case also states a force in a measure in which springs act, or which bears the load of a drive, the report gives
 the sum.
 
-A note names the springs that do not act although their measures change. Another names each drive of travel whose load a
-spring could bear, unless springs act by their rates or the case states a force in the measure of a spring.
+A note names the springs that do not act although their measures change, and another those that act and bear nothing, as a
+bar at the design position, which is the only place without --drive. Another names each drive of travel whose load a spring
+could bear, unless springs act by their rates or the case states a force in the measure of a spring.
 
 Links: tension is positive. Joints: the force that a body or another statement exerts at each of its points, on the chassis
 or on the parts that it joins there, in the file's axes. The table of joints also lists a link that has a mass (its tension is
