@@ -14,6 +14,7 @@ pub mod layouts;
 mod mistyped;
 mod option;
 pub mod output;
+mod side;
 
 pub use suspension_mechanism::{
     assemblies, bake, characteristics, detail, failure, file, interrupt, kinematics, load, loads,

@@ -25,7 +25,6 @@ mod row;
 mod row_corner;
 mod row_name;
 mod shark;
-pub(super) mod side;
 mod stand_in;
 mod subsystem;
 mod table;
@@ -45,6 +44,7 @@ use crate::file::Source;
 use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
 use crate::output::target::Target;
+use crate::side::{End, Side};
 use axle::Axle;
 use checked::checked_text;
 use choice::choose;
@@ -55,7 +55,6 @@ use help::NOTES;
 use imported::{Imported, Other};
 use names::Names;
 use orientation::orientation;
-use side::{End, Side};
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::choice::Choice;
-use super::side::Side;
 use crate::mechanism::{Axes, extent};
+use crate::side::Side;
 
 /// The points of a corner, in ISO 8855.
 #[derive(Debug)]

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
-use super::side::{End, Section, Side, end_of};
 use crate::failure::Failure;
+use crate::side::{End, Section, Side, end_of};
 
 impl Hardpoints<'_> {
     /// Notes that a line names an end of the vehicle.

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use super::heading::length;
 use super::names::key_of;
-use super::side::{End, Section, Side, Sides, remedy};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
+use crate::side::{End, Section, Side, Sides, remedy};
 
 /// A point of a file.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
-use super::side::{End, Section, Side, end_of};
 use crate::mechanism::Length;
+use crate::side::{End, Section, Side, end_of};
 
 /// Words of a heading that names the end of the vehicle to which a suspension belongs.
 const OF_AXLE: [&str; 11] = [

@@ -7,11 +7,11 @@ use super::corner::Corner;
 use super::hardpoints::{Hardpoint, Hardpoints, Number};
 use super::names::Names;
 use super::orientation::Orientation;
-use super::side::Side;
 use super::stand_in::{Spin, stand_in};
 use crate::load;
 use crate::mechanism::Length;
 use crate::number::rounded;
+use crate::side::Side;
 
 /// The data that the file has for a corner.
 pub(super) struct Imported<'a> {

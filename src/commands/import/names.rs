@@ -6,9 +6,9 @@ use serde::Deserialize;
 use suspension_listing::did_you_mean::nearest;
 
 use super::layout::Layout;
-use super::side::{Side, Sides, corner_of};
 use super::words::Words;
 use crate::failure::Failure;
+use crate::side::{Side, Sides, corner_of};
 
 /// The contents of `names.toml`.
 #[derive(Debug, Deserialize)]

@@ -4,9 +4,9 @@ use suspension_core::listing::{Kind, Parts};
 
 use super::choice::Choice;
 use super::names::Arrangement;
-use super::side::Side;
 use crate::mechanism::Axes;
 use crate::number::number;
+use crate::side::Side;
 
 /// The direction of one axis, as a pair of points shows it.
 struct Clue {

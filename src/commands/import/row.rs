@@ -8,7 +8,7 @@ use super::fields::{
 };
 use super::heading::unit;
 use super::names::spelled;
-use super::side::sides_of;
+use crate::side::sides_of;
 
 /// The beginnings of a remark, and the end of a row in LaTeX.
 const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];

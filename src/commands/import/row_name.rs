@@ -3,7 +3,7 @@
 use super::heading::{end_of_heading, section_of_heading, unit};
 use super::names::{Names, key_of, spelled};
 use super::row::Row;
-use super::side::{Section, sides_of};
+use crate::side::{Section, sides_of};
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,
 /// if that is known, or else its own.

@@ -9,10 +9,10 @@ use std::ops::Range;
 
 use super::hardpoints::Hardpoints;
 use super::row::{Row, lines};
-use super::side::Sides;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
+use crate::side::Sides;
 
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];

@@ -3,11 +3,11 @@
 use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
 use super::row::{Row, lines};
-use super::side::end_of;
 use super::table::add;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
+use crate::side::end_of;
 
 /// Returns whether a text is a subsystem file.
 pub(super) fn is_subsystem(text: &str) -> bool {

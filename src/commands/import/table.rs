@@ -12,12 +12,12 @@ use super::line_per_axis::joined;
 use super::names::{Names, key_of, spelled};
 use super::row::{Row, lines};
 use super::row_name::{name_of, with_whole_name};
-use super::side::Section;
 use super::thousands::Thousands;
 use super::unclear::{check_angle, check_group, check_row};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
+use crate::side::Section;
 
 /// Reads a table.
 ///

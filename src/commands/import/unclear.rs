@@ -3,8 +3,8 @@
 use super::hardpoints::Hardpoints;
 use super::names::{Names, key_of, spelled};
 use super::row::Row;
-use super::side::{Section, Sides};
 use crate::failure::Failure;
+use crate::side::{Section, Sides};
 
 const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
 

@@ -1,8 +1,8 @@
 //! The section `[vehicle]` of the motion file that an import writes.
 
 use super::imported::Imported;
-use super::side::End;
 use super::stand_in::number;
+use crate::side::End;
 
 /// What a file says about the vehicle.
 #[derive(Debug)]

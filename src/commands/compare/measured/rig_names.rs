@@ -1,7 +1,7 @@
 //! Names by which rigs call what the model calls otherwise.
 
-use crate::commands::import::side::{End, Section, Side};
 use crate::mechanism::{Axle, Description, Wheel};
+use crate::side::{End, Section, Side};
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
 const OF_RIGS: [(&[&str], &[&str]); 20] = [

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 
 /// A side of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::commands) enum Side {
+pub(crate) enum Side {
     /// The left one.
     Left,
     /// The right one.
@@ -12,7 +12,7 @@ pub(in crate::commands) enum Side {
 }
 
 impl Side {
-    pub(super) fn other(self) -> Self {
+    pub(crate) fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
             Self::Right => Self::Left,
@@ -20,7 +20,7 @@ impl Side {
     }
 
     /// Returns the side in words.
-    pub(in crate::commands) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Left => "left",
             Self::Right => "right",
@@ -29,7 +29,7 @@ impl Side {
 }
 
 /// Returns the side of the vehicle that a word in small letters names.
-pub(super) fn side_of(word: &str) -> Option<Side> {
+pub(crate) fn side_of(word: &str) -> Option<Side> {
     match word {
         "left" | "lh" | "lhs" => Some(Side::Left),
         "right" | "rh" | "rhs" => Some(Side::Right),
@@ -39,7 +39,7 @@ pub(super) fn side_of(word: &str) -> Option<Side> {
 
 /// The sides of the vehicle to which a row of a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sides {
+pub(crate) enum Sides {
     /// The row does not say, or its point is in the middle of the vehicle.
     Unsaid,
     /// One side.
@@ -50,7 +50,7 @@ pub(super) enum Sides {
 
 /// An end of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::commands) enum End {
+pub(crate) enum End {
     /// The front axle.
     Front,
     /// The rear axle.
@@ -59,7 +59,7 @@ pub(in crate::commands) enum End {
 
 impl End {
     /// Returns the end in words.
-    pub(in crate::commands) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Front => "front",
             Self::Rear => "rear",
@@ -69,14 +69,14 @@ impl End {
 
 /// The corners to which the rows below a heading or a group of columns belong, as far as the heading says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::commands) struct Section {
-    pub(in crate::commands) end: Option<End>,
-    pub(in crate::commands) side: Option<Side>,
+pub(crate) struct Section {
+    pub(crate) end: Option<End>,
+    pub(crate) side: Option<Side>,
 }
 
 impl Section {
     /// Returns what a word in small letters says.
-    pub(in crate::commands) fn of_word(word: &str) -> Option<Self> {
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
         let (end, side) = match corner_of(word) {
             Some((end, side)) => (Some(end), Some(side)),
             None => (end_of(word), side_of(word)),
@@ -85,7 +85,7 @@ impl Section {
     }
 
     /// Returns this section, with what it does not say from another one.
-    pub(super) fn or(self, other: Self) -> Self {
+    pub(crate) fn or(self, other: Self) -> Self {
         Self {
             end: self.end.or(other.end),
             side: self.side.or(other.side),
@@ -93,7 +93,7 @@ impl Section {
     }
 
     /// Returns the section below another heading, which names an end, a side, both or neither.
-    pub(super) fn below(self, end: Option<End>, side: Option<Side>) -> Self {
+    pub(crate) fn below(self, end: Option<End>, side: Option<Side>) -> Self {
         match (end, side) {
             (None, None) => self,
             _ => Self {
@@ -105,7 +105,7 @@ impl Section {
 }
 
 /// Returns what to do about two rows of one name, which belong to these ends of the vehicle.
-pub(super) fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
+pub(crate) fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
     match (first, second) {
         (Some(first), Some(second)) if first != second => {
             "to import one axle of the two, say --end front or --end rear"
@@ -118,7 +118,7 @@ pub(super) fn remedy(first: Option<End>, second: Option<End>) -> &'static str {
 }
 
 /// Returns the end of the vehicle that spelled words name; `None` if they name none or both.
-pub(super) fn end_of(words: &str) -> Option<End> {
+pub(crate) fn end_of(words: &str) -> Option<End> {
     let [front, rear] = ["front", "rear"].map(|end| words.split('_').any(|word| word == end));
     match (front, rear) {
         (true, false) => Some(End::Front),
@@ -139,13 +139,13 @@ const CORNERS: [(&str, End, Side); 7] = [
 ];
 
 /// Returns the corner that a code in small letters states.
-pub(super) fn corner_of(code: &str) -> Option<(End, Side)> {
+pub(crate) fn corner_of(code: &str) -> Option<(End, Side)> {
     let mut corners = CORNERS.into_iter();
     corners.find_map(|(known, end, side)| (known == code).then_some((end, side)))
 }
 
 /// Returns the sides that a field states.
-pub(super) fn sides_of(field: &str) -> Option<Sides> {
+pub(crate) fn sides_of(field: &str) -> Option<Sides> {
     match field.to_ascii_lowercase().as_str() {
         "l" => Some(Sides::One(Side::Left)),
         "r" => Some(Sides::One(Side::Right)),
