@@ -123,7 +123,7 @@ impl Study {
                 .filter_map(|along| along.visited.failure(varied.file));
             let failures = failures.map(|failure| varied.with_value(value, failure).to_string());
             let cut_short: Vec<String> = failures.collect();
-            // That a usual range is longer than the reach is told once, not of each value.
+            // That a usual range is longer than the reach is stated once, not for each value.
             ways.retain(|along| self.cut_short.is_empty() || !along.is_usual);
             let locked = || unmet_range(&ways, varied.file);
             let locked = || locked().map(|failure| varied.with_value(value, failure));
