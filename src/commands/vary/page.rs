@@ -25,13 +25,29 @@ pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
         @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {
             p { strong { "Values are left out: " } (unbuilt) }
         }
-        @for sentence in &study.cut_short {
-            p { strong { "The curves are cut short: " } (sentence) }
-        }
+        (cut_short(&study.cut_short))
         @for curves in sections { (section(report, curves, draws_all)) }
     };
     let title = format!("Variation of {}", report.varied.change.name);
     page(&title, &body)
+}
+
+/// The sentences on curves that end early; several are folded, so that the charts are not pages below.
+fn cut_short(sentences: &[String]) -> Markup {
+    let paragraphs = html! {
+        @for sentence in sentences {
+            p { strong { "The curves are cut short: " } (sentence) }
+        }
+    };
+    match sentences {
+        [] | [_] => paragraphs,
+        _ => html! {
+            details {
+                summary { (sentences.len()) " sweeps end before the range does, and their curves too." }
+                (paragraphs)
+            }
+        },
+    }
 }
 
 /// The charts along what moves, under their heading.
