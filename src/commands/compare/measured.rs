@@ -102,8 +102,7 @@ fn parts(quantities: &[Quantity], across: &str) -> Vec<Part> {
         across: Some(across.to_owned()),
         differences: quantities.iter().filter_map(difference).collect(),
     };
-    let at_design =
-        "Offset: the smoothed difference at the measured place nearest to the design position";
+    let at_design = "Offset: the smoothed difference (B is A with it) at the measured place nearest to the design position";
     vec![
         part(
             "as measured",
