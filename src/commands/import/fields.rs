@@ -9,12 +9,27 @@ pub(super) const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 pub(super) fn number(field: &str, with_comma: bool) -> Option<f64> {
     let field = field.trim().replacen(MINUS, "-", 1);
     let field = if with_comma {
-        field.replace(',', ".")
+        without_thousands(&field)?
     } else {
         field
     };
     let number: f64 = field.parse().ok()?;
     number.is_finite().then_some(number)
+}
+
+/// Returns a number with a decimal point: of `1.640,5` and `1,640.5` the first sign is that for thousands.
+fn without_thousands(field: &str) -> Option<String> {
+    let (Some(comma), Some(point)) = (field.rfind(','), field.rfind('.')) else {
+        return Some(field.replace(',', "."));
+    };
+    let (whole, decimals) = field.split_at(comma.max(point));
+    let sign = if comma < point { ',' } else { '.' };
+    let mut groups = whole.split(sign);
+    let first = groups.next()?.trim_start_matches(['-', '+']);
+    let is_whole = |group: &str| group.chars().all(|c| c.is_ascii_digit());
+    let is_first = matches!(first.len(), 1..=3) && is_whole(first);
+    let is_thousands = is_first && groups.all(|group| group.len() == 3 && is_whole(group));
+    is_thousands.then(|| whole.replace(sign, "") + "." + &decimals[1..])
 }
 
 /// Returns whether a cell between commas or other separators has a number, with a unit or without.

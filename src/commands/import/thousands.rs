@@ -28,6 +28,8 @@ impl Thousands {
                     let unclear = || (row.place.clone(), number.to_owned());
                     self.unclear.get_or_insert_with(unclear);
                 }
+                // `1,640.5` says what its comma is.
+                Some((_, behind)) if behind.contains([',', '.']) => {}
                 Some(_) => self.has_decimals = true,
             }
         }

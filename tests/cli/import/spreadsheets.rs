@@ -278,3 +278,32 @@ fn a_row_of_a_known_name_that_cannot_be_read_is_refused() {
 fn with_last_point(row: &str) -> String {
     format!("{}{row}\n", table(&CORNER[..14]))
 }
+
+/// Excel writes a sign for thousands where its cells are so formatted.
+#[test]
+fn numbers_with_a_sign_for_thousands_and_decimals_are_read() {
+    let folder = folder();
+    let moved = CORNER.map(|(name, [x, y, z])| (name, [x - 1400.0, y, z]));
+    let plain = import(folder.path(), "a.csv", &table(&moved), &[]);
+    let written = |x: f64, [thousand, decimal]: [char; 2]| {
+        let sign = if x < 0.0 { "-" } else { "" };
+        let rest = x.abs() % 1000.0;
+        match x.abs() {
+            ..1000.0 => format!("{sign}{rest}{decimal}00"),
+            _ => format!("{sign}1{thousand}{rest:03}{decimal}00"),
+        }
+    };
+    for signs in [[',', '.'], ['.', ',']] {
+        let rows = moved.map(|(name, at)| {
+            let at = at.map(|x| written(x, signs));
+            format!("{name}\t{}\n", at.join("\t"))
+        });
+        let imported = import(folder.path(), "a.csv", &rows.concat(), &[]);
+        assert_eq!(imported.points(), plain.points(), "{rows:?}");
+    }
+    for wrong in ["1,2,3.5", "12.34,5"] {
+        let file = table(&CORNER).replace(',', "\t").replace("-190", wrong);
+        let said = refusal("a.csv", &file, &[]);
+        assert!(said.contains("needs three numbers"), "{said}");
+    }
+}
