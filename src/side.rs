@@ -92,6 +92,11 @@ impl Section {
         }
     }
 
+    /// Returns whether this section says nothing of what another one says.
+    pub(crate) fn lacks(self, other: Self) -> bool {
+        (self.end.is_none() || other.end.is_none()) && (self.side.is_none() || other.side.is_none())
+    }
+
     /// Returns the section below another heading, which names an end, a side, both or neither.
     pub(crate) fn below(self, end: Option<End>, side: Option<Side>) -> Self {
         match (end, side) {

@@ -1,5 +1,7 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
+mod adams_command;
+mod add;
 mod axle;
 mod candidate;
 mod checked;
@@ -18,6 +20,7 @@ mod known_names;
 mod layout;
 mod line_per_axis;
 mod names;
+mod names_as_columns;
 mod orientation;
 mod rack;
 mod remarks;

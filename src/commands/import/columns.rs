@@ -2,31 +2,36 @@
 
 use super::fields::is_number;
 use super::names::spelled;
+use crate::side::Section;
 
-/// The columns of x, y and z, which are beside each other.
+/// The columns of x, y and z, which are beside each other: those of one point, or of one in each group of columns.
 #[derive(Debug)]
 pub(super) struct Columns {
     separator: char,
     /// The number of all columns.
     count: usize,
-    x: usize,
+    /// The column of x in each group.
+    x: Vec<usize>,
 }
 
 impl Columns {
-    /// Returns the columns that a heading names; `None` if it names none, or has several columns of one axis.
+    /// Returns the columns that a heading names; `None` if it names none.
     pub(super) fn of_heading(line: &str) -> Option<Self> {
         let separators = [';', '\t', '|', ','].into_iter();
         let mut found = separators.filter_map(|separator| {
             let cells: Vec<String> = line.split(separator).map(spelled).collect();
-            let is = |cell: &String, axis: &str| cell.split('_').any(|word| word == axis);
-            let mut of_x = (0..cells.len()).filter(|column| is(&cells[*column], "x"));
-            let (Some(x), None) = (of_x.next(), of_x.next()) else {
-                return None;
+            let is = |column: usize, axis: &str| {
+                let cell = cells.get(column);
+                cell.is_some_and(|cell| cell.split('_').any(|word| word == axis))
             };
-            let is_beside = is(cells.get(x + 1)?, "y") && is(cells.get(x + 2)?, "z");
-            is_beside.then_some(Self {
+            let columns = 0..cells.len();
+            let x: Vec<usize> = columns.filter(|column| is(*column, "x")).collect();
+            let mut groups = x.iter();
+            let is_whole = groups.all(|x| is(x + 1, "y") && is(x + 2, "z"));
+            let count = cells.len();
+            (is_whole && !x.is_empty()).then_some(Self {
                 separator,
-                count: cells.len(),
+                count,
                 x,
             })
         });
@@ -36,16 +41,35 @@ impl Columns {
     /// Returns a line without the numbers in other columns, for example indices and masses. A line with more or fewer columns
     /// than the heading stays as it is, for the heading may have none above the names.
     pub(super) fn without_others(&self, line: &str) -> String {
-        let cells: Vec<&str> = line.split(self.separator).collect();
-        let is_coordinate = |column: usize| (self.x..self.x + 3).contains(&column);
-        let mut numbers = (0..cells.len()).filter(|column| is_number(cells[*column]));
-        if cells.len() != self.count || !numbers.any(is_coordinate) || line.contains('"') {
+        let Some(cells) = self.cells(line) else {
             return line.to_owned();
-        }
+        };
         let kept = cells.iter().enumerate().map(|(column, cell)| {
-            let is_other = is_number(cell) && !is_coordinate(column);
+            let is_other = is_number(cell) && !self.is_coordinate(column);
             if is_other { "" } else { cell }
         });
         kept.collect::<Vec<_>>().join(&self.separator.to_string())
+    }
+
+    /// Returns those of the `groups` in which a line has a number, as where a rear axle has fewer points than the front one.
+    pub(super) fn filled(&self, line: &str, groups: &[Section]) -> Vec<Section> {
+        let Some(cells) = self.cells(line).filter(|_| self.x.len() == groups.len()) else {
+            return groups.to_vec();
+        };
+        let is_filled = |x: &usize| cells[*x..x + 3].iter().any(|cell| is_number(cell));
+        let filled = self.x.iter().zip(groups).filter(|(x, _)| is_filled(x));
+        filled.map(|(_, group)| *group).collect()
+    }
+
+    /// Returns the cells of a line that has as many as the heading, with a coordinate among them.
+    fn cells<'a>(&self, line: &'a str) -> Option<Vec<&'a str>> {
+        let cells: Vec<&str> = line.split(self.separator).collect();
+        let mut numbers = (0..cells.len()).filter(|column| is_number(cells[*column]));
+        let is_row = cells.len() == self.count && !line.contains('"');
+        (is_row && numbers.any(|column| self.is_coordinate(column))).then_some(cells)
+    }
+
+    fn is_coordinate(&self, column: usize) -> bool {
+        self.x.iter().any(|x| (*x..x + 3).contains(&column))
     }
 }

@@ -57,8 +57,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) wanted: Option<End>,
     /// The corners of the rows that are read next; a row may say more about itself.
     pub(super) section: Section,
-    /// The corners of two groups of columns.
-    pub(super) groups: Option<[Section; 2]>,
+    /// The corners of the groups of columns in which the row has coordinates; none if there are no groups.
+    pub(super) groups: Vec<Section>,
     /// Whether the file's angles are in radians.
     pub(super) radians: bool,
     /// The usual axes of such files.
@@ -77,7 +77,7 @@ impl<'a> Hardpoints<'a> {
             ends: Vec::new(),
             wanted: None,
             section: Section::default(),
-            groups: None,
+            groups: Vec::new(),
             radians: false,
             usual,
         }

@@ -3,20 +3,11 @@
 use crate::mechanism::Length;
 use crate::side::{End, Section, Side, end_of};
 
-/// Words of a heading that names the end of the vehicle to which a suspension belongs.
-const OF_AXLE: [&str; 11] = [
-    "suspension",
-    "axle",
-    "corner",
-    "hardpoints",
-    "geometry",
-    "left",
-    "right",
-    "lh",
-    "rh",
-    "lhs",
-    "rhs",
-];
+/// Words of a suspension in headings.
+const OF_SUSPENSION: [&str; 5] = ["suspension", "axle", "corner", "hardpoints", "geometry"];
+
+/// Words of a side in headings.
+const OF_SIDE: [&str; 6] = ["left", "right", "lh", "rh", "lhs", "rhs"];
 
 /// Words in a remark on where coordinates are measured from, such as `x from the rear axle`, before those of the place.
 const OF_ORIGIN: [&str; 9] = [
@@ -35,15 +26,25 @@ const OF_ORIGIN: [&str; 9] = [
 /// `Front lower wishbone` is of a part.
 pub(super) fn end_of_heading(words: &str) -> Option<End> {
     let words: Vec<&str> = words.split('_').collect();
-    let origin = words.iter().position(|word| OF_ORIGIN.contains(word));
-    let before = &words[..origin.unwrap_or(words.len())];
+    let before = before_origin(&words);
     let end = end_of(&before.join("_"))?;
-    let is_of_axle = before.iter().any(|word| OF_AXLE.contains(word));
+    let is_of_axle = before.iter().any(|word| is_of_axle(word));
     (is_of_axle || words.len() == 1).then_some(end)
 }
 
+/// Returns the words of a heading before a remark on the origin.
+fn before_origin<'a, 'w>(words: &'a [&'w str]) -> &'a [&'w str] {
+    let origin = words.iter().position(|word| OF_ORIGIN.contains(word));
+    &words[..origin.unwrap_or(words.len())]
+}
+
+/// Returns whether a word of a heading says that it is of an axle or a corner.
+fn is_of_axle(word: &str) -> bool {
+    OF_SUSPENSION.contains(&word) || OF_SIDE.contains(&word)
+}
+
 /// Words of a heading above groups of columns, beside those of corners, axes and units.
-const OF_COLUMNS: [&str; 11] = [
+const OF_COLUMNS: [&str; 17] = [
     "point",
     "points",
     "name",
@@ -55,39 +56,73 @@ const OF_COLUMNS: [&str; 11] = [
     "corner",
     "axle",
     "suspension",
+    "mass",
+    "kg",
+    "remark",
+    "remarks",
+    "comment",
+    "comments",
 ];
 
-/// Returns the corners of two groups of columns, such as `Left` and `Right`, or `Front x, y, z` and `Rear x, y, z`.
-pub(super) fn column_groups(words: &[&str]) -> Option<[Section; 2]> {
+/// Returns the corners of groups of columns, such as `Left` and `Right`, `Front x, y, z` and `Rear x, y, z`, or the four corners.
+/// The groups `above` may each stand over several, as `Front` and `Rear` over `Left`, `Right`, `Left`, `Right`.
+pub(super) fn column_groups(words: &[&str], above: &[Section]) -> Option<Vec<Section>> {
     let is_other = |word: &&str| {
         let is_axis = ["x", "y", "z"].contains(word);
         is_axis || OF_COLUMNS.contains(word) || unit(word).is_some()
     };
     let corners = words.iter().filter(|word| !is_other(word));
-    let groups: Option<Vec<Section>> = corners.map(|word| Section::of_word(word)).collect();
-    let mut groups = groups?;
+    let said: Option<Vec<Section>> = corners.map(|word| Section::of_word(word)).collect();
+    let mut said = said?;
+    said.dedup();
+    let mut groups: Vec<Section> = Vec::new();
+    for word in said {
+        match groups.last_mut() {
+            Some(last) if last.lacks(word) => *last = last.or(word),
+            _ => groups.push(word),
+        }
+    }
     groups.dedup();
-    groups.try_into().ok()
+    if groups.len() == 2 * above.len() {
+        let each = groups.iter().enumerate();
+        groups = each.map(|(at, group)| group.or(above[at / 2])).collect();
+    }
+    (groups.len() > 1).then_some(groups)
 }
 
 /// Returns the side of the vehicle in a heading that has no words but those of axles and sides, such as `FRONT LEFT` or `RL
-/// corner`.
+/// corner`, or in a title of an axle with the side beside it, such as `Front left suspension of car 7`.
 pub(super) fn side_of_heading(words: &[&str]) -> Option<Side> {
     let is_of_corner = |word: &&str| {
         let is_other = ["side", "hand", "wheel", "points", "coordinates"].contains(word)
             || unit(word).is_some();
-        OF_AXLE.contains(word) || Section::of_word(word).is_some() || is_other
+        is_of_axle(word) || Section::of_word(word).is_some() || is_other
     };
-    if !words.iter().all(is_of_corner) {
-        return None;
-    }
-    let sides = words.iter().filter_map(|word| Section::of_word(word)?.side);
-    let mut sides: Vec<Side> = sides.collect();
+    let mut sides: Vec<Side> = if words.iter().all(is_of_corner) {
+        let sides = words.iter().filter_map(|word| Section::of_word(word)?.side);
+        sides.collect()
+    } else {
+        sides_beside_ends(before_origin(words))
+    };
     sides.dedup();
     match sides[..] {
         [side] => Some(side),
         _ => None,
     }
+}
+
+/// Returns the sides in the words of a suspension, such as `front left`, `left front`, `FL` and `rear axle, right`.
+fn sides_beside_ends(words: &[&str]) -> Vec<Side> {
+    let others = words.iter().filter(|word| !OF_SUSPENSION.contains(word));
+    let said = others.map(|word| Section::of_word(word).unwrap_or_default());
+    let said: Vec<Section> = said.collect();
+    let is_of_axle = words.iter().any(|word| is_of_axle(word));
+    let sides = (0..said.len()).filter_map(|place| {
+        let beside = &said[place.saturating_sub(1)..said.len().min(place + 2)];
+        let has_end = beside.iter().any(|section| section.end.is_some());
+        said[place].side.filter(|_| is_of_axle && has_end)
+    });
+    sides.collect()
 }
 
 /// Returns the corner that a heading or remark states.

@@ -14,6 +14,7 @@ pub(super) fn known_names(names: &Names) -> String {
         ("other names of points", &names.points),
         ("other names of numbers", &names.numbers),
         ("words that mean the same", &names.synonyms),
+        ("words of headings", &names.headings),
     ];
     for (heading, rows) in parts {
         text += &format!("{heading}\n");
@@ -78,21 +79,24 @@ mod tests {
     const TEMPLATES: &str = "\
 lower_front: lca_front lower_wishbone_front_pivot lower_inboard_front chas_lowfor lca_fwd_chassis \
     lower_control_arm_front_bushing front_lower_inboard lower_a_arm_fore_inner querlenker_unten_vorn \
-    vorderer_unterer_querlenker lca_f lcafront
-upper_rear: uca_rear upper_arm_rear_pivot chas_uppaft uwb_aft uca_inboard_rear top_wishbone_rear ucar
-lower_ball: lca_outer lower_wishbone_outer_ball_joint upri_lowpnt lbj lca_upright traggelenk_unten lower_balljoint
+    vorderer_unterer_querlenker lca_f lcafront triangle_inférieur_avant braccio_inferiore_anteriore trapecio_inferior_delantero
+upper_rear: uca_rear upper_arm_rear_pivot chas_uppaft uwb_aft uca_inboard_rear top_wishbone_rear ucar triangle_supérieur_arrière \
+    triangolo_superiore_posteriore trapecio_superior_trasero
+lower_ball: lca_outer lower_wishbone_outer_ball_joint upri_lowpnt lbj lca_upright traggelenk_unten lower_balljoint \
+    rotule_inférieure snodo_inferiore rótula_inferior
 upper_ball: uca_outer upri_upppnt ubj top_ball_joint outer_ball_joint_upper_arm
 rack: tierod_inner inner_track_rod_ball_joint chas_tiepnt toe_rod_inner spurstange_innen innere_spurstange tri \
-    steering_inner rack_end
-tie_ball: tierod_outer outer_tie_rod upri_tiepnt toelink_outboard steering_arm tro
-wheel_centre: wheel_center wheelcenter wheel_center_point radmittelpunkt wc
+    steering_inner rack_end biellette_de_direction_intérieure tirante_sterzo_interno barra_de_dirección_interior
+tie_ball: tierod_outer outer_tie_rod upri_tiepnt toelink_outboard steering_arm tro spurstange_radträger biellette_de_direction_extérieure \
+    tirante_sterzo_esterno
+wheel_centre: wheel_center wheelcenter wheel_center_point radmittelpunkt wc centre_de_roue centro_ruota centro_de_rueda
 axle: wheel_spindle_point
-pushrod_lower: prod_outboard push_rod_wishbone_end pullrod_outer pushrod_to_uca
-pushrod_upper: prod_to_bellcrank push_rod_rocker_end pushrod_inboard
-rocker_front: rocker_axis_front bellcrank_pivot_fwd bellcrank_pivot rocker_axis_1st_point
-rocker_rear: rocker_axis_rear rocker_bearing_aft bellcrank_axis bellcrank_pivot_orient
-damper_inner: shock_to_chassis damper_to_body_point damper_inboard
-damper_outer: shock_to_bellcrank damper_to_rocker_point
+pushrod_lower: prod_outboard push_rod_wishbone_end pullrod_outer pushrod_to_uca nsma_ppattpnt druckstange_außen
+pushrod_upper: prod_to_bellcrank push_rod_rocker_end pushrod_inboard rock_rodpnt
+rocker_front: rocker_axis_front bellcrank_pivot_fwd bellcrank_pivot rocker_axis_1st_point chas_rocpiv
+rocker_rear: rocker_axis_rear rocker_bearing_aft bellcrank_axis bellcrank_pivot_orient chas_rocaxi
+damper_inner: shock_to_chassis damper_to_body_point damper_inboard chas_attpnt dämpfer_karosserie
+damper_outer: shock_to_bellcrank damper_to_rocker_point rock_coipnt dämpfer_umlenkhebel
 damper_lower: damper_to_lca shock_lower
 damper_upper: shock_top damper_top_mount
 bar_outer: arb_pivot_outer arb_bushing_mount arb_pivot

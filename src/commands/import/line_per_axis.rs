@@ -11,10 +11,10 @@ use super::row::without_remark;
 type Line<'a> = (Range<usize>, Cow<'a, str>);
 
 /// Joins three lines with x, y and z of one point to one line with its name and three numbers.
-pub(super) fn joined<'a>(lines: impl Iterator<Item = (Range<usize>, &'a str)>) -> Vec<Line<'a>> {
+pub(super) fn joined<'a>(lines: impl Iterator<Item = Line<'a>>) -> Vec<Line<'a>> {
     let mut joined: Vec<Line<'a>> = Vec::new();
-    for (place, line) in lines {
-        joined.push((place, line.into()));
+    for line in lines {
+        joined.push(line);
         let Some((before, [(from, x), (_, y), (to, z)])) = joined.split_last_chunk() else {
             continue;
         };
@@ -63,7 +63,9 @@ struct Coordinate<'a> {
 
 impl<'a> Coordinate<'a> {
     fn read(line: &'a str) -> Option<Self> {
-        let line = without_remark(line).trim_end_matches([';', ',', ' ', '\t']);
+        let line = without_remark(line)
+            .trim_start()
+            .trim_end_matches([';', ',', ' ', '\t']);
         let (left, value) = line
             .split_once(['=', ':', ';', '\t', '|', ','])
             .or_else(|| line.rsplit_once(' '))?;

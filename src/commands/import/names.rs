@@ -18,6 +18,7 @@ struct Table {
     unsaid: Vec<String>,
     points: BTreeMap<String, Vec<String>>,
     numbers: BTreeMap<String, Vec<String>>,
+    headings: BTreeMap<String, Vec<String>>,
     arrangement: Arrangement,
 }
 
@@ -44,6 +45,8 @@ pub(super) struct Names {
     pub(super) numbers: BTreeMap<String, Vec<String>>,
     /// The words that mean the same, by their meaning.
     pub(super) synonyms: BTreeMap<String, Vec<String>>,
+    /// The words of headings that mean the same as English ones, by these.
+    pub(super) headings: BTreeMap<String, Vec<String>>,
     /// The words without a meaning.
     pub(super) unsaid: Vec<String>,
     pub(super) arrangement: Arrangement,
@@ -91,6 +94,7 @@ impl Names {
             points: table.points,
             numbers: table.numbers,
             synonyms: table.words,
+            headings: table.headings,
             unsaid: table.unsaid,
             arrangement: table.arrangement,
             words,
@@ -110,6 +114,17 @@ impl Names {
     /// Returns the form that all spellings of a name have.
     pub(super) fn normal(&self, name: &str) -> String {
         self.words.normal(name)
+    }
+
+    /// Returns the spelled words of a heading in English.
+    pub(super) fn heading_in_english(&self, words: &str) -> String {
+        let english = |word: &str| {
+            let mut rows = self.headings.iter();
+            let row = rows.find(|(_, others)| others.iter().any(|other| other == word));
+            row.map_or_else(|| word.to_owned(), |(english, _)| english.clone())
+        };
+        let words = words.split('_').map(english);
+        words.collect::<Vec<_>>().join("_")
     }
 
     /// Returns whether the name is that of a point.
@@ -140,6 +155,9 @@ impl Names {
 
     /// Returns which of some names may have been meant by an unknown one, in its own words if only letters are wrong.
     pub(super) fn meant(&self, name: &str, known: Vec<&str>) -> Option<String> {
+        if is_on_ground(name) {
+            return None;
+        }
         let corrected = self.words.corrected(name);
         let form = self.normal(&corrected);
         match known.iter().any(|other| self.normal(other) == form) {
@@ -175,6 +193,12 @@ pub(super) fn spelled(name: &str) -> String {
     let words = name.split(|c: char| !c.is_alphanumeric());
     let words = words.filter(|word| !word.is_empty());
     words.collect::<Vec<_>>().join("_").to_lowercase()
+}
+
+/// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
+pub(super) fn is_on_ground(name: &str) -> bool {
+    let mut words = name.split('_');
+    words.any(|word| ["contact", "patch", "ground"].contains(&word))
 }
 
 /// Removes the code of a corner at either end of a spelled name.

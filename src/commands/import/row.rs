@@ -20,6 +20,9 @@ const REMARK_LINE: char = '$';
 /// but commas and blanks.
 const SEPARATORS: [char; 6] = [';', '\t', '|', '&', ',', ' '];
 
+/// The most points in a row: one for each corner of a vehicle.
+const MOST_POINTS: usize = 4;
+
 /// A line that has been split into fields.
 #[derive(Debug)]
 pub(super) struct Row<'a> {
@@ -37,12 +40,24 @@ pub(super) struct Row<'a> {
 
 /// Returns the trimmed lines of a text, each with its place.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
+    trimmed_lines(text, char::is_whitespace)
+}
+
+/// Returns the lines of a text without the blanks around them, but with tabs: cells that are empty.
+pub(super) fn lines_with_tabs(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
+    trimmed_lines(text, |c| c.is_whitespace() && c != '\t')
+}
+
+fn trimmed_lines(
+    text: &str,
+    is_blank: fn(char) -> bool,
+) -> impl Iterator<Item = (Range<usize>, &str)> {
     let mut start = 0;
     text.split_inclusive('\n').map(move |line| {
         let from = start;
         start += line.len();
-        let line = line.trim_end();
-        let own = line.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+        let line = line.trim_end_matches(is_blank);
+        let own = line.trim_start_matches(|c: char| is_blank(c) || c == '\u{feff}');
         (from + line.len() - own.len()..from + line.len(), own)
     })
 }
@@ -50,14 +65,14 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
 /// Returns a line without its remark.
 pub(super) fn without_remark(line: &str) -> &str {
     let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
-    match line.starts_with(REMARK_LINE) {
+    match line.trim_start().starts_with(REMARK_LINE) {
         true => "",
         false => &line[..starts.min().unwrap_or(line.len())],
     }
 }
 
 impl<'a> Row<'a> {
-    /// Splits a line without its remark, at the separator that gives three coordinates, or else six.
+    /// Splits a line without its remark, at the separator that gives three coordinates, or else several points.
     pub(super) fn parse(place: Range<usize>, line: &'a str) -> Self {
         let line = without_remark(line);
         let present = SEPARATORS
@@ -96,13 +111,15 @@ impl<'a> Row<'a> {
         rows.iter().all(is_named).then_some(rows)
     }
 
-    /// Returns exactly three or six consecutive numbers, in groups of three, and the index of their first field.
+    /// Returns the coordinates of one to four points, consecutive numbers in groups of three, and the index of their first field.
     pub(super) fn found(&self) -> Option<(usize, Vec<[f64; 3]>)> {
         let numbers: Vec<_> = self.fields.iter().map(|field| self.number(field)).collect();
         let mut first = 0;
         for run in numbers.chunk_by(|a, b| a.is_some() == b.is_some()) {
             let values: Vec<f64> = run.iter().flatten().copied().collect();
-            if let (places @ ([_] | [_, _]), []) = values.as_chunks() {
+            if let (places @ [_, ..], []) = values.as_chunks()
+                && places.len() <= MOST_POINTS
+            {
                 return Some((first, places.to_vec()));
             }
             first += run.len();
@@ -110,7 +127,7 @@ impl<'a> Row<'a> {
         None
     }
 
-    /// Returns the coordinates of the point in each of two groups of columns, or those of the only one; none in other rows.
+    /// Returns the coordinates of the point in each group of columns, or those of the only one; none in other rows.
     pub(super) fn places(&self) -> Vec<[f64; 3]> {
         self.found().map(|(_, places)| places).unwrap_or_default()
     }

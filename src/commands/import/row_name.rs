@@ -1,7 +1,7 @@
 //! The name of a row, of which parentheses, a column before it, or the heading above it may have a part.
 
 use super::heading::{end_of_heading, section_of_heading, unit};
-use super::names::{Names, key_of, spelled};
+use super::names::{Names, is_on_ground, key_of, spelled};
 use super::row::Row;
 use crate::side::{Section, sides_of};
 
@@ -17,7 +17,7 @@ pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
     let others = columns.len();
     columns.extend(last);
     let joined = (0..others).map(|from| columns[from..].join(" "));
-    let headed = (!heading.is_empty()).then(|| format!("{heading} {own}"));
+    let headed = (!heading.is_empty()).then(|| format!("{heading} {own}").trim_end().to_owned());
     let mut readings = joined.chain(headed);
     let is_known = |key: &str| match is_point {
         true => names.is_point(key),
@@ -33,12 +33,17 @@ pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
 }
 
 /// Returns a line without parentheses around words. The words are part of the name if it is then known, as in `Tie rod
-/// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself. A remark may state a corner.
+/// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself. A remark may state a corner; one on
+/// the ground names another point.
 pub(super) fn with_whole_name(line: &str, names: &Names) -> (String, Section) {
     let joined = replace_words_in_parentheses(line, |words| format!(" {words}"));
     let mut section = Section::default();
     let remarked = replace_words_in_parentheses(line, |words| {
-        section = section_of_heading(&spelled(words)).or(section);
+        let remark = spelled(words);
+        if is_on_ground(&remark) {
+            return format!(" {words}");
+        }
+        section = section_of_heading(&remark).or(section);
         String::new()
     });
     let unsaid = Section::default();

@@ -1,9 +1,9 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
+use super::add::add;
 use super::hardpoints::Hardpoints;
 use super::names::{Names, spelled};
 use super::row::{Row, lines};
-use super::table::add;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;

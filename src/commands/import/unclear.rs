@@ -18,9 +18,14 @@ const FRONT_OR_RIGHT: &str = "beside `F`, an `R` may be rear or right: write `Fr
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between coordinates, and a letter
+/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between the coordinates of a point, and a
+/// letter
 /// that names an axle.
-pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Failure> {
+pub(super) fn check_row(
+    stated: &Hardpoints<'_>,
+    row: &Row<'_>,
+    is_point: bool,
+) -> Result<(), Failure> {
     let refuse = |message: &str| Err(stated.source.refuse(&row.place, message));
     if row.has_lone_sign() {
         return refuse(LONE_SIGN);
@@ -28,7 +33,7 @@ pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Fa
     if row.has_number_in_parentheses {
         return refuse(IN_PARENTHESES);
     }
-    if row.has_empty_coordinate {
+    if row.has_empty_coordinate && is_point {
         return refuse(EMPTY);
     }
     if row.has_field("f") {
@@ -37,7 +42,7 @@ pub(super) fn check_row(stated: &Hardpoints<'_>, row: &Row<'_>) -> Result<(), Fa
     Ok(())
 }
 
-/// Checks that a row with a single point says to which of two groups of columns, such as `Front` and `Rear`, it belongs. A
+/// Checks that a row with a single point says to which of several groups of columns, such as `Front` and `Rear`, it belongs. A
 /// point in the middle of the vehicle is of both sides.
 ///
 /// # Errors
@@ -48,19 +53,24 @@ pub(super) fn check_group(
     row: &Row<'_>,
     (name, y): (&str, f64),
 ) -> Result<(), Failure> {
-    let Some([one, other]) = stated.groups else {
+    let [one, others @ ..] = stated.groups.as_slice() else {
+        return Ok(());
+    };
+    let Some(other) = others.last() else {
         return Ok(());
     };
     let has_side = row.sides() != Sides::Unsaid || key_of(name).1 != Sides::Unsaid;
     let has_side = has_side || stated.section.side.is_some() || y == 0.0;
-    let is_clear = (one.end == other.end || stated.section.end.is_some())
-        && (one.side == other.side || has_side);
+    let is_clear = (others.iter().all(|group| group.end == one.end)
+        || stated.section.end.is_some())
+        && (others.iter().all(|group| group.side == one.side) || has_side);
     if is_clear {
         return Ok(());
     }
     let message = format!(
-        "`{name}` has the coordinates of one point under two groups of columns: say in the row which it is, for example `{}`",
-        in_words(other)
+        "`{name}` has the coordinates of one point under {} groups of columns: say in the row which it is, for example `{}`",
+        if others.len() == 1 { "two" } else { "several" },
+        in_words(*other)
     );
     Err(stated.source.refuse(&row.place, &message))
 }
@@ -104,8 +114,9 @@ pub(super) fn check_angle(
     let mut words = words.split('_').chain(minutes);
     let is_other = |word: &&str| NOT_DEGREES.contains(word) || is_toe && *word == TOE_OUT;
     words.find(is_other).map_or(Ok(()), |word| {
+        let or_limit = if word == "min" { ", for minutes or a limit" } else { "" };
         let message = format!(
-            "`{name}` says `{word}`: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
+            "`{name}` says `{word}`{or_limit}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
         );
         Err(stated.source.refuse(&row.place, &message))
     })

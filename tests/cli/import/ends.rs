@@ -264,3 +264,36 @@ fn remarks_on_the_other_axle_are_no_headings() {
         assert!(motion["drives"].get("steer").is_some(), "{file}");
     }
 }
+
+/// In axes with y to the right, the left corner has negative y.
+#[test]
+fn a_title_may_state_the_corner_among_other_words() {
+    let folder = folder();
+    for (title, side, axle) in [
+        ("Front left suspension hardpoints v3", "left", "front"),
+        ("Car 7, right rear corner", "right", "rear"),
+        ("Suspension FL - revision B", "left", "front"),
+        ("Kinematikpunkte Vorderachse links", "left", "front"),
+        ("Train arrière droit", "right", "rear"),
+        ("Sospensione anteriore sinistra", "left", "front"),
+        ("Suspensión trasera derecha", "right", "rear"),
+    ] {
+        let sign = if side == "left" { 1.0 } else { -1.0 };
+        let points = CORNER.map(|(name, [x, y, z])| (name, [x, sign * y, z]));
+        let file = format!("{title}\n{}", table(&points));
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        let notes = &imported.notes;
+        for said in [
+            format!("the corner is the {side} one"),
+            format!(" on the {side}"),
+        ] {
+            assert!(notes.contains(&said), "{title}: {notes}");
+        }
+        let stated = imported.motion["vehicle"]["axle"].as_str();
+        assert_eq!(stated, Some(axle), "{title}");
+    }
+    let title = "Front suspension, measured right of the pit";
+    let file = format!("{title}\n{}", table(&CORNER));
+    let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+    assert!(!notes.contains(" on the right"), "{notes}");
+}

@@ -271,3 +271,30 @@ fn standard_output_is_refused_as_the_place_of_a_motion_file() {
         assert!(output.stdout.is_empty() && !folder.path().join("-").exists());
     }
 }
+
+/// The point on the ground is not the wheel centre.
+#[test]
+fn a_remark_on_the_ground_names_another_point() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    for remark in ["contact patch", "ground contact"] {
+        let patch = format!("Wheel centre ({remark}), 0, -612, 0\n");
+        let both = import(folder.path(), "a.csv", &(table(&CORNER) + &patch), &[]);
+        assert_eq!(both.points(), plain.points());
+        assert!(!both.notes.contains("did you mean"), "{}", both.notes);
+        let said = refusal("a.csv", &(without(&["wheel_center"]) + &patch), &[]);
+        assert!(said.contains("lacks `wheel_centre`"), "{said}");
+    }
+}
+
+/// Limits beside the value of an angle would have been the coordinates of a point that is not used.
+#[test]
+fn a_number_with_limits_is_refused() {
+    let corner = table(&CORNER);
+    let said = refusal("a.csv", &format!("{corner}Static toe,-0.1,-0.4,0.4\n"), &[]);
+    let expected = "a.csv:16:1: `Static toe` needs one number after it, with a decimal point";
+    assert_eq!(said, expected);
+    let said = refusal("a.csv", &format!("{corner}Toe, -0.1, min -0.4\n"), &[]);
+    let expected = "says `min`, for minutes or a limit: write";
+    assert!(said.contains(expected), "{said}");
+}

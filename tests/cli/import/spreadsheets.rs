@@ -279,6 +279,31 @@ fn with_last_point(row: &str) -> String {
     format!("{}{row}\n", table(&CORNER[..14]))
 }
 
+/// Adams/View writes a command over several lines.
+#[test]
+fn points_of_adams_commands_are_read() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
+    for (apart, behind) in [
+        (" &\n   ", ""),
+        (" ", ""),
+        ("  &\n", "relative_to = .car.ground"),
+    ] {
+        let points = CORNER.map(|(name, [x, y, z])| {
+            format!(
+                "point create{apart}point_name = .car.ground.hpl_{name}{apart}adams_id = 7{apart}\
+                 location = {x:.1}, {y:.1}, {z:.1}{apart}{behind}\n!\n"
+            )
+        });
+        let units = "! Points of the car\ndefaults units length=mm\n";
+        let file = format!("{units}{}", points.concat());
+        let imported = import(folder.path(), "a.cmd", &file, &[]);
+        assert_eq!(imported.points(), plain.points(), "{file}");
+        let said = "mm, as the file says";
+        assert!(imported.notes.contains(said), "{}", imported.notes);
+    }
+}
+
 /// Excel writes a sign for thousands where its cells are so formatted.
 #[test]
 fn numbers_with_a_sign_for_thousands_and_decimals_are_read() {

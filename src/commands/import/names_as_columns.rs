@@ -1,0 +1,97 @@
+//! Tables with the names of points as columns and a line for each of x, y and z.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use super::fields::is_number;
+use super::heading::is_unit;
+use super::names::spelled;
+
+/// A line of a text with its place.
+type Line<'a> = (Range<usize>, Cow<'a, str>);
+
+const SEPARATORS: [char; 4] = [';', '\t', '|', ','];
+
+/// Puts a line for each point in place of lines with x, y and z below a line of names, which may stand over several such blocks.
+pub(super) fn with_names_in_rows<'a>(lines: impl Iterator<Item = Line<'a>>) -> Vec<Line<'a>> {
+    let mut rows: Vec<Line<'a>> = Vec::new();
+    let mut names: Option<Line<'a>> = None;
+    for line in lines {
+        rows.push(line);
+        let Some((before, block)) = rows.split_last_chunk::<3>() else {
+            continue;
+        };
+        let mut above = before.last().into_iter().chain(&names);
+        let found = above.find_map(|above| Some((rows_of(above, block)?, above.clone())));
+        if let Some((points, above)) = found {
+            let is_above = before.last() == Some(&above);
+            rows.truncate(before.len() - usize::from(is_above));
+            rows.extend(points);
+            names = Some(above);
+        }
+    }
+    rows
+}
+
+/// Returns a heading of columns, one with the corner, if the block names it, and a line for each point; `None` unless
+/// the lines have x, y and z of several points below their names.
+fn rows_of<'a>(names: &Line<'a>, block: &[Line<'a>; 3]) -> Option<Vec<Line<'a>>> {
+    SEPARATORS.into_iter().find_map(|separator| {
+        let lines = [names, &block[0], &block[1], &block[2]];
+        let [names_cells, axes @ ..] = lines.map(|line| cells(line, separator));
+        let label = label_column(&axes)?;
+        let column = |column: usize| {
+            let each = [&names_cells, &axes[0], &axes[1], &axes[2]];
+            each.map(|cells| cells.get(column).copied().unwrap_or_default())
+        };
+        let columns = (label + 1..names_cells.len()).map(|at| (at, column(at)));
+        let is_point = |(_, [name, at @ ..]): &(usize, [&str; 4])| {
+            !name.is_empty() && !is_number(name) && *at != [""; 3]
+        };
+        let points: Vec<(usize, [&str; 4])> = columns.filter(is_point).collect();
+        let is_whole = |[_, at @ ..]: [&str; 4]| at.into_iter().all(is_number);
+        let whole = points.iter().filter(|(_, point)| is_whole(*point));
+        let is_block = whole.count() > 1;
+        let headings = [column(label).join("; "), corner(&axes[0][..=label])];
+        let place = block[0].0.start..block[2].0.end;
+        let headings = headings.map(|words| (place.clone(), words.into()));
+        let points = points.into_iter().map(|(at, point)| {
+            let place = place_of_cell(&block[0], separator, at);
+            (place, point.join("; ").into())
+        });
+        is_block.then(|| headings.into_iter().chain(points).collect())
+    })
+}
+
+/// Returns the place of a cell and what is behind it in its line.
+fn place_of_cell(line: &Line<'_>, separator: char, column: usize) -> Range<usize> {
+    let before = line.1.split(separator).take(column);
+    let start: usize = before.map(|cell| cell.len() + separator.len_utf8()).sum();
+    line.0.start + start..line.0.end
+}
+
+/// Returns the cells of a line without the blanks and quotes around them.
+fn cells<'a>(line: &'a Line<'_>, separator: char) -> Vec<&'a str> {
+    let cells = line.1.split(separator);
+    let around = |c: char| c.is_whitespace() || "'\"".contains(c);
+    cells.map(|cell| cell.trim_matches(around)).collect()
+}
+
+/// Returns the column in which three lines say that they are those of x, y and z.
+fn label_column(block: &[Vec<&str>; 3]) -> Option<usize> {
+    let is = |cells: &[&str], column: usize, axis: &str| {
+        let words = cells.get(column).map(|cell| spelled(cell));
+        words.is_some_and(|words| words.split('_').any(|word| word == axis))
+    };
+    let [x, y, z] = block;
+    (0..x.len()).find(|column| is(x, *column, "x") && is(y, *column, "y") && is(z, *column, "z"))
+}
+
+/// Returns the words of the label of a line, and of the cells before it, but its axis and unit.
+fn corner(cells: &[&str]) -> String {
+    let words = spelled(&cells.join(" "));
+    let words = words
+        .split('_')
+        .filter(|word| *word != "x" && !is_unit(word));
+    words.collect::<Vec<_>>().join(" ")
+}

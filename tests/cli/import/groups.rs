@@ -1,0 +1,99 @@
+//! Groups of columns: a row has the point of each corner.
+
+use super::super::program::folder;
+use super::refused::refusal;
+use super::{CORNER, IN_OUR_AXES, Imported, import};
+
+/// A line for each point with the coordinates of the four corners, in the axes of the program; the rear is 1600 mm behind.
+fn cars(line: impl Fn(&str, [String; 4]) -> String) -> String {
+    let lines = CORNER.iter().zip(IN_OUR_AXES);
+    let lines = lines.map(|((name, _), (_, [x, y, z]))| {
+        let [front, rear] = [x, x - 1600.0];
+        let corners = [[front, y, z], [front, -y, z], [rear, y, z], [rear, -y, z]];
+        line(name, corners.map(|at| at.map(|x| x.to_string()).join(";")))
+    });
+    lines.collect()
+}
+
+fn assert_corner(imported: &Imported, [behind, side]: [f64; 2], what: &str) {
+    let expected =
+        IN_OUR_AXES.map(|(name, [x, y, z])| (name.to_owned(), [x - behind, side * y, z]));
+    assert_eq!(imported.points(), expected.into(), "{what}");
+}
+
+#[test]
+fn a_row_may_have_the_four_corners_of_a_vehicle() {
+    let folder = folder();
+    let rows = cars(|name, corners| format!("{name};{}\n", corners.join(";")));
+    for heading in [
+        "Point;Front left;;;Front right;;;Rear left;;;Rear right;;\n",
+        "Point;FL;;;FR;;;RL;;;RR;;\n;x;y;z;x;y;z;x;y;z;x;y;z\n",
+        "Point;FL x;FL y;FL z;FR x;FR y;FR z;RL x;RL y;RL z;RR x;RR y;RR z\n",
+        ";Front;;;;;;Rear;;;;;\n;Left;;;Right;;;Left;;;Right;;\n;x;y;z;x;y;z;x;y;z;x;y;z\n",
+        "Punkt;vorne links;;;vorne rechts;;;hinten links;;;hinten rechts;;\n",
+    ] {
+        let file = format!("{heading}{rows}");
+        for (end, behind) in [("front", 0.0), ("rear", 1600.0)] {
+            for (side, sign) in [("left", 1.0), ("right", -1.0)] {
+                let options = ["--end", end, "--side", side];
+                let imported = import(folder.path(), "a.csv", &file, &options);
+                assert_corner(
+                    &imported,
+                    [behind, sign],
+                    &format!("{end} {side}: {heading}"),
+                );
+            }
+        }
+    }
+    let said = refusal("a.csv", &rows, &[]);
+    assert!(
+        said.contains("point `lca_front` has twelve numbers"),
+        "{said}"
+    );
+}
+
+/// The front axle has more points than the rear one, and angles of its own.
+#[test]
+fn groups_may_be_empty_and_state_numbers() {
+    let folder = folder();
+    let heading = ";FL;;;FR;;;RL;;;RR;;\n;x;y;z;x;y;z;x;y;z;x;y;z\n";
+    let rows = cars(|name, [fl, fr, rl, rr]| match name {
+        "shock_to_chassis" => format!("{name};{fl};{fr};;;;;;\n"),
+        _ => format!("{name};{fl};{fr};{rl};{rr}\n"),
+    });
+    let angles = "toe;0,1;;;0,1;;;0,2;;;0,2;;\ntyre radius;229;;;;;;;;;;;\n";
+    let file = format!("{heading}{rows}{angles}");
+    let front = import(folder.path(), "a.csv", &file, &["--end", "front"]);
+    assert_corner(&front, [0.0, 1.0], "front");
+    assert!(front.notes.contains("toe 0.1 deg"), "{}", front.notes);
+    let rear = import(folder.path(), "a.csv", &file, &["--end", "rear"]);
+    let layout = "the layout is double_wishbone: ";
+    assert!(rear.notes.contains(layout), "{}", rear.notes);
+    assert!(rear.notes.contains("toe 0.2 deg"), "{}", rear.notes);
+    let radii = [front, rear].map(|end| end.motion["vehicle"]["wheel_radius"].as_float());
+    assert_eq!(radii, [Some(229.0); 2]);
+}
+
+#[test]
+fn masses_beside_the_coordinates_of_groups_are_skipped() {
+    let folder = folder();
+    let mass = |corners: [String; 4]| corners.map(|at| format!("{at};0,35")).join(";");
+    let four = cars(|name, corners| format!("{name};{};M8\n", mass(corners)));
+    let four = format!(
+        "Point;FL;;;;FR;;;;RL;;;;RR;;;;Remark\n;x;y;z;Mass [kg];x;y;z;Mass [kg];x;y;z;Mass [kg];x;y;z;Mass [kg];\n{four}"
+    );
+    let two = cars(|name, [left, right, ..]| format!("{name};{left};0,35;{right};0,36\n"));
+    let two = format!("Point;Left x;Left y;Left z;Mass;Right x;Right y;Right z;Mass\n{two}");
+    let tables =
+        cars(|name, [left, right, ..]| format!("{name};{left};0,35;;{name};{right};0,36\n"));
+    let tables = format!("Left;;;;;;Right;;;;\nPoint;x;y;z;Mass;;Point;x;y;z;Mass\n{tables}");
+    for file in [four, two, tables] {
+        let imported = import(
+            folder.path(),
+            "a.csv",
+            &file,
+            &["--side", "right", "--end", "front"],
+        );
+        assert_corner(&imported, [0.0, -1.0], &file);
+    }
+}
