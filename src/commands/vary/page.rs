@@ -99,7 +99,8 @@ fn chart(report: &Report<'_>, curves: &Curves, line: &Line) -> Chart {
     }
 }
 
-/// Returns whether the curves of a chart are beside each other, as far as a reader sees.
+/// Returns whether the curves of a chart are beside each other, as far as a reader sees. That one of them ends before another
+/// is said in words.
 fn differ(chart: &Chart) -> bool {
     /// A part of the height of all curves.
     const VISIBLE: f64 = 1.0 / 200.0;
@@ -118,7 +119,16 @@ fn differ(chart: &Chart) -> bool {
     let Some((design, others)) = chart.curves.split_last() else {
         return false;
     };
-    let lies_on_design = |other: &Curve| other.line.iter().zip(&design.line).all(is_same);
+    let lies_on_design = |other: &Curve| {
+        let pairs: Vec<_> = other.line.iter().zip(&design.line).collect();
+        let is_of_both = |(a, b): &(&(f64, f64), &(f64, f64))| a.1.is_finite() && b.1.is_finite();
+        let [first, last] = [
+            pairs.iter().position(is_of_both),
+            pairs.iter().rposition(is_of_both),
+        ];
+        let of_both = first.zip(last).map(|(first, last)| &pairs[first..=last]);
+        of_both.unwrap_or(&pairs).iter().copied().all(is_same)
+    };
     !others.iter().all(lies_on_design)
 }
 

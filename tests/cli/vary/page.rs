@@ -97,3 +97,20 @@ fn a_lock_within_the_travel_cuts_the_curves_short() {
         "{message}"
     );
 }
+
+/// The pushrod ends the travel, and moves nothing of the wheel.
+#[test]
+fn curves_that_differ_in_their_ends_alone_have_no_chart() {
+    let file = "linkage = \"double_wishbone_rocker\"\nunit = \"m\"\ntime = { instants = [0.0] }\n\
+                drives = { bump = 0.3, steer = 0.34 }\n";
+    let arguments = ["pushrod_lower.z=-0.02:0.02:3", "--travel", "-0.15:0.2"];
+    let of = |name: &str| page(file, &[&arguments[..], &["--of", name]].concat(), 3).0;
+    let toe = of("toe");
+    let alike = "Alike for all values to the eye, without a chart: toe angle.";
+    assert_eq!(
+        [toe.matches(alike).count(), toe.matches("<svg").count()],
+        [2, 0]
+    );
+    assert!(toe.contains("sweeps end before the range does"));
+    assert!(of("damper").contains("<svg"));
+}
