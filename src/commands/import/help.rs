@@ -5,7 +5,9 @@ The content of the file decides how it is read:
 
   tables of points      a name and x, y, z on each line, separated by commas, semicolons, tabs or blanks; headings
                         and remarks may stand anywhere; so may reports of Lotus Suspension Analysis; x, y and z may
-                        have a line each, as in lca_front_x = 130 or below the name of the point in YAML or JSON
+                        have a line each, as in lca_front_x = 130 or below the name of the point in YAML or JSON, or
+                        below names that stand above columns; a row may have the four corners, below their headings
+  Adams/View            commands point create, with point_name and location
   Adams/Car             subsystem files (.sub); names may begin with hpl_, hpr_ or hps_
   Lotus                 model files (.shk) of one suspension
 

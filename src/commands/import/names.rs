@@ -116,15 +116,21 @@ impl Names {
         self.words.normal(name)
     }
 
-    /// Returns the spelled words of a heading in English.
+    /// Returns the spelled words of a heading in English. A word that English has too is translated beside another foreign one.
     pub(super) fn heading_in_english(&self, words: &str) -> String {
-        let english = |word: &str| {
+        let row = |word: &str| {
             let mut rows = self.headings.iter();
-            let row = rows.find(|(_, others)| others.iter().any(|other| other == word));
-            row.map_or_else(|| word.to_owned(), |(english, _)| english.clone())
+            rows.find(|(_, others)| others.iter().any(|other| other == word))
+        };
+        let is_english = |word: &str| ENGLISH_TOO.contains(&word);
+        let is_foreign = |word: &str| row(word).is_some() && !is_english(word);
+        let has_foreign = words.split('_').any(is_foreign);
+        let english = |word| match row(word) {
+            Some((english, _)) if has_foreign || !is_english(word) => english,
+            _ => word,
         };
         let words = words.split('_').map(english);
-        words.collect::<Vec<_>>().join("_")
+        words.collect::<Vec<&str>>().join("_")
     }
 
     /// Returns whether the name is that of a point.
@@ -179,6 +185,9 @@ fn spellings<'a>(
     let others = table.get(own).into_iter().flatten().map(String::as_str);
     [own].into_iter().chain(others)
 }
+
+/// Words of headings in other languages that English has too: `Rear links` and `drive train` say nothing of sides and axles.
+const ENGLISH_TOO: [&str; 2] = ["links", "train"];
 
 /// The most points that a message names.
 pub(super) const MOST_NAMES: usize = 40;

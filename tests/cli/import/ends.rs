@@ -297,3 +297,20 @@ fn a_title_may_state_the_corner_among_other_words() {
     let notes = import(folder.path(), "a.csv", &file, &[]).notes;
     assert!(!notes.contains(" on the right"), "{notes}");
 }
+
+/// The German `links` is `left`.
+#[test]
+fn links_of_a_suspension_are_no_side() {
+    let folder = folder();
+    let corner = table(&CORNER);
+    let plain = import(folder.path(), "a.csv", &corner, &[]);
+    for heading in [
+        "Links",
+        "Front links",
+        "Lateral links rear",
+        "Rear drive train",
+    ] {
+        let imported = import(folder.path(), "a.csv", &format!("{heading}\n{corner}"), &[]);
+        assert_eq!(imported.motion, plain.motion, "{heading}");
+    }
+}

@@ -69,3 +69,44 @@ fn a_missing_coordinate_of_a_column_is_refused_at_its_column() {
         "a.csv:2:39: a cell between the numbers is empty: write the coordinate there, or take the empty column out of the table"
     );
 }
+
+/// The place is behind the end of the line.
+#[test]
+fn a_line_with_fewer_cells_than_names_lacks_coordinates() {
+    let file = block(["", "X", "Y", "Z"], ";", 1.0).concat();
+    let said = refusal("a.csv", &file.replace(";6,0;4,0\n", "\n"), &[]);
+    assert!(said.starts_with("a.csv:2:"), "{said}");
+    assert!(said.contains("`shock_to_bellcrank"), "{said}");
+}
+
+/// A line for each coordinate, with a column for each corner.
+#[test]
+fn columns_may_be_those_of_corners_beside_a_line_for_each_coordinate() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
+    let rows = CORNER.map(|(name, [x, y, z])| {
+        let right = -y;
+        format!("{name};X;{x};{x}\n{name};Y;{y};{right}\n{name};Z;{z};{z}\n")
+    });
+    let file = format!("Point;Axis;FL;FR\n{}", rows.concat());
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    assert_eq!(imported.points(), plain.points());
+    let said = "the right corner is the mirror image of the left one";
+    assert!(imported.notes.contains(said), "{}", imported.notes);
+}
+
+#[test]
+fn limits_of_coordinates_are_no_points() {
+    let rows = CORNER.map(|(name, at)| {
+        let of = |(axis, x)| format!("{name} {axis};{x};{};{}\n", x - 5.0, x + 5.0);
+        ["X", "Y", "Z"]
+            .into_iter()
+            .zip(at)
+            .map(of)
+            .collect::<String>()
+    });
+    let file = format!("Parameter;Value;Min;Max\n{}", rows.concat());
+    let said = refusal("a.csv", &file, &[]);
+    assert!(!said.contains("Value"), "{said}");
+    assert!(said.contains("`lca_front X`"), "{said}");
+}
