@@ -1,4 +1,4 @@
-//! Tables of measured numbers in text: a line of headings, perhaps one of units, then lines of numbers.
+//! Tables of measured numbers in text: perhaps titles, a line of headings, perhaps one of units, then lines of numbers.
 
 use std::iter;
 
@@ -17,8 +17,8 @@ pub struct MeasuredTable {
 }
 
 impl MeasuredTable {
-    /// Splits a text into fields, which commas, semicolons or tabs separate. Lines without content, and lines that begin with
-    /// `#`, are left out.
+    /// Splits a text into fields, which commas, semicolons or tabs separate. Lines without content, lines that begin with `#`,
+    /// and titles, lines of one field above that of the headings, are left out.
     ///
     /// # Errors
     ///
@@ -31,17 +31,20 @@ impl MeasuredTable {
             .delimiter(separator)
             .trim(Trim::All)
             .comment(Some(b'#'))
+            .has_headers(false)
             .flexible(true)
             .from_reader(source.text().as_bytes());
         let unread = |error: csv::Error| source.refuse(&(0..0), error);
-        let headings = reader.headers().map_err(unread)?.clone();
-        if headings.is_empty() {
-            let message = "the file is empty; it needs a line of headings and lines of numbers";
-            return Err(source.refuse(&(0..0), message));
-        }
         let lines = reader.records().collect::<Result<Vec<_>, _>>();
         let mut lines = lines.map_err(unread)?;
         lines.retain(|line| line.iter().any(|field| !field.is_empty()));
+        let first = lines.iter().position(|line| has_several(line.iter()));
+        lines.drain(..first.unwrap_or_default());
+        if lines.is_empty() {
+            let message = "the file is empty; it needs a line of headings and lines of numbers";
+            return Err(source.refuse(&(0..0), message));
+        }
+        let headings = lines.remove(0);
         let table = Self {
             source,
             separator,
@@ -211,11 +214,32 @@ fn unquoted(line: &str) -> impl Iterator<Item = (usize, u8)> {
     })
 }
 
-/// What is between the fields of the first line.
+/// Returns whether several fields of a line are not empty: a table has a column of places and one of a quantity.
+fn has_several<'a>(fields: impl Iterator<Item = &'a str>) -> bool {
+    fields.filter(|field| !field.trim().is_empty()).count() > 1
+}
+
+/// What is between the fields of the first line that has several.
 fn separator(text: &str) -> u8 {
-    let headings = content(text).lines().next().unwrap_or_default();
-    let has = |separator: &u8| unquoted(headings).any(|(_, byte)| byte == *separator);
-    [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
+    let of_line = |line: &str| {
+        let has = |separator: &u8| unquoted(line).any(|(_, byte)| byte == *separator);
+        [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
+    };
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let headings = lines.find(|line| has_several(fields(line, of_line(line))));
+    headings.map_or(b',', of_line)
+}
+
+/// The fields of a line.
+fn fields(line: &str, separator: u8) -> impl Iterator<Item = &str> {
+    let ends = unquoted(line).filter(move |(_, byte)| *byte == separator);
+    let ends = ends.map(|(end, _)| end).chain([line.len()]);
+    let mut start = 0;
+    ends.map(move |end| {
+        let field = &line[start..end];
+        start = end + 1;
+        field
+    })
 }
 
 fn parsed(field: &str, separator: u8) -> Option<f64> {

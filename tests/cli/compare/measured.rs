@@ -212,3 +212,22 @@ fn drives_that_move_together_are_one_column() {
     let expected = "m.csv:1:1: unknown quantity `wheel travel`; did you mean `left_wheel_travel` or `right_wheel_travel`?";
     assert!(text(&output.stderr).starts_with(expected), "{output:?}");
 }
+
+/// Rigs write a line on the test above the headings, and spreadsheets a separator for each column behind it.
+#[test]
+fn titles_above_the_headings_are_left_out() {
+    let report = |table: &str| {
+        let (_folder, output) = beside(&arm("m", 1.0, 0.4), table, &[]);
+        assert_eq!(output.status.code(), Some(0), "{table}{output:?}");
+        text(&output.stdout).to_owned()
+    };
+    let plain = report(&table());
+    for titles in [
+        "Rig 17\r\n\r\n",
+        "\"Rig; 17\";;\r\n2024-03-12;\r\n",
+        "Rig 17, arm;;\r\n",
+    ] {
+        let titled = table().replace("Spring", &format!("{titles}Spring"));
+        assert_eq!(report(&titled), plain, "{titles}");
+    }
+}
