@@ -5,6 +5,9 @@ use std::ops::Range;
 
 use super::fields::is_number;
 
+/// A line of a text with its place.
+type Line<'a> = (Range<usize>, Cow<'a, str>);
+
 /// The sign at the end of a line that goes on in the next one.
 const GOES_ON: char = '&';
 
@@ -12,21 +15,25 @@ const GOES_ON: char = '&';
 /// LaTeX goes on in the same way.
 pub(super) fn with_commands_as_rows<'a>(
     lines: impl Iterator<Item = (Range<usize>, &'a str)>,
-) -> impl Iterator<Item = (Range<usize>, Cow<'a, str>)> {
-    let mut open: Option<(usize, String)> = None;
-    lines.filter_map(move |(place, line)| {
-        let goes_on = line.trim_end().ends_with(GOES_ON);
-        let (start, line) = match open.take() {
-            Some((start, before)) => (start, Cow::from(before + line)),
-            None => (place.start, Cow::from(line)),
-        };
-        if goes_on {
-            open = Some((start, line.into_owned()));
-            return None;
+) -> Vec<Line<'a>> {
+    let mut rows: Vec<Line<'a>> = Vec::new();
+    let mut goes_on = false;
+    for (place, line) in lines {
+        match rows.last_mut().filter(|_| goes_on) {
+            Some((whole, before)) => {
+                whole.end = place.end;
+                before.to_mut().push_str(line);
+            }
+            None => rows.push((place, line.into())),
         }
-        let row = row_of(&line).map(Cow::from);
-        Some((start..place.end, row.unwrap_or(line)))
-    })
+        goes_on = line.trim_end().ends_with(GOES_ON);
+    }
+    for (_, line) in &mut rows {
+        if let Some(row) = row_of(&line.replace(GOES_ON, " ")) {
+            *line = row.into();
+        }
+    }
+    rows
 }
 
 /// Returns `name; x; y; z` of a command that states a name and a location.
@@ -48,15 +55,14 @@ fn row_of(line: &str) -> Option<String> {
 
 /// Returns the names and values of `name = value` in a command.
 fn parameters(line: &str) -> Vec<(&str, &str)> {
-    let is_apart = |c: char| c.is_whitespace() || c == GOES_ON;
     let parts: Vec<&str> = line.split('=').collect();
     let pairs = parts.windows(2).enumerate().filter_map(|(at, pair)| {
-        let name = pair[0].trim_end_matches(is_apart).rsplit(is_apart).next()?;
+        let name = pair[0].split_whitespace().next_back()?;
         // The name of the next parameter stands behind the value.
-        let value = pair[1].trim_matches(is_apart);
+        let value = pair[1].trim();
         let is_last = at + 2 == parts.len();
-        let value = match value.rfind(is_apart).filter(|_| !is_last) {
-            Some(end) => value[..end].trim_matches(is_apart),
+        let value = match value.rfind(char::is_whitespace).filter(|_| !is_last) {
+            Some(end) => value[..end].trim(),
             None => value,
         };
         Some((name, value))

@@ -38,7 +38,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         thousands: Thousands::default(),
     };
     let lines = with_commands_as_rows(lines_with_tabs(source.text()));
-    for (place, line) in joined(with_names_in_rows(lines, names).into_iter()) {
+    for (place, line) in joined(with_names_in_rows(lines.into_iter(), names).into_iter()) {
         table.read_line(place, &line)?;
     }
     table.thousands.check(source)?;

@@ -284,15 +284,15 @@ fn with_last_point(row: &str) -> String {
 fn points_of_adams_commands_are_read() {
     let folder = folder();
     let plain = import(folder.path(), "a.csv", &table(&CORNER), &["--side", "left"]);
-    for (apart, behind) in [
-        (" &\n   ", ""),
-        (" ", ""),
-        ("  &\n", "relative_to = .car.ground"),
+    for (apart, between, behind) in [
+        (" &\n   ", " ", ""),
+        (" ", " ", ""),
+        ("  &\n", "  &\n", "relative_to = .car.ground"),
     ] {
         let points = CORNER.map(|(name, [x, y, z])| {
             format!(
                 "point create{apart}point_name = .car.ground.hpl_{name}{apart}adams_id = 7{apart}\
-                 location = {x:.1}, {y:.1}, {z:.1}{apart}{behind}\n!\n"
+                 location = {x:.1},{between}{y:.1},{between}{z:.1}{apart}{behind}\n!\n"
             )
         });
         let units = "! Points of the car\ndefaults units length=mm\n";
@@ -302,6 +302,16 @@ fn points_of_adams_commands_are_read() {
         let said = "mm, as the file says";
         assert!(imported.notes.contains(said), "{}", imported.notes);
     }
+}
+
+/// The last line of a file may end with the sign at which a command goes on.
+#[test]
+fn a_row_that_goes_on_nowhere_is_read() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    let file = format!("{} &", table(&CORNER).trim_end());
+    let imported = import(folder.path(), "a.csv", &file, &[]);
+    assert_eq!(imported.points(), plain.points());
 }
 
 /// Excel writes a sign for thousands where its cells are so formatted.
