@@ -100,14 +100,15 @@ pub fn grid(
     swept: &[Swept],
     absolute: bool,
 ) -> Result<Grid, Failure> {
-    let axes = axes(mechanism, swept, absolute).map_err(Failure::Input)?;
+    let refuse = |message: String| Failure::input(source, message);
+    let axes = axes(mechanism, swept, absolute).map_err(refuse)?;
     let doubts = doubts(mechanism, (swept, &axes), absolute);
     let from = if absolute {
         CountedFrom::Zero
     } else {
         CountedFrom::Start
     };
-    let grid = Grid::new(mechanism, axes, from).map_err(Failure::Input)?;
+    let grid = Grid::new(mechanism, axes, from).map_err(refuse)?;
     for doubt in doubts {
         tell(format_args!("note: {source}: {doubt}"));
     }

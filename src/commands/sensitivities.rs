@@ -99,7 +99,8 @@ impl Arguments {
             found: &found,
             scatter: None,
         };
-        report.check(&self.of).map_err(Failure::Input)?;
+        let known = report.check(&self.of);
+        known.map_err(|message| Failure::input(source.name(), message))?;
         let scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());

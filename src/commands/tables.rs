@@ -90,7 +90,7 @@ impl Arguments {
         file: &str,
         interrupted: &AtomicBool,
     ) -> Result<(String, Option<Failure>), Failure> {
-        let number = self.number(mechanism)?;
+        let number = self.number(mechanism, file)?;
         let spans = [self.travel, None];
         check_spans(mechanism, file, spans, mechanism.unit)?;
         let ways = ways(mechanism, spans, mechanism.unit, interrupted);
@@ -128,11 +128,11 @@ impl Arguments {
         Ok((text, missing))
     }
 
-    fn number(&self, mechanism: &dyn Kinematics) -> Result<usize, Failure> {
+    fn number(&self, mechanism: &dyn Kinematics, file: &str) -> Result<usize, Failure> {
         let wheels = &mechanism.names.wheels;
         if wheels.is_empty() {
             let message = "the listing states no wheel; write `wheel: inner -> centre;`";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(file, message));
         }
         let Some(name) = &self.wheel else {
             return Ok(0);
@@ -142,11 +142,12 @@ impl Arguments {
             .position(|wheel| wheel.name == *name)
             .ok_or_else(|| {
                 let known: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
-                Failure::Input(match known.as_slice() {
+                let message = match known.as_slice() {
                     [""] => "--wheel: the listing has one wheel, without a name; leave it out"
                         .to_owned(),
                     known => unknown("wheel", name, known),
-                })
+                };
+                Failure::input(file, message)
             })
     }
 }

@@ -133,7 +133,7 @@ impl Arguments {
         let known: Vec<DesignNumber> = known.cloned().collect();
         let words = ["", "Without --of the usual quantities are printed"];
         refuse_unknown_numbers(&self.of, [&known, &all], varied.mechanism, words)
-            .map_err(Failure::Input)?;
+            .map_err(|message| Failure::input(varied.file, message))?;
         let is_named = |number: &DesignNumber| number.is_one_of(&self.of);
         let is_usual =
             |number: &DesignNumber| is_first_in_curves(study.columns[number.column].quantity);

@@ -30,6 +30,11 @@ impl Failure {
         }
     }
 
+    /// Makes the failure of a wrong input that concerns the file `file`, without a place in it.
+    pub fn input(file: &str, message: impl fmt::Display) -> Self {
+        Self::Input(format!("{file}: {message}"))
+    }
+
     /// Makes the failure to write to `place`.
     pub fn writing(place: impl fmt::Display, error: &io::Error) -> Self {
         match error.kind() {

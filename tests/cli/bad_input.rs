@@ -106,7 +106,7 @@ fn options_without_effect_are_refused() {
         ),
         (
             "sensitivities a.toml --of foo --csv -",
-            "no quantity begins with `foo`",
+            "a.toml: no quantity begins with `foo`",
         ),
         (
             "sweep a.toml --drive bump=0:0:5",

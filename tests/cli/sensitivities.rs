@@ -161,11 +161,11 @@ fn sensitivities_are_sorted_and_unknown_quantities_refused() {
     for (of, expected) in [
         (
             "chamber",
-            "no quantity begins with `chamber`; did you mean `camber`? Without --of all quantities are printed\n",
+            "a.toml: no quantity begins with `chamber`; did you mean `camber`? Without --of all quantities are printed\n",
         ),
         (
             "Kingpin angle",
-            "no quantity begins with `Kingpin angle`; did you mean `kingpin`? Without",
+            "a.toml: no quantity begins with `Kingpin angle`; did you mean `kingpin`? Without",
         ),
         (
             "camber gain",
@@ -244,7 +244,7 @@ fn for_a_quantity_zero_at_the_design_alternatives_are_named() {
     ] {
         let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        assert_eq!(text(&output.stderr), format!("`{of}` {expected}\n"));
+        assert_eq!(text(&output.stderr), format!("axle.toml: `{of}` {expected}\n"));
         let target = format!(
             "{axle}[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
              [tune.targets.wanted]\nof = \"{of}\"\nvalue = 1.0\nwithin = 0.1\n"

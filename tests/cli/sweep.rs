@@ -96,17 +96,17 @@ fn wrong_arguments_of_sweep_are_refused_in_one_sentence() {
         (
             "a.toml",
             vec!["heave=0:1:2"],
-            "unknown drive `heave`; known are bump, steer",
+            "a.toml: unknown drive `heave`; known are bump, steer",
         ),
         (
             "a.toml",
             vec!["bump=0:1:2", "bump=0:1:2"],
-            "the drive `bump` is given twice",
+            "a.toml: the drive `bump` is given twice",
         ),
         (
             "a.toml",
             vec!["bump=0:1:2000", "steer=0:1:2000"],
-            "1000000 places at most",
+            "a.toml: a grid may have 1000000 places at most",
         ),
         (
             "b.toml",

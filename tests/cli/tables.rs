@@ -203,7 +203,7 @@ fn invalid_files_and_options_of_tables_are_refused() {
         ),
         (
             vec!["a.toml", "--as", "carsim", "--wheel", "left"],
-            "the listing has one wheel, without a name; leave it out",
+            "a.toml: --wheel: the listing has one wheel, without a name; leave it out",
         ),
         (vec!["a.toml", "--as", "simpack"], "invalid value 'simpack'"),
         (
@@ -212,7 +212,7 @@ fn invalid_files_and_options_of_tables_are_refused() {
         ),
         (
             vec!["b.toml", "--as", "carsim"],
-            "the listing states no wheel",
+            "b.toml: the listing states no wheel",
         ),
     ] {
         let output = run(folder.path(), &[vec!["tables"], arguments].concat());

@@ -38,12 +38,13 @@ fn for_a_mistyped_name_the_intended_one_is_suggested() {
 fn for_a_mistyped_drive_of_an_option_the_intended_one_is_suggested() {
     for (command, options) in [
         ("sweep", ["--drive", "bumb=0:0.01:2"].as_slice()),
+        ("range", &["--drive", "bumb"]),
         ("assemblies", &["--drive", "bumb", "--at", "0.3"]),
         ("bake", &["--drive", "bumb=0.29:0.31"]),
     ] {
         let message = refusal(command, &[("a.toml", CORNER)], options);
-        let expected = "unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
-        assert!(message.ends_with(expected), "{message}");
+        let expected = "a.toml: unknown drive `bumb`; known are bump, steer; did you mean `bump`?";
+        assert_eq!(message, expected);
     }
 }
 
@@ -67,7 +68,7 @@ fn a_measure_used_as_a_drive_is_refused_with_the_drives() {
     let message = refusal("sweep", &[("a.toml", CORNER)], &["--drive", "damper=0:1:3"]);
     assert_eq!(
         message,
-        "`damper` is a measure, not a drive; the drives are bump, steer"
+        "a.toml: `damper` is a measure, not a drive; the drives are bump, steer"
     );
     let message = refusal(
         "motion",

@@ -20,7 +20,7 @@ fn for_quantities_of_an_axle_names_with_its_wheels_are_proposed() {
     ] {
         let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
-        assert_eq!(text(&output.stderr), expected);
+        assert_eq!(text(&output.stderr), format!("axle.toml: {expected}"));
     }
     for (of, meant) in [
         ("toe", "`left_toe`, `right_toe` or `total_toe`"),
@@ -32,7 +32,7 @@ fn for_quantities_of_an_axle_names_with_its_wheels_are_proposed() {
         let output = run(folder.path(), &["sensitivities", "axle.toml", "--of", of]);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
         let expected = format!(
-            "no quantity begins with `{of}`; did you mean {meant}? Without --of all quantities are printed\n"
+            "axle.toml: no quantity begins with `{of}`; did you mean {meant}? Without --of all quantities are printed\n"
         );
         assert_eq!(text(&output.stderr), expected);
     }
@@ -121,10 +121,16 @@ fn a_missing_quantity_of_one_wheel_names_the_line_to_write() {
     let needs =
         "of this mechanism: it needs rack_per_turn under [vehicle], see suspension motion --help\n";
     for name in ["left_steering_ratio", "right_steering_wheel_angle"] {
-        assert_eq!(refusal(name), format!("there is no `{name}` {needs}"));
+        assert_eq!(
+            refusal(name),
+            format!("axle.toml: there is no `{name}` {needs}")
+        );
     }
     let unknown = refusal("middle_steering_ratio");
-    assert!(unknown.starts_with("no quantity begins with"), "{unknown}");
+    assert!(
+        unknown.starts_with("axle.toml: no quantity begins with"),
+        "{unknown}"
+    );
     let target = format!(
         "{axle}[tune.moves.ball]\npoints = [\"left_tie_ball\"]\nalong = \"z\"\nby = [-0.01, 0.01]\n\
          [tune.targets.wanted]\nof = \"left_steering_ratio\"\nvalue = 15.0\nwithin = 0.1\n"

@@ -49,7 +49,10 @@ fn what_cannot_be_varied_is_refused_in_a_sentence() {
             "write NAME=FROM:TO:COUNT, as rack.z=-0.006:0.006:5",
         ),
         ("rack.z=0:x:3", "`x` is not a finite number"),
-        ("rack.z=0.001 --of foo", "no quantity begins with `foo`"),
+        (
+            "rack.z=0.001 --of foo",
+            "a.toml: no quantity begins with `foo`",
+        ),
         ("rack.z=0.001 --travel -0.1:0.1", "--html"),
         (
             "rack.z=0.001 --html v --csv v",

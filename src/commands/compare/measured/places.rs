@@ -114,7 +114,7 @@ impl Places<'_> {
             values: vec![1.0],
         };
         let grid = Grid::new(self.mechanism, vec![there], CountedFrom::Start);
-        let grid = grid.map_err(Failure::Input)?;
+        let grid = grid.map_err(|message| Failure::input(self.file, message))?;
         let order = DerivativeOrder::First;
         let visited = self.mechanism.visit(&grid, order, self.interrupted, read);
         match visited.failure(self.file) {
