@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Description, Names, Unit};
+use crate::mechanism::{Description, Names, Unit, report_of_singular};
 use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
@@ -63,15 +63,7 @@ impl Arguments {
         let chosen =
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
         let ranges = self.ranges((mechanism, &chosen), &forms, interrupted);
-        // At the end of an angle the curves of other drives cannot start.
-        let at_end = mechanism.end_of_angle(&mechanism.drives_in_file(&mechanism.first_drives()));
-        ranges.map_err(|failure| match (failure, at_end) {
-            (Failure::Solver(_), Some(why)) => Failure::Solver(format!(
-                "{}: the curves cannot start at the end of an angle: {why}",
-                source.name()
-            )),
-            (failure, _) => failure,
-        })?;
+        ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
                 "{}: interrupted; the curves are cut short",
@@ -132,6 +124,26 @@ impl Arguments {
         announce(&written);
         Ok(())
     }
+}
+
+/// Returns the failure of curves that do not start, with the remedy.
+fn no_start(mechanism: &Description, file: &str, failure: Failure) -> Failure {
+    let Failure::Solver(why) = failure else {
+        return failure;
+    };
+    let first = mechanism.drives_in_file(&mechanism.first_drives());
+    // At the end of an angle the curves of other drives cannot start.
+    if let Some(end) = mechanism.end_of_angle(&first) {
+        return Failure::Solver(format!(
+            "{file}: the curves cannot start at the end of an angle: {end}"
+        ));
+    }
+    let remedy = if first == mechanism.design {
+        report_of_singular(file)
+    } else {
+        "write another first instant under [drives]".to_owned()
+    };
+    Failure::Solver(format!("{file}: {why}; {remedy}"))
 }
 
 fn table(mechanism: &Description, ranges: &[DriveRange], forms: &Forms) -> Result<(), Failure> {

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::REPORT_OF_SINGULAR;
+use crate::mechanism::report_of_singular;
 use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::files::{announce, print};
@@ -70,8 +70,9 @@ impl Arguments {
         let mechanism = &*loaded.at_design()?;
         if !mechanism.is_determined() {
             return Err(Failure::Solver(format!(
-                "{}: the design position is singular, where quantities have no derivatives; {REPORT_OF_SINGULAR}",
-                source.name()
+                "{}: the design position is singular, where quantities have no derivatives; {}",
+                source.name(),
+                report_of_singular(source.name())
             )));
         }
         let changes = loaded.changes(mechanism)?;

@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{Pair, REPORT_OF_SINGULAR};
+use crate::mechanism::{Pair, report_of_singular};
 use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::target::Target;
@@ -106,7 +106,8 @@ impl Arguments {
         };
         let locked = || {
             Failure::Solver(format!(
-                "{file}: the design position is singular; {REPORT_OF_SINGULAR}"
+                "{file}: the design position is singular; {}",
+                report_of_singular(file)
             ))
         };
         let of = |number: usize| Wheel::compute(mechanism, number, &travel);

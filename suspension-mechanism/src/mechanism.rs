@@ -54,7 +54,7 @@ pub use hinge::Hinge;
 pub use known::DerivativeOrder;
 pub use lead::Lead;
 pub(crate) use lead::lead;
-pub use locking::{Lock, REPORT_OF_SINGULAR, describe_change_from_design};
+pub use locking::{Lock, describe_change_from_design, report_of_singular};
 pub use mass::Mass;
 pub(crate) use measure::nearest;
 pub use names::{Drive, Measure, Names};

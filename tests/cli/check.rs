@@ -114,20 +114,42 @@ fn commands_refuse_a_singular_design_and_name_the_report() {
     for (arguments, expected) in [
         (
             &["motion", "a.toml"][..],
-            "the design position is singular: the drives do not determine the motion there; `suspension check` names",
+            "is out of reach: the design position is singular: the drives do not determine the motion there; `suspension check a.toml` names",
         ),
         (
-            &["sweep", "a.toml", "--drive", "bump=0:0.1:3"],
-            "the design position is singular: the drives do not determine the motion there; `suspension check` names",
+            &["sweep", "a.toml", "--drive", "bump=-0.1:0.1:3"],
+            "none was solved:\n  the design position is singular: the drives do not determine the motion there;\n  `suspension check a.toml` names",
         ),
         (
             &["sensitivities", "a.toml"],
-            "a.toml: the design position is singular, where quantities have no derivatives; `suspension check` names",
+            "a.toml: the design position is singular, where quantities have no derivatives; `suspension check a.toml` names",
         ),
     ] {
         let output = run(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(3), "{output:?}");
         let message = text(&output.stderr);
+        assert!(message.contains(expected), "{message}");
+        assert_eq!(message.matches("is singular").count(), 1, "{message}");
+    }
+}
+
+/// Set free, a drive leaves the other side singular.
+#[test]
+fn a_range_at_a_singular_design_names_the_report() {
+    let folder = folder();
+    let axle = "unit = \"m\"\ntime = { instants = [0.0] }\ndrives = { left_bump = -0.2, right_bump = -0.2 }\n\
+        statements = \"\"\"\nmirror: left -> right;\n\
+        fixed: left_front at [0.2, 0.5, 0.3], left_rear at [-0.2, 0.5, 0.3];\nfree: left_tip at [0.0, 0.5, -0.2];\n\
+        link left_fore: left_front -> left_tip;\nlink left_aft: left_rear -> left_tip;\n\
+        drive left_bump: left_tip.z;\n\"\"\"\n";
+    std::fs::write(folder.path().join("a.toml"), axle).expect("written");
+    let output = run(folder.path(), &["range", "a.toml"]);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    for expected in [
+        "a.toml: the curve of the drive `left_bump` has no start: ",
+        "; `suspension check a.toml` names the equations that depend on each other there",
+    ] {
         assert!(message.contains(expected), "{message}");
     }
 }

@@ -6,7 +6,7 @@ use suspension_core::path::{Curve, Led};
 use crate::failure::Failure;
 use crate::file::StandIn;
 use crate::load::design::Design;
-use crate::load::start::{FROM_DESIGN_TO_FIRST, out_of_reach, way};
+use crate::load::start::{FROM_DESIGN, FROM_DESIGN_TO_FIRST, out_of_reach, way};
 use crate::load::task::Task;
 use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
 
@@ -50,7 +50,8 @@ pub(super) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
             let cause = stopped.refused;
             let cause = cause.map(|(_, error)| lead.cause(names, &error, unit));
             let cause = cause.unwrap_or_default();
-            let cause = format!("the mechanism goes no further than {reached} ({cause})");
+            let cause =
+                format!("{FROM_DESIGN}: the mechanism goes no further than {reached} ({cause})");
             Err(out_of_reach(task, &first, &cause))
         }
     }

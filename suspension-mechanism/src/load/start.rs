@@ -5,7 +5,7 @@ use suspension_core::{Motion, Values};
 use crate::failure::Failure;
 use crate::load::design::Design;
 use crate::load::task::Task;
-use crate::mechanism::{DriveLaws, Lock, Polynomial, Suspension, advice, follow};
+use crate::mechanism::{DriveLaws, Lock, Polynomial, Suspension, follow};
 use crate::number::number;
 
 /// The drives on a straight line from the design at time 0 to the first instant at time 1.
@@ -18,6 +18,9 @@ pub(super) fn way<L: Suspension<N>, const N: usize>(
     let ends = design.drives.values().zip(first.values());
     DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)))
 }
+
+/// From where an instant is out of reach, in words.
+pub(super) const FROM_DESIGN: &str = " from the design position";
 
 pub(super) const FROM_DESIGN_TO_FIRST: [f64; 2] = [0.0, 1.0];
 
@@ -38,18 +41,21 @@ pub(super) fn drive_to_first_instant<L: Suspension<N>, const N: usize>(
             let first = given(&way.inputs::<L::Drives>(asked).drives.value);
             let last = &motion.position;
             let lock = Lock::new(&design.model, names, &way, &stopped, asked, last, given);
-            let lock = lock.in_words(names, unit, &given(&design.drives));
+            let at_design = given(&design.drives);
+            let from = (!lock.is_at(&at_design)).then_some(FROM_DESIGN);
+            let remedy = lock.remedy(&at_design)(task.source.name());
+            let lock = lock.in_words(names, unit, &at_design);
             let first = names.drives_in_words(&first, unit, None);
-            let cause = format!("{lock}; {}", advice(task.source.name()));
+            let cause = format!("{}: {lock}; {remedy}", from.unwrap_or_default());
             Err(out_of_reach(task, &first, &cause))
         }
     }
 }
 
-/// The failure that the first instant, in words, cannot be reached, with the reason.
+/// The failure that the first instant, in words, cannot be reached, with from where and why.
 pub(super) fn out_of_reach(task: &Task<'_>, first: &str, cause: &str) -> Failure {
     Failure::Solver(format!(
-        "{}: the first instant, t = {} s with {first}, is out of reach from the design position: {cause}",
+        "{}: the first instant, t = {} s with {first}, is out of reach{cause}",
         task.source.name(),
         number(task.first),
     ))

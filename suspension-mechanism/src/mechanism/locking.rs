@@ -12,6 +12,7 @@ use crate::mechanism::misfit::{Misfit, find_hinge_at_lock};
 use crate::mechanism::names::Names;
 use crate::mechanism::suspension::Suspension;
 use crate::mechanism::turning_drive::{is_near, turning_drive};
+use crate::mechanism::words::advice;
 use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
@@ -91,7 +92,12 @@ impl Lock {
         }
         let drives = names.drives_in_words(&self.drives, unit, None);
         let end = match self.turns {
-            _ if self.is_at(design) => self.singular_in_words(names),
+            _ if self.is_at(design) => {
+                format!(
+                    "the design position is singular: {}",
+                    self.why_singular(names)
+                )
+            }
             Some(turns) => {
                 let drive = &names.drives[turns];
                 let change = describe_change_from_design(
@@ -118,24 +124,36 @@ impl Lock {
         }
     }
 
+    /// The remedy, made of the file's name; `design` are the drives at the design position.
+    pub fn remedy(&self, design: &[f64]) -> fn(&str) -> String {
+        if self.is_at(design) {
+            report_of_singular
+        } else {
+            advice
+        }
+    }
+
     /// Whether the drives have these values.
-    fn is_at(&self, drives: &[f64]) -> bool {
+    pub fn is_at(&self, drives: &[f64]) -> bool {
         let mut pairs = self.drives.iter().zip(drives);
         pairs.all(|(here, there)| is_near(*here, *there))
     }
 
-    /// A description of a lock in the design position.
-    fn singular_in_words(&self, names: &Names) -> String {
-        let why = match self.turns {
+    /// Why the design position is singular, if that is where it locks.
+    fn why_singular(&self, names: &Names) -> String {
+        match self.turns {
             Some(turns) => format!("the drive `{}` locks there", names.drives[turns].name),
             None => "the drives do not determine the motion there".to_owned(),
-        };
-        format!("the design position is singular: {why}; {REPORT_OF_SINGULAR}")
+        }
     }
 }
 
-/// The remedy for a singular design position.
-pub const REPORT_OF_SINGULAR: &str = "`suspension check` names the equations that depend on each other there and the unknowns that are free";
+/// The remedy for the singular design position of a file.
+pub fn report_of_singular(file: &str) -> String {
+    format!(
+        "`suspension check {file}` names the equations that depend on each other there and the unknowns that are free"
+    )
+}
 
 /// A description of a drive's change from the design position, such as `at +0.0712 m from the design`.
 pub fn describe_change_from_design(change: f64, symbol: &str) -> String {

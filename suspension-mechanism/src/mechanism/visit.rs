@@ -4,7 +4,6 @@ mod place;
 mod visitor;
 
 use crate::failure::Failure;
-use crate::mechanism::words::advice;
 
 pub use place::{OnPlace, Place, VisitEnd};
 
@@ -37,7 +36,7 @@ impl<R> Visited<R> {
         )))
     }
 
-    /// The reason why places are missing if the mechanism locks, with a line for each lock and a line of advice.
+    /// The reason why places are missing if the mechanism locks, with a line for each lock and one for each remedy.
     pub fn out_of_reach(&self, source: &str) -> Option<String> {
         let [missing, why] = self.missing_and_why(source)?;
         Some(format!("{missing}:{why}"))
@@ -52,8 +51,14 @@ impl<R> Visited<R> {
         let are = if missing == 1 { "is" } else { "are" };
         let missing =
             format!("{missing} of {all} places {are} out of reach from the design position");
-        let locks = self.end.locks.iter().map(|end| end.in_words.clone());
-        let lines: Vec<_> = locks.chain([advice(source)]).collect();
+        let locks = self.end.locks.iter();
+        let remedies = locks.clone().map(|end| (end.remedy)(source));
+        let mut lines = Vec::new();
+        for line in locks.map(|end| end.in_words.clone()).chain(remedies) {
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
         Some([missing, format!("\n  {}", lines.join(";\n  "))])
     }
 

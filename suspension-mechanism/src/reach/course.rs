@@ -81,7 +81,13 @@ fn run<L: Suspension<N>, const N: usize>(
     let lost = |error| mechanism.names.cause(&error);
     let mut path = settings
         .path(curve, &mechanism.start.position, increasing)
-        .map_err(|error| Failure::Solver(format!("the curve has no start: {}", lost(error))))?;
+        .map_err(|error| {
+            let drive = &mechanism.names.drives[index].name;
+            Failure::Solver(format!(
+                "the curve of the drive `{drive}` has no start: {}",
+                lost(error)
+            ))
+        })?;
     let mut run = Run {
         stations: vec![station(mechanism, index, path.curve(), path.here())],
         turns: Vec::new(),

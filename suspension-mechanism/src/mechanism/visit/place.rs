@@ -18,17 +18,26 @@ pub(super) struct AxisEnd {
     level: usize,
     upwards: bool,
     pub(super) in_words: String,
+    /// What to do, made of the file's name.
+    pub(super) remedy: fn(&str) -> String,
 }
 
 impl VisitEnd {
     /// Notes an end if it is the first on its axis in its direction.
-    pub(super) fn add(&mut self, level: usize, upwards: bool, in_words: impl FnOnce() -> String) {
+    pub(super) fn add(
+        &mut self,
+        level: usize,
+        upwards: bool,
+        words: impl FnOnce() -> (String, fn(&str) -> String),
+    ) {
         let is_this = |end: &AxisEnd| end.level == level && end.upwards == upwards;
         if !self.locks.iter().any(is_this) {
+            let (in_words, remedy) = words();
             self.locks.push(AxisEnd {
                 level,
                 upwards,
-                in_words: in_words(),
+                in_words,
+                remedy,
             });
         }
     }

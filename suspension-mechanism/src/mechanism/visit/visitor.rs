@@ -195,7 +195,8 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                     Err((laws, stopped)) => {
                         self.end.add(level, upwards, || {
                             let lock = mechanism.lock(&laws, &stopped, 1.0, &place.motion);
-                            mechanism.lock_in_words(&lock)
+                            let remedy = lock.remedy(&mechanism.design);
+                            (mechanism.lock_in_words(&lock), remedy)
                         });
                         break;
                     }
