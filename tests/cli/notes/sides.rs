@@ -97,3 +97,25 @@ fn a_point_moved_without_its_mirror_image_is_noted() {
     );
     assert_eq!(of("left_outer = [0.4, 0.65, 0.3]"), "", "not moved");
 }
+
+/// A twin I-beam turns about a pivot beyond the middle and the bush of its radius arm; a wishbone does not.
+#[test]
+fn a_pivot_beyond_the_middle_is_noted_unless_its_hinge_line_is_long() {
+    for (pivot, is_noted) in [
+        (
+            "left_pivot at [0.0, -0.2, 0.3], left_radius at [-0.95, 0.42, 0.36]",
+            false,
+        ),
+        (
+            "left_pivot at [0.2, -0.35, 0.3], left_radius at [-0.2, 0.35, 0.3]",
+            true,
+        ),
+    ] {
+        let statements = "hinge left_beam: left_pivot, left_radius -> left_wheel_centre;\n\
+                          point left_axle: left_beam at [0.0, 0.6, 0.3];\nwheel left: left_axle -> left_wheel_centre;";
+        let noted = notes(&axle(pivot, statements));
+        let question = "`left_pivot` is on the other side of the vehicle than `left_wheel_centre`: is the sign of its y right?";
+        assert_eq!(noted.contains(question), is_noted, "{noted}");
+        assert_eq!(noted.is_empty(), !is_noted, "{noted}");
+    }
+}

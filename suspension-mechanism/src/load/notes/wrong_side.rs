@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::Values;
 
 use crate::load::task::Task;
-use crate::mechanism::Wheel;
+use crate::mechanism::{Names, Wheel};
 
 /// The distance from the middle of the vehicle within which a point is in the middle, as a fraction of the wheel's
 /// distance.
@@ -61,10 +61,33 @@ fn note_on_side<P: Values<Vector3<f64>>>(
     let points = points.map(|(point, (name, y))| (name, y, point < names.chassis));
     let of_wheel = points.filter(|(name, ..)| is_of_wheel(name));
     let point = only_on_wrong_side(of_wheel, y[centre])?;
+    if is_on_long_hinge(names, given, point) {
+        return None;
+    }
     let centre = &names.points[centre];
     Some(format!(
         "`{point}` is on the other side of the vehicle than `{centre}`: is the sign of its y right?"
     ))
+}
+
+/// Whether a point is on a hinge line that is much longer along the vehicle than across it, and so may well cross the
+/// middle: that of an I-beam, from its pivot on the other side to the bush of its radius arm.
+fn is_on_long_hinge<P: Values<Vector3<f64>>>(names: &Names, given: &P, point: &str) -> bool {
+    /// How much longer: the line of a wishbone with a wrong sign, about twice as long across as its bushes are from
+    /// the middle, is shorter.
+    const MUCH: f64 = 1.4;
+    let place = |name: &String| {
+        let index = names.points.iter().position(|other| other == name);
+        index.and_then(|index| given.values().nth(index))
+    };
+    let mut hinges = names.hinges.iter().map(|hinge| hinge.axis.as_slice());
+    hinges.any(|axis| match axis {
+        [from, to] if [from, to].iter().any(|end| *end == point) => {
+            let ends = place(from).zip(place(to));
+            ends.is_some_and(|(from, to)| (to.x - from.x).abs() > MUCH * (to.y - from.y).abs())
+        }
+        _ => false,
+    })
 }
 
 #[cfg(test)]
