@@ -165,6 +165,36 @@ fn with_the_first_instant_out_of_reach_the_design_is_drawn() {
     );
 }
 
+/// The knife edge of an arm, on which a pull rod bears, belongs to the arm's outline; a marker where nothing ends does not.
+#[test]
+fn the_outline_of_a_body_contains_the_ends_of_its_measured_lines() {
+    let corners = |measure: &str| {
+        let folder = folder();
+        let file = format!(
+            "unit = \"m\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.3 }}\nstatements = \"\"\"\n\
+             fixed: inner at [0.0, 0.2, 0.3], outer at [0.0, 0.5, 0.3], pot at [-0.5, 0.5, 0.1];\n\
+             free: hub at [0.6, 0.6, 0.3];\nhinge arm: inner, outer -> hub;\n\
+             point knife: arm at [0.0, 0.5, 0.0];\ndrive bump: hub.z;\n{measure}\"\"\"\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+        let output = run(folder.path(), &["draw", "a.toml", "--out", "-"]);
+        assert!(output.status.success(), "{output:?}");
+        // The first outline is the arm's; that of the legend follows.
+        let (_, outline) = text(&output.stdout)
+            .split_once("<polygon")
+            .expect("an outline");
+        let (_, points) = outline.split_once("points=\"").expect("its points");
+        let (points, _) = points.split_once('"').expect("their end");
+        points.split_whitespace().count()
+    };
+    assert_eq!(corners("measure spring: length(hub -> pot);\n"), 3);
+    assert_eq!(corners("measure spring: length(knife -> pot);\n"), 4);
+    assert_eq!(
+        corners("measure turn: angle(outer -> knife, outer -> pot about inner -> outer);\n"),
+        4
+    );
+}
+
 #[test]
 fn a_wheel_radius_that_is_no_number_is_refused_with_its_format() {
     let folder = folder();

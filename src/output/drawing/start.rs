@@ -32,10 +32,30 @@ pub fn drawing_of(
         slides: listing.slides(),
         lengths: listing.driven_and_measured_lengths(),
         bars: listing.measured_turns(),
-        bodies: listing.bodies(),
+        bodies: bodies(listing),
         wheels: names.wheels.iter().map(of_wheel).collect(),
         others: Vec::new(),
         forces: None,
         unit: unit.symbol(),
     }
+}
+
+/// Returns the points of each body, with those of its markers at which a measured line ends: the outline of an arm contains
+/// the end of its damper.
+fn bodies(listing: &Listing) -> Vec<Vec<usize>> {
+    let lengths = listing.driven_and_measured_lengths();
+    let lines = [lengths, listing.measured_turns()].concat();
+    let ends = lines.as_flattened();
+    let mut bodies = listing.bodies();
+    for (marker, frame) in listing.carriers() {
+        let carries = |body: &&mut Vec<usize>| frame.iter().all(|point| body.contains(point));
+        if let Some(body) = bodies
+            .iter_mut()
+            .find(carries)
+            .filter(|_| ends.contains(&marker))
+        {
+            body.push(marker);
+        }
+    }
+    bodies
 }
