@@ -175,6 +175,17 @@ pub(crate) fn sliding(point: &Ident, link: &Ident, [from, to]: [&Ident; 2]) -> S
     )
 }
 
+/// The error that an angle is held between lines of constant lengths that meet in a point.
+pub(crate) fn lines_meet(name: &Ident, shared: &Ident, [from, to]: [&Ident; 2]) -> Error {
+    at(
+        shared,
+        format!(
+            "the lines of `{name}` meet in `{shared}`, where a link between their other ends keeps the angle; in place of it write \
+             `link {name}: {from} -> {to};`"
+        ),
+    )
+}
+
 pub(crate) fn same_point_twice(name: &Ident) -> Error {
     at(
         name,

@@ -8,7 +8,7 @@ use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Form, Product};
 use crate::kind::Kind;
-use crate::listing::{Listing, Lowering, Named, Statement};
+use crate::listing::{Check, Listing, Lowering, Named, Statement};
 use crate::system::System;
 
 const KIND: Kind = Kind("angle");
@@ -30,6 +30,22 @@ struct Angle {
     lines: [[Ident; 2]; 2],
 }
 
+impl Angle {
+    /// The point that both lines have, where the second one has it, and the other end of each.
+    fn corner(&self) -> Option<(&Ident, [&Ident; 2])> {
+        let [[a, b], [c, d]] = &self.lines;
+        let pairs = [
+            (a, c, [b, d]),
+            (a, d, [b, c]),
+            (b, c, [a, d]),
+            (b, d, [a, c]),
+        ];
+        let (_, shared, ends) = pairs.into_iter().find(|(one, other, _)| one == other)?;
+        let [from, to] = ends;
+        (from != to && !ends.contains(&shared)).then_some((shared, ends))
+    }
+}
+
 impl Statement for Angle {
     fn named(&self) -> Option<(&Named, Kind)> {
         Some((&self.named, KIND))
@@ -37,6 +53,16 @@ impl Statement for Angle {
 
     fn operands(&self) -> Vec<&Ident> {
         self.lines.iter().flatten().collect()
+    }
+
+    fn check(&self, check: &mut Check<'_>, _earlier: &[Box<dyn Statement>]) {
+        match self.corner() {
+            Some((shared, [from, to])) => {
+                check.report(errors::lines_meet(&self.named.name, shared, [from, to]));
+                check.sites([shared, from, to]);
+            }
+            None => check.joins(self),
+        }
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {

@@ -47,6 +47,24 @@ fn for_a_missing_point_all_ways_of_declaration_are_listed() {
     );
 }
 
+/// The cross of a universal joint whose arms meet in its centre.
+#[test]
+fn for_an_angle_of_lines_that_meet_the_link_is_given() {
+    for lines in ["m -> p, m -> q", "p -> m, m -> q", "m -> p, q -> m"] {
+        let text = format!(
+            "fixed: a at [0, 0, 0], m at [1, 0, 0], b at [2, 0, 1];\nfree: p at [1, 1, 0], q at [1.5, 0, -0.5];\n\
+             hinge one: a, m -> p;\nhinge two: m, b -> q;\nangle cross: {lines};\ndrive turn: p.z;"
+        );
+        assert_eq!(
+            only_message(&text),
+            "the lines of `cross` meet in `m`, where a link between their other ends keeps the angle; in place of it write \
+             `link cross: p -> q;`"
+        );
+        let text = text.replace(&format!("angle cross: {lines}"), "link cross: p -> q");
+        assert!(text::parse(&text, "corner.linkage", &NoIncludes).is_ok());
+    }
+}
+
 #[test]
 fn for_an_angle_of_an_axis_about_a_line_the_syntax_is_given() {
     let text = "fixed: a, b;\nfree: p;\nlink rod: a -> p;\ndrive y: p.y;\ndrive z: p.z;\n\
