@@ -176,7 +176,8 @@ pub(super) fn of_steered_wheels<N: Number>(
 }
 
 /// A number of each axle that steers a vehicle of known wheelbase, computed from the turn, the wheelbase and the
-/// track. It does not exist straight ahead, nor where toe turns a wheel the other way.
+/// track. It does not exist straight ahead, nor where toe turns a wheel the other way. The centre of the turn is on the line of
+/// the rear axle only if its wheels are not steered.
 pub(super) fn of_turn<N: Number>(
     names: &Names,
     dimension: Dimension,
@@ -185,9 +186,12 @@ pub(super) fn of_turn<N: Number>(
     let Some(wheelbase) = names.vehicle.wheelbase else {
         return Vec::new();
     };
-    let is_rear = |wheel: &Rolling| names.wheels[wheel.number].axle == Some(mechanism::Axle::Rear);
-    let steers =
-        |axle: &Axle| axle.is_on_ground() && axle.is_steered() && !axle.wheels.iter().any(is_rear);
+    let is_rear = |wheel: &mechanism::Wheel| wheel.axle == Some(mechanism::Axle::Rear);
+    let mut rear = names.wheels.iter().filter(|wheel| is_rear(wheel));
+    if rear.any(|wheel| wheel.steer.is_some()) {
+        return Vec::new();
+    }
+    let steers = |axle: &Axle| axle.is_on_ground() && axle.is_steered();
     of_each_axle(names, &steers, &|wheels| {
         Some(both(wheels, dimension, move |wheels: [&Wheel<N>; 2]| {
             let turn = Turn::of(wheels.map(|wheel| &wheel.axis));

@@ -104,3 +104,44 @@ fn a_steered_rear_axle_has_no_turning_circle() {
         assert!(moved, "the wheel's name tells its axle");
     }
 }
+
+/// Two wheels on fixed kingpins, with a rack.
+fn wheels_on_kingpins(axle: &str, x: f64) -> String {
+    let rack = x - 0.15;
+    let statements = format!(
+        "fixed: left_low at [{x}, 0.6, 0.2], left_high at [{x}, 0.58, 0.45], left_house at [{rack}, 0.2, 0.25];\n\
+         free: left_tie at [{rack}, 0.58, 0.28], left_rack at [{rack}, 0.25, 0.25];\n\
+         hinge left_knuckle: left_low, left_high -> left_tie;\nslide left_guide: left_rack on right_house -> left_house;\n\
+         link bar: left_rack -> right_rack;\nlink left_rod: left_rack -> left_tie;\n\
+         point left_hub: left_knuckle at [{x}, 0.65, 0.3];\npoint left_wc: left_knuckle at [{x}, 0.72, 0.3];\n\
+         wheel left: left_hub -> left_wc;\n"
+    );
+    let named = statements.replace("left_", &format!("{axle}_left_"));
+    let named = named.replace("right_", &format!("{axle}_right_"));
+    let named = named.replace("link bar", &format!("link {axle}_bar"));
+    named.replace("wheel left", &format!("wheel {axle}_left"))
+}
+
+/// The centre of the turn is on the line of the rear axle only if its wheels point straight ahead.
+#[test]
+fn with_steered_rear_wheels_no_turning_circle_about_the_rear_axle_is_told() {
+    let front = wheels_on_kingpins("front", 1.3);
+    let rear = wheels_on_kingpins("rear", -1.3)
+        + "couple gear: rear_left_rack.y = 0.3 front_left_rack.y;\n";
+    for (rear, has_circle) in [("", true), (rear.as_str(), false)] {
+        let file = format!(
+            "unit = 'm'\nvehicle = {{ wheel_radius = 0.3, wheelbase = 2.6 }}\ntime = {{ instants = [0.0] }}\n\
+             drives = {{ steer = 0.25 }}\nstatements = '''\nmirror: left -> right;\n{front}{rear}\
+             drive steer: front_left_rack.y;\n'''\n"
+        );
+        let table = table(&file, &["sweep", "--drive=steer=-0.03:0.03:3"]);
+        for name in [
+            "turning_radius_m",
+            "ackermann_percent",
+            "ackermann_error_rad",
+        ] {
+            let has = table[0].keys().any(|column| column.ends_with(name));
+            assert_eq!(has, has_circle, "{name}");
+        }
+    }
+}

@@ -52,7 +52,7 @@ catalogue! {
         sign: "100 where the normals of both wheels meet on the line of the rear axle, 0 where they are parallel",
         definition: "100 (inner - outer) / (ideal - outer) of the steer angles, with cot(ideal) = cot(outer) - track \
                      / wheelbase; none where a wheel is steered by less than a degree into the turn, as toe determines \
-                     it there. A rear axle has none",
+                     it there. A rear axle has none, and no axle has one where drives steer rear wheels",
         source: "given the outer wheel, as in the reports of Simscape Multibody",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -64,7 +64,8 @@ catalogue! {
         name: "ackermann_error",
         sign: "positive where the inner wheel is steered further than ideally",
         definition: "inner - ideal of the steer angles, with cot(ideal) = cot(outer) - track / wheelbase; none where \
-                     a wheel is steered by less than a degree into the turn. A rear axle has none",
+                     a wheel is steered by less than a degree into the turn. A rear axle has none, and no axle has \
+                     one where drives steer rear wheels",
         source: "as ackermann",
         vehicle: "wheelbase",
         shown: Shown::InTables,
@@ -77,7 +78,8 @@ catalogue! {
         sign: "",
         definition: "kerb to kerb: the radius of the path of the outer contact point about a centre on the line of \
                      the rear axle, wheelbase / sin(outer), whose wheels point straight ahead; none where a wheel is \
-                     steered by less than a degree into the turn. A rear axle has none",
+                     steered by less than a degree into the turn. A rear axle has none, and no axle has one where \
+                     drives steer rear wheels",
         source: "half the turning circle",
         vehicle: "wheelbase",
         shown: Shown::InTables,
