@@ -53,7 +53,7 @@ fn a_missing_steering_ratio_names_the_line_steering_box_ratio() {
             &["sensitivities", "a.toml", "--of", quantity],
         );
         let expected = format!(
-            "there is no `{quantity}` of this mechanism: it needs steering_box_ratio under [vehicle], see suspension motion --help\n"
+            "a.toml: there is no `{quantity}` of this mechanism: it needs steering_box_ratio under [vehicle], see suspension motion --help\n"
         );
         assert_eq!(text(&output.stderr), expected);
         assert_eq!(output.status.code(), Some(2), "{output:?}");
@@ -69,7 +69,7 @@ fn a_length_and_an_angle_do_not_move_together() {
         folder.path(),
         &["sweep", "a.toml", "--drive", "bump,steer=0:0.01:2"],
     );
-    let expected = "the drive `bump` is a length and `steer` an angle, so that they cannot move by the same number; state each by itself\n";
+    let expected = "a.toml: the drive `bump` is a length and `steer` an angle, so that they cannot move by the same number; state each by itself\n";
     assert_eq!(text(&output.stderr), expected);
     assert_eq!(output.status.code(), Some(2), "{output:?}");
 }
