@@ -111,3 +111,36 @@ fn both_corners_of_an_axle_have_it_on_the_upper_wishbone() {
         }
     }
 }
+
+/// A tension strut and a lateral link under an upper wishbone: the names of a split lower arm.
+#[test]
+fn a_tension_strut_is_the_diagonal_link_of_a_split_lower_arm() {
+    let points = [
+        ("UCA front", [-120.0, -470.0, 560.0]),
+        ("UCA rear", [160.0, -480.0, 540.0]),
+        ("UCA outer", [35.0, -680.0, 570.0]),
+        ("Tension strut inner", [-360.0, -380.0, 190.0]),
+        ("Tension strut outer", [-55.0, -690.0, 180.0]),
+        ("Lateral link inner", [30.0, -350.0, 180.0]),
+        ("Lateral link outer", [10.0, -710.0, 170.0]),
+        ("Tie rod inner", [150.0, -340.0, 220.0]),
+        ("Tie rod outer", [140.0, -680.0, 220.0]),
+        ("Wheel centre", [0.0, -760.0, 320.0]),
+        ("Damper upper", [40.0, -540.0, 860.0]),
+        ("Damper lower", [30.0, -600.0, 570.0]),
+    ];
+    let folder = folder();
+    let imported = import(
+        folder.path(),
+        "front.csv",
+        &table(&points),
+        &["--unit", "mm"],
+    );
+    assert_eq!(imported.text("linkage"), "split_lower_arm");
+    let points = imported.points();
+    assert_eq!(
+        points["diagonal_inner"].map(f64::abs),
+        [360.0, 380.0, 190.0]
+    );
+    assert_eq!(points["diagonal_ball"].map(f64::abs), [55.0, 690.0, 180.0]);
+}
