@@ -29,6 +29,7 @@ listings! {
     guides: "listings/guides.linkage",
     live_axle_watt: "../../suspension-core/src/linkages/live_axle_watt.linkage",
     macpherson: "../../suspension-core/src/linkages/macpherson.linkage",
+    macpherson_two_links: "../../suspension-core/src/linkages/macpherson_two_links.linkage",
     pillar: "listings/pillar.linkage",
     rotary: "listings/rotary.linkage",
     tripod: "listings/tripod.linkage",
@@ -129,6 +130,8 @@ fn both_back_ends_compute_the_same_bits_for_every_statement() {
 #[test]
 fn both_back_ends_compute_the_same_bits_for_uncompiled_layouts() {
     compare!(macpherson, 16, f64, 30, 200);
+    compare!(macpherson_two_links, 19, f64, 30, 200);
+    compare!(macpherson_two_links, 19, f32, 30, 200);
     compare!(live_axle_watt, 27, f64, 30, 200);
     compare!(twist_beam, 20, f64, 30, 200);
 }

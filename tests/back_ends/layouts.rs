@@ -10,6 +10,7 @@ mod live_axle_panhard;
 mod live_axle_splayed;
 mod live_axle_watt;
 mod macpherson;
+mod macpherson_two_links;
 mod multi_link;
 mod multi_link_coilover;
 mod semi_trailing_arm;

@@ -104,55 +104,31 @@ fn layouts_md_names_the_compiled_layouts() {
     assert!(page.contains(&sentence), "not in the page: {sentence}");
 }
 
-/// The statements of a strut on two links, in the catalogue's strut. Its virtual steering axis is nearly that of the
-/// construction on paper: through the top mount and the point where the lines of the links meet, seen from above.
+/// The length is that of the points that the page states, at the design position.
 #[test]
-fn layouts_md_shows_a_strut_on_two_lower_links() {
-    let replaced = [
-        "lower_ball   at [0.005, 0.72, 0.17],\n       ",
-        "hinge lower_arm: lower_front, lower_rear -> lower_ball;\n",
-        "body knuckle:    lower_ball, tie_ball, wheel_centre, strut_low, strut_high;\n",
-        "kingpin: lower_ball -> top;\n",
-    ];
-    let strut = include_str!("../../suspension-core/src/linkages/macpherson.linkage").to_owned();
-    let strut = replaced.into_iter().fold(strut, |listing, statement| {
-        assert!(listing.contains(statement), "{statement}");
-        listing.replace(statement, "")
-    });
+fn layouts_md_shows_a_spring_beside_a_strut() {
     let page = include_str!("../../docs/layouts.md");
     let (_, section) = page
-        .split_once("## MacPherson strut on two lower links")
+        .split_once("## Spring beside a strut")
         .expect("a section");
-    let statements = section
-        .split("```")
-        .nth(1)
-        .and_then(|block| block.strip_prefix("text\n"));
+    let block = section.split("```").nth(1);
+    let statements = block.and_then(|block| block.strip_prefix("text\n"));
     let statements = statements.expect("a block");
-    let file = format!(
-        "statements = '''\n{strut}{statements}'''\nunit = \"m\"\n[vehicle]\nwheel_radius = 0.31\n[time]\ninstants = [0.0]\n\
-         [drives]\nbump = 0.31\nsteer = 0.33\n"
-    );
-    let row = &table(&file, &["motion"])[0];
-    // From the inner end of each link outboard; the lateral one has x = 0.01 throughout.
-    let ([x, y], top) = ([0.01, 0.70 + 0.05 * 0.33 / 0.26], [-0.03, 0.575]);
-    let height: f64 = 0.83 - 0.17;
-    let constructed: [(&str, f64); 2] = [
-        ("virtual_kingpin_rad", y - top[1]),
-        ("virtual_caster_rad", x - top[0]),
-    ];
-    for (name, across) in constructed {
-        let expected = across.atan2(height);
-        assert!(
-            (row[name] - expected).abs() < 2e-3,
-            "{name}: {}, {expected}",
-            row[name]
+    for (layout, bump) in [("macpherson", 0.31), ("macpherson_two_links", 0.315)] {
+        let (_, strut) = LISTINGS
+            .iter()
+            .find(|(name, _)| *name == layout)
+            .expect("a layout");
+        let file = format!(
+            "statements = '''\n{strut}{statements}'''\nunit = \"m\"\n[vehicle]\nwheel_radius = {bump}\n[time]\n\
+             instants = [0.0]\n[drives]\nbump = {bump}\nsteer = 0.33\n[springs.coil]\nalong = \"spring\"\nrate = 30000.0\n"
         );
+        let row = &table(&file, &["motion"])[0];
+        let expected = (0.025_f64.powi(2) + 0.055_f64.powi(2) + 0.28_f64.powi(2)).sqrt();
+        let off = row["spring_m"] - expected;
+        assert!(off.abs() < 1e-14, "{layout}: off by {off:e}");
+        assert!(row.contains_key("wheel_rate_N_m"), "{layout}");
     }
-    assert!(
-        (row["spring_m"] - 0.2863).abs() < 1e-3,
-        "{}",
-        row["spring_m"]
-    );
 }
 
 /// A name in a drawing: the text, and its left, top, right and bottom, letters half as wide as the type is high.

@@ -48,6 +48,7 @@ mod tune;
 mod turned;
 mod units;
 mod vary;
+mod virtual_axis;
 
 /// The program that is run.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_suspension");

@@ -24,6 +24,6 @@ macro_rules! catalogue {
 
 catalogue! {
     compiled: attia2003, five_link, double_wishbone, double_wishbone_pushrod;
-    text: double_wishbone_coilover, double_wishbone_rocker, five_link_rack, multi_link, multi_link_coilover, macpherson, trailing_arm, semi_trailing_arm, split_lower_arm,
-        integral_link, live_axle_panhard, live_axle_splayed, live_axle_watt, steered_axle, twist_beam, front_and_rear_axle;
+    text: double_wishbone_coilover, double_wishbone_rocker, five_link_rack, multi_link, multi_link_coilover, macpherson, macpherson_two_links, trailing_arm,
+        semi_trailing_arm, split_lower_arm, integral_link, live_axle_panhard, live_axle_splayed, live_axle_watt, steered_axle, twist_beam, front_and_rear_axle;
 }

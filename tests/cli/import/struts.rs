@@ -1,7 +1,8 @@
 //! MacPherson struts whose line passes through the lower ball joint.
 
 use super::super::program::folder;
-use super::{import, swept};
+use super::refused::refusal;
+use super::{import, listed, swept, table};
 
 /// The front strut of a Porsche 718 in Assetto Corsa (ks_porsche_718_boxster_s), 0.7575 m outboard and 0.335 m above the
 /// ground.
@@ -62,5 +63,153 @@ fn a_strut_that_ends_in_the_ball_joint_moves_as_published() {
             let off = row[name] - published;
             assert!(off.abs() < gate, "{name}: {off:e} at {drives:?}");
         }
+    }
+}
+
+/// The catalogue's strut on two lower links, its points under a name each and their rows.
+fn on_two_links(names: &[(&str, &str)]) -> String {
+    let points = listed("macpherson_two_links");
+    let named = names.iter().map(|(own, name)| {
+        let (_, at) = points
+            .iter()
+            .find(|(point, _)| point == own)
+            .expect("a point");
+        (*name, at.map(|at| 1000.0 * at))
+    });
+    table(&named.collect::<Vec<_>>())
+}
+
+const TWO_LINKS: [(&str, &str); 10] = [
+    ("lateral_inner", "Lower control arm inner"),
+    ("lateral_ball", "Lower control arm outer"),
+    ("tension_inner", "Tension strut inner"),
+    ("tension_ball", "Tension strut outer"),
+    ("rack", "Tie rod inner"),
+    ("tie_ball", "Tie rod outer"),
+    ("top", "Strut top mount"),
+    ("strut_low", "Strut lower mount"),
+    ("wheel_centre", "Wheel centre"),
+    ("axle", "Spindle"),
+];
+
+/// Names of the two links, as workshops and spreadsheets have them.
+#[test]
+fn a_strut_on_two_lower_links_is_found_by_usual_names() {
+    let folder = folder();
+    let links = [
+        [
+            "Lower control arm inner",
+            "Lower control arm outer",
+            "Tension strut inner",
+            "Tension strut outer",
+        ],
+        [
+            "LCA inner",
+            "LCA outer ball joint",
+            "Tension rod inner bush",
+            "Tension rod outer ball joint",
+        ],
+        [
+            "Transverse link inner",
+            "Transverse link outer",
+            "Thrust arm bushing",
+            "Thrust arm ball joint",
+        ],
+        [
+            "Control arm inboard",
+            "Control arm outboard",
+            "Tension link chassis",
+            "Tension link knuckle",
+        ],
+        [
+            "Querlenker innen",
+            "Querlenker außen",
+            "Zugstrebe innen",
+            "Zugstrebe außen",
+        ],
+        [
+            "Lateral link inner",
+            "Lateral link outer",
+            "Tension arm inner",
+            "Tension arm outer",
+        ],
+    ];
+    for named in links {
+        let mut names = TWO_LINKS;
+        for ((_, name), other) in names.iter_mut().zip(named) {
+            *name = other;
+        }
+        let imported = import(folder.path(), "a.csv", &on_two_links(&names), &[]);
+        assert_eq!(
+            imported.text("linkage"),
+            "macpherson_two_links",
+            "{named:?}"
+        );
+        let points = imported.points();
+        assert_eq!(points["lateral_inner"], [-50.0, 340.0, 185.0], "{named:?}");
+        assert_eq!(points["tension_ball"], [40.0, 690.0, 175.0], "{named:?}");
+        assert!(imported.notes.contains("strut_high"), "{}", imported.notes);
+        let row = &swept(folder.path(), "motion.toml", &["bump=0.0"])[0];
+        assert!(
+            (row["virtual_kingpin_deg"] - 12.1379).abs() < 1e-4,
+            "{named:?}"
+        );
+    }
+}
+
+/// The tension strut runs forward, so the file's x axis points rearward.
+#[test]
+fn the_tension_strut_tells_the_direction_of_x() {
+    let folder = folder();
+    let file = on_two_links(&TWO_LINKS);
+    let turned = file
+        .lines()
+        .map(|line| match line.split(", ").collect::<Vec<_>>()[..] {
+            [name, x, y, z] => format!(
+                "{name}, {}, -{y}, {z}\n",
+                0.0 - x.parse::<f64>().expect("x")
+            ),
+            _ => format!("{line}\n"),
+        });
+    let turned = turned.collect::<String>();
+    assert_ne!(turned, file);
+    let imported = import(folder.path(), "a.csv", &turned, &["--side", "left"]);
+    assert_eq!(
+        imported.points()["tension_inner"],
+        [340.0, 400.0, 185.0],
+        "{}",
+        imported.notes
+    );
+}
+
+/// What a table lacks is told of the layout to which it is nearest: the strut on one arm, or on two links.
+#[test]
+fn a_strut_that_lacks_a_point_is_nearest_to_the_layout_of_its_lower_end() {
+    let arm = [
+        ("LCA front", [10.0, 360.0, 190.0]),
+        ("LCA rear", [-300.0, 370.0, 200.0]),
+        ("LCA outer", [5.0, 720.0, 170.0]),
+        ("Tie rod inner", [-140.0, 330.0, 250.0]),
+        ("Tie rod outer", [-135.0, 690.0, 240.0]),
+        ("Strut top", [-30.0, 575.0, 830.0]),
+        ("Strut lower mount", [0.0, 631.0, 410.0]),
+        ("Wheel centre", [0.0, 760.0, 310.0]),
+    ];
+    for left_out in 0..arm.len() {
+        let mut points = arm.to_vec();
+        points.remove(left_out);
+        let message = refusal("a.csv", &table(&points), &[]);
+        assert!(
+            message.contains("the nearest, macpherson, lacks "),
+            "{message}"
+        );
+    }
+    // The second point of the strut's line and of the spin axis are placed from the others.
+    for left_out in 0..TWO_LINKS.len() - 1 {
+        let mut names = TWO_LINKS.to_vec();
+        let (own, _) = names.remove(left_out);
+        let message = refusal("a.csv", &on_two_links(&names), &[]);
+        let expected = format!("the nearest, macpherson_two_links, lacks `{own}`");
+        assert!(message.contains(&expected), "{message}");
     }
 }
