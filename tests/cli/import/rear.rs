@@ -1,6 +1,7 @@
 //! Rear corners, whose toe link is fixed on the chassis, and arms.
 
 use super::super::program::{folder, run};
+use super::refused::refusal;
 use super::{CORNER, Imported, import, swept, table};
 
 /// The table with other names for both ends of the tie rod.
@@ -170,4 +171,42 @@ fn an_arm_with_an_oblique_axis_is_called_a_semi_trailing_arm() {
     assert!(oblique.notes.contains(said), "{}", oblique.notes);
     let across = import(folder.path(), "a.csv", &points(450.0), &[]);
     assert!(!across.notes.contains("semi"), "{}", across.notes);
+}
+
+/// A live axle with a Watt linkage; the crank's axis is a line along the vehicle.
+const WATT: &str = "unit, mm
+Lower trailing link left chassis, 560, 460, 290
+Lower trailing link right chassis, 560, -460, 290
+Lower trailing link left axle, 20, 500, 240
+Lower trailing link right axle, 20, -500, 240
+Upper link chassis, 360, 0, 460
+Upper link axle, 30, 0, 440
+Watt link left chassis, -160, 460, 400
+Watt link right chassis, -160, -460, 240
+Watt bellcrank pivot front, -80, 0, 320
+Watt bellcrank pivot rear, -160, 0, 320
+Watt bellcrank upper, -160, 0, 400
+Watt bellcrank lower, -160, 0, 240
+Left wheel centre, 0, 740, 310
+Right wheel centre, 0, -740, 310
+Left damper upper, -60, 460, 660
+Right damper upper, -60, -460, 660
+Left damper lower, -80, 540, 220
+Right damper lower, -80, -540, 220
+";
+
+#[test]
+fn a_watt_linkage_is_found_by_the_names_of_its_links() {
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", WATT, &[]);
+    assert_eq!(imported.text("linkage"), "live_axle_watt");
+    let points = imported.points();
+    assert_eq!(points["lower_right_front"], [560.0, -460.0, 290.0]);
+    assert_eq!(points["watt_right"], [-160.0, -460.0, 240.0]);
+    assert_eq!(points["crank_rear"], [-160.0, 0.0, 320.0]);
+    // Many tables have one point of the crank's axis.
+    let one = WATT.replace("Watt bellcrank pivot front, -80, 0, 320\n", "");
+    let message = refusal("a.csv", &one.replace("pivot rear", "pivot"), &[]);
+    let expected = "the nearest, live_axle_watt, lacks `crank_front` (or watt_crank_pivot_front, ";
+    assert!(message.contains(expected), "{message}");
 }
