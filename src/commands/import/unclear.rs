@@ -18,9 +18,8 @@ const FRONT_OR_RIGHT: &str = "beside `F`, an `R` may be rear or right: write `Fr
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between the coordinates of a point, and a
-/// letter
-/// that names an axle.
+/// [`Failure::Input`] at a sign apart from its number, a number in parentheses, an empty cell between the coordinates of a
+/// point, and a letter that names an axle.
 pub(super) fn check_row(
     stated: &Hardpoints<'_>,
     row: &Row<'_>,
