@@ -11,7 +11,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
-use crate::load::load;
+use crate::load::{Loaded, load};
 use crate::mechanism::report_of_singular;
 use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, format_in_full};
@@ -76,16 +76,7 @@ impl Arguments {
             )));
         }
         let changes = loaded.changes(mechanism)?;
-        let tolerances = loaded.tolerances(mechanism)?;
-        if tolerances.is_empty() && (self.samples.is_some() || self.seed.is_some()) {
-            return Err(Failure::Input(format!(
-                "{}: --samples and --seed need [tolerances] for the random changes; the file has none",
-                source.name()
-            )));
-        }
-        if let Some(note) = loaded.doubtful_tolerance() {
-            tell(format_args!("note: {note}"));
-        }
+        let tolerances = self.tolerances(&loaded, mechanism, source.name())?;
         let stopped = || {
             let message = format!("{}: interrupted; nothing was written", source.name());
             Failure::Interrupted(message)
@@ -117,6 +108,25 @@ impl Arguments {
             write(&report, &found, target)?;
         }
         Ok(())
+    }
+
+    /// Returns the tolerances of the file, and prints a note on a doubtful one.
+    fn tolerances(
+        &self,
+        loaded: &Loaded<'_>,
+        mechanism: &dyn Kinematics,
+        file: &str,
+    ) -> Result<Vec<Tolerance>, Failure> {
+        let tolerances = loaded.tolerances(mechanism)?;
+        if tolerances.is_empty() && (self.samples.is_some() || self.seed.is_some()) {
+            let message =
+                "--samples and --seed need [tolerances] for the random changes; the file has none";
+            return Err(Failure::input(file, message));
+        }
+        if let Some(note) = loaded.doubtful_tolerance() {
+            tell(format_args!("note: {note}"));
+        }
+        Ok(tolerances)
     }
 
     /// Computes the scatter of quantities if the file has tolerances.
