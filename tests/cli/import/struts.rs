@@ -182,7 +182,7 @@ fn the_tension_strut_tells_the_direction_of_x() {
     );
 }
 
-/// What a table lacks is told of the layout to which it is nearest: the strut on one arm, or on two links.
+/// The refusal of a table that lacks a point names the nearest layout: the strut on one arm, or on two links.
 #[test]
 fn a_strut_that_lacks_a_point_is_nearest_to_the_layout_of_its_lower_end() {
     let arm = [
