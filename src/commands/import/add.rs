@@ -111,10 +111,9 @@ fn placed(row: &Row<'_>, groups: &[Section]) -> Vec<(Section, [f64; 3])> {
 fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) -> Failure {
     let message = if names.is_number(&key_of(name).0) {
         format!("`{name}` needs one number after it, with a decimal point")
-    } else if let Some(count) = of_several_points(row) {
+    } else if let Some((count, which)) = of_several_points(row) {
         format!(
-            "point `{name}` has {count} numbers: say in a heading above the columns which are `Left` and which `Right` (or `Front`, \
-             `Rear`), or give each a row of its own"
+            "point `{name}` has {count} numbers: say in a heading above the columns which are {which}, or give each a row of its own"
         )
     } else {
         format!(
@@ -124,12 +123,15 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
     stated.source.refuse(&row.place, message)
 }
 
-/// Returns the number of numbers of a row, in words, if they may be the coordinates of several points.
-fn of_several_points(row: &Row<'_>) -> Option<&'static str> {
+/// Returns the number of numbers of a row and the headings of their columns, in words, if they may be the coordinates of
+/// several points.
+fn of_several_points(row: &Row<'_>) -> Option<(&'static str, &'static str)> {
+    const TWO: &str = "`Left` and which `Right` (or `Front`, `Rear`)";
+    const FOUR: &str = "`FL`, `FR`, `RL` and `RR`";
     match row.numbers_behind_name().len() {
-        6 => Some("six"),
-        9 => Some("nine"),
-        12 => Some("twelve"),
+        6 => Some(("six", TWO)),
+        9 => Some(("nine", FOUR)),
+        12 => Some(("twelve", FOUR)),
         _ => None,
     }
 }

@@ -84,8 +84,24 @@ fn in_words(section: Section) -> String {
 }
 
 /// Words of an angle that is not that of one wheel in degrees; an apostrophe behind a number stands for minutes.
-const NOT_DEGREES: [&str; 12] = [
-    "min", "minutes", "arcmin", "'", "rad", "mrad", "radians", "total", "mm", "cm", "inch",
+const NOT_DEGREES: [&str; 18] = [
+    "min",
+    "minutes",
+    "minuten",
+    "winkelminuten",
+    "minuti",
+    "primi",
+    "minutos",
+    "arcmin",
+    "'",
+    "rad",
+    "mrad",
+    "radians",
+    "total",
+    "gesamtspur",
+    "mm",
+    "cm",
+    "inch",
     "inches",
 ];
 

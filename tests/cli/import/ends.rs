@@ -276,6 +276,7 @@ fn a_title_may_state_the_corner_among_other_words() {
         ("Kinematikpunkte Vorderachse links", "left", "front"),
         ("Train arrière droit", "right", "rear"),
         ("Sospensione anteriore sinistra", "left", "front"),
+        ("Sospensione anteriore dx", "right", "front"),
         ("Suspensión trasera derecha", "right", "rear"),
     ] {
         let sign = if side == "left" { 1.0 } else { -1.0 };

@@ -47,7 +47,8 @@ fn a_row_may_have_the_four_corners_of_a_vehicle() {
     }
     let said = refusal("a.csv", &rows, &[]);
     assert!(
-        said.contains("point `lca_front` has twelve numbers"),
+        said.contains("point `lca_front` has twelve numbers")
+            && said.contains("which are `FL`, `FR`, `RL` and `RR`, or"),
         "{said}"
     );
 }
