@@ -105,6 +105,9 @@ const NOT_DEGREES: [&str; 18] = [
     "inches",
 ];
 
+/// Words beside each other of an angle that is that of both wheels.
+const OF_BOTH: [&str; 2] = ["per_axle", "pro_achse"];
+
 /// The word of a toe angle that is positive for toe-out.
 const TOE_OUT: &str = "out";
 
@@ -124,12 +127,16 @@ pub(super) fn check_angle(
     if !(is_toe || is_camber) || !row.has_digits() {
         return Ok(());
     }
-    let words = spelled(line);
+    let said = spelled(line);
     let minutes = has_minutes(line).then_some("'");
-    let mut words = words.split('_').chain(minutes);
-    let is_other = |word: &&str| NOT_DEGREES.contains(word) || is_toe && *word == TOE_OUT;
+    let of_both = OF_BOTH.into_iter().find(|both| said.contains(both));
+    let mut words = said.split('_').chain(minutes).chain(of_both);
+    let is_other = |word: &&str| {
+        NOT_DEGREES.contains(word) || OF_BOTH.contains(word) || is_toe && *word == TOE_OUT
+    };
     words.find(is_other).map_or(Ok(()), |word| {
         let or_limit = if word == "min" { ", for minutes or a limit" } else { "" };
+        let word = word.replace('_', " ");
         let message = format!(
             "`{name}` says `{word}`{or_limit}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
         );

@@ -111,6 +111,7 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
         "Toe (total), 0.4",
         "Total toe, 0.4",
         "Gesamtspur, 0.4",
+        "Toe (per axle) [deg], 0.4",
         "Vorspur (Minuten), 6",
         "Convergenza [primi], 6",
         "Toe, total, 0.4",
