@@ -11,6 +11,7 @@ body { font-family: sans-serif; max-width: 1180px; margin: 1.5em auto; padding: 
 table { border-collapse: collapse; font-size: 90%; width: 100%; }
 th, td { padding: 0.2em 0.7em; text-align: left; vertical-align: top; }
 th { border-bottom: 1px solid #888; }
+th:first-child { min-width: 8em; }
 tr.first td { border-top: 1px solid #ddd; }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 0.2em; }
 td.unit { white-space: nowrap; color: #555; padding-left: 0.2em; }
@@ -30,7 +31,7 @@ tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; pad
   .charts { grid-template-columns: repeat(4, 1fr); gap: 0.2em; }
   h1 { font-size: 15pt; margin: 0; }
   h2 { font-size: 11pt; margin: 0.6em 0 0.2em; break-after: avoid; }
-  svg, tr { break-inside: avoid; }
+  svg, tr, tbody.group { break-inside: avoid; }
   tr:has(+ tr.definition) { break-after: avoid; }
 }
 ";

@@ -98,16 +98,20 @@ impl Page<'_> {
                     }
                 }
                 @for (number, group) in groups.iter().enumerate() {
-                    @for (row, parameter) in group.iter().enumerate() {
-                        tr.first[row == 0] {
-                            td { @if row == 0 { (parameter.title.of_wheel) } }
-                            @if has_names { td { (parameter.title.wheel.as_deref().unwrap_or_default()) } }
-                            @for cell in cells.next().into_iter().flatten() { (cell) }
+                    tbody.group {
+                        @for (row, parameter) in group.iter().enumerate() {
+                            tr.first[row == 0] {
+                                @if row == 0 {
+                                    td rowspan=[(group.len() > 1).then_some(group.len())] { (parameter.title.of_wheel) }
+                                }
+                                @if has_names { td { (parameter.title.wheel.as_deref().unwrap_or_default()) } }
+                                @for cell in cells.next().into_iter().flatten() { (cell) }
+                            }
                         }
-                    }
-                    @let next = groups.get(number + 1).map(|next| next[0].quantity);
-                    @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
-                        tr.definition { td colspan=(columns) { (definition(group[0].quantity)) } }
+                        @let next = groups.get(number + 1).map(|next| next[0].quantity);
+                        @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
+                            tr.definition { td colspan=(columns) { (definition(group[0].quantity)) } }
+                        }
                     }
                 }
             }

@@ -65,7 +65,7 @@ fn sheets_and_comparisons_name_both_wheels_of_an_axle() {
     assert_eq!(run(folder.path(), &sheet).status.code(), Some(0));
     let page = std::fs::read_to_string(folder.path().join("axle.html")).expect("a page");
     assert_eq!(
-        page.matches("<tr class=\"first\"><td>camber angle</td><td>left</td>")
+        page.matches("<tr class=\"first\"><td rowspan=\"2\">camber angle</td><td>left</td>")
             .count(),
         1
     );

@@ -210,7 +210,10 @@ fn the_dampers_of_both_wheels_share_a_chart_and_a_row() {
         let alone = titles(section);
         assert!(!alone.iter().any(|title| title.contains("_damper")));
     }
-    assert!(page.contains("<td>damper</td><td>left</td>"), "{page}");
+    assert!(
+        page.contains("<td rowspan=\"2\">damper</td><td>left</td>"),
+        "{page}"
+    );
 }
 
 #[test]
