@@ -17,6 +17,7 @@ pub mod output;
 mod side;
 
 pub use suspension_mechanism::{
-    assemblies, bake, characteristics, detail, failure, file, interrupt, kinematics, load, loads,
-    measured_table, mechanism, number, quantities, reach, sensitivities, tolerances, tune,
+    assemblies, bake, characteristics, decimals, detail, failure, file, interrupt, kinematics,
+    load, loads, measured_table, mechanism, number, quantities, reach, sensitivities, tolerances,
+    tune,
 };

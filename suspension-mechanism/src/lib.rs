@@ -12,12 +12,13 @@
 //!   until curves are met;
 //! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
 //! - [`assemblies`]: all ways to put a mechanism together;
-//! - [`measured_table`]: tables of measured numbers;
+//! - [`measured_table`]: tables of measured numbers; [`decimals`]: what their commas and points mean;
 //! - [`detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
 
 pub mod assemblies;
 pub mod bake;
 pub mod characteristics;
+pub mod decimals;
 pub mod detail;
 pub mod dual;
 pub mod kinematics;

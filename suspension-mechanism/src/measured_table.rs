@@ -4,6 +4,7 @@ use std::iter;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
+use crate::decimals::Decimals;
 use crate::failure::Failure;
 use crate::file::Source;
 
@@ -12,6 +13,7 @@ use crate::file::Source;
 pub struct MeasuredTable {
     source: Source,
     separator: u8,
+    decimals: Decimals,
     headings: StringRecord,
     lines: Vec<StringRecord>,
 }
@@ -48,6 +50,7 @@ impl MeasuredTable {
         let table = Self {
             source,
             separator,
+            decimals: decimals(&lines),
             headings,
             lines,
         };
@@ -85,7 +88,7 @@ impl MeasuredTable {
 
     /// Removes the first line below the headings if it has no number, and returns its fields, which are units.
     pub fn take_units(&mut self) -> Vec<String> {
-        let is_number = |field: &str| parsed(field, self.separator).is_some();
+        let is_number = |field: &str| self.decimals.number(field).is_some();
         let units = self.lines.first();
         let Some(units) = units.filter(|line| !line.iter().any(is_number)) else {
             return Vec::new();
@@ -100,7 +103,7 @@ impl MeasuredTable {
         self.lines.len()
     }
 
-    /// The numbers of a column, with a decimal point or, where commas do not separate fields, a decimal comma.
+    /// The numbers of a column, with a decimal point or comma, and perhaps the other sign between thousands.
     ///
     /// # Errors
     ///
@@ -123,14 +126,18 @@ impl MeasuredTable {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] at the first field with anything else.
+    /// [`Failure::Input`] at the first field with anything else, and at a number that may be one or one thousand.
     pub fn numbers_or_nan(&self, column: usize) -> Result<Vec<f64>, Failure> {
         let number = |(line, record): (usize, &StringRecord)| {
             let field = record.get(column).unwrap_or_default();
             if field.is_empty() || field.eq_ignore_ascii_case("nan") {
                 return Ok(f64::NAN);
             }
-            parsed(field, self.separator).ok_or_else(|| {
+            if self.is_unclear(field) {
+                let message = Decimals::doubt(field) + ", here or in another line";
+                return Err(self.refuse_number(line, column, message));
+            }
+            self.decimals.number(field).ok_or_else(|| {
                 let heading = &self.headings[column];
                 let message = format!(
                     "`{field}` in column `{heading}` is not a finite number, as -0.5; leave the field empty if nothing was \
@@ -140,6 +147,12 @@ impl MeasuredTable {
             })
         };
         self.lines.iter().enumerate().map(number).collect()
+    }
+
+    /// Returns whether a number may be one thousand. Where commas or tabs separate fields, decimals usually follow a point.
+    fn is_unclear(&self, field: &str) -> bool {
+        let is_usual = self.separator != b';' && field.contains('.');
+        !is_usual && self.decimals.is_unclear(field)
     }
 
     /// The number of a line in the file, from one, as failures state it; the argument counts from zero below the headings.
@@ -242,10 +255,11 @@ fn fields(line: &str, separator: u8) -> impl Iterator<Item = &str> {
     })
 }
 
-fn parsed(field: &str, separator: u8) -> Option<f64> {
-    let number = match separator {
-        b',' => field.parse(),
-        _ => field.replace(',', ".").parse(),
-    };
-    number.ok().filter(|number: &f64| number.is_finite())
+/// Returns what the numbers of all lines show of their commas and points.
+fn decimals(lines: &[StringRecord]) -> Decimals {
+    let mut decimals = Decimals::default();
+    let fields = lines.iter().flatten();
+    let numbers = fields.filter(|field| Decimals::default().number(field).is_some());
+    numbers.for_each(|number| decimals.add(number));
+    decimals
 }

@@ -1,41 +1,24 @@
 //! The fields of a line of a table.
 
 use super::heading::is_unit;
+use crate::decimals::Decimals;
 
 /// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
 pub(super) const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 
 /// Returns the number in a field; `inf` and `nan` are none.
-pub(super) fn number(field: &str, with_comma: bool) -> Option<f64> {
+pub(super) fn number(field: &str, with_comma: bool, decimals: Decimals) -> Option<f64> {
     let field = field.trim().replacen(MINUS, "-", 1);
-    let field = if with_comma {
-        without_thousands(&field)?
-    } else {
-        field
-    };
-    let number: f64 = field.parse().ok()?;
-    number.is_finite().then_some(number)
-}
-
-/// Returns a number with a decimal point: of `1.640,5` and `1,640.5` the first sign is that for thousands.
-fn without_thousands(field: &str) -> Option<String> {
-    let (Some(comma), Some(point)) = (field.rfind(','), field.rfind('.')) else {
-        return Some(field.replace(',', "."));
-    };
-    let (whole, decimals) = field.split_at(comma.max(point));
-    let sign = if comma < point { ',' } else { '.' };
-    let mut groups = whole.split(sign);
-    let first = groups.next()?.trim_start_matches(['-', '+']);
-    let is_whole = |group: &str| group.chars().all(|c| c.is_ascii_digit());
-    let is_first = matches!(first.len(), 1..=3) && is_whole(first);
-    let is_thousands = is_first && groups.all(|group| group.len() == 3 && is_whole(group));
-    is_thousands.then(|| whole.replace(sign, "") + "." + &decimals[1..])
+    if field.contains(',') && !with_comma {
+        return None;
+    }
+    decimals.number(&field)
 }
 
 /// Returns whether a cell between commas or other separators has a number, with a unit or without.
 pub(super) fn is_number(cell: &str) -> bool {
     let cell = cell.trim_matches(|c: char| c.is_whitespace() || "'\"".contains(c));
-    number(without_unit(cell).0, true).is_some()
+    number(without_unit(cell).0, true, Decimals::default()).is_some()
 }
 
 /// Returns whether `(90)` stands somewhere, a single number in parentheses. Lotus numbers its points so: `POINT (3)`.

@@ -8,6 +8,7 @@ use super::fields::{
 };
 use super::heading::unit;
 use super::names::spelled;
+use crate::decimals::Decimals;
 use crate::side::sides_of;
 
 /// The beginnings of a remark, and the end of a row in LaTeX.
@@ -28,6 +29,8 @@ const MOST_POINTS: usize = 4;
 pub(super) struct Row<'a> {
     pub(super) fields: Vec<&'a str>,
     pub(super) separator: char,
+    /// What the numbers of the file show of their commas and points.
+    pub(super) decimals: Decimals,
     /// The units of length that the row states.
     pub(super) units: Vec<&'a str>,
     /// Whether a single number stands in parentheses, which may mean that it is negative.
@@ -84,6 +87,7 @@ impl<'a> Row<'a> {
             Self {
                 fields: without_axes(fields),
                 separator,
+                decimals: Decimals::default(),
                 units,
                 has_number_in_parentheses,
                 has_empty_coordinate: separator != ' ' && has_empty_coordinate(line, separator),
@@ -261,6 +265,6 @@ impl<'a> Row<'a> {
 
     fn number(&self, field: &str) -> Option<f64> {
         // Between commas only a field in quotes has a comma.
-        number(field, self.separator != ' ')
+        number(field, self.separator != ' ', self.decimals)
     }
 }

@@ -28,6 +28,8 @@ use crate::side::Section;
 ///
 /// [`Failure::Input`] at a known point without three numbers, and at columns in another order.
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
+    let lines = with_commands_as_rows(lines_with_tabs(source.text()));
+    let lines = joined(with_names_in_rows(lines.into_iter(), names).into_iter());
     let mut table = Table {
         stated: Hardpoints::new(source, Axes::Iso),
         names,
@@ -35,10 +37,9 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         heading: String::new(),
         columns: None,
         groups: Vec::new(),
-        thousands: Thousands::default(),
+        thousands: Thousands::of(lines.iter().map(|(_, line)| &**line)),
     };
-    let lines = with_commands_as_rows(lines_with_tabs(source.text()));
-    for (place, line) in joined(with_names_in_rows(lines.into_iter(), names).into_iter()) {
+    for (place, line) in lines {
         table.read_line(place, &line)?;
     }
     table.thousands.check(source)?;
@@ -72,7 +73,10 @@ impl Table<'_, '_> {
         let columns = self.columns.as_ref();
         let line = &*columns.map_or(line.into(), |columns| columns.without_others(line));
         let (named, remarked) = with_whole_name(line, self.names);
-        let row = Row::parse(place.clone(), &named);
+        let row = Row {
+            decimals: self.thousands.decimals,
+            ..Row::parse(place.clone(), &named)
+        };
         self.stated.groups = self.groups_of(&row, whole);
         let section = remarked.or(self.section);
         if let Some(rows) = self.side_by_side(&row)? {

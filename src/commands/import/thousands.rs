@@ -3,35 +3,43 @@
 use std::ops::Range;
 
 use super::row::Row;
+use crate::decimals::Decimals;
 use crate::failure::Failure;
 use crate::file::Source;
 
+/// The most digits before a sign for thousands: coordinates of 10 m in mm are not meant.
+const LONGEST: usize = 1;
+
 /// What the numbers of a table tell about its commas and points.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Thousands {
-    /// The first number such as `1,250`, with its place.
+    pub(super) decimals: Decimals,
+    /// The first number that nothing explains, with its place.
     unclear: Option<(Range<usize>, String)>,
-    /// Whether a number such as `12,5` shows decimals.
-    has_decimals: bool,
-    /// Whether a number such as `250` has none.
-    has_whole: bool,
 }
 
 impl Thousands {
-    /// Adds the numbers of a row.
+    /// Takes what the coordinates in the lines of a table show.
+    pub(super) fn of<'a>(lines: impl Iterator<Item = &'a str>) -> Self {
+        let mut decimals = Decimals::with_thousands_behind(LONGEST);
+        let rows = lines.map(|line| Row::parse(0..0, line));
+        for row in rows.filter(|row| row.found().is_some()) {
+            row.written_numbers()
+                .for_each(|number| decimals.add(number));
+        }
+        Self {
+            decimals,
+            unclear: None,
+        }
+    }
+
+    /// Adds the numbers of a point.
     pub(super) fn add(&mut self, row: &Row<'_>) {
-        for number in row.written_numbers() {
-            let digits = number.trim_start_matches(|c: char| !c.is_ascii_digit());
-            match digits.split_once([',', '.']) {
-                None => self.has_whole |= digits.len() > 1,
-                Some((first, behind)) if is_group(first, behind) => {
-                    let unclear = || (row.place.clone(), number.to_owned());
-                    self.unclear.get_or_insert_with(unclear);
-                }
-                // `1,640.5` says what its comma is.
-                Some((_, behind)) if behind.contains([',', '.']) => {}
-                Some(_) => self.has_decimals = true,
-            }
+        let number = row
+            .written_numbers()
+            .find(|it| self.decimals.is_unclear(it));
+        if self.unclear.is_none() {
+            self.unclear = number.map(|number| (row.place.clone(), number.to_owned()));
         }
     }
 
@@ -39,23 +47,10 @@ impl Thousands {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if there is such a number beside whole ones, and no number has other decimals.
+    /// [`Failure::Input`] at the first number that does not.
     pub(super) fn check(self, source: &Source) -> Result<(), Failure> {
-        match self.unclear {
-            Some((place, number)) if self.has_whole && !self.has_decimals => {
-                let digits = number.replace([',', '.'], "");
-                let message = format!(
-                    "`{number}` may be {digits}, or a number with decimals: write {digits}, or {number}0 for decimals"
-                );
-                Err(source.refuse(&place, &message))
-            }
-            _ => Ok(()),
-        }
+        self.unclear.map_or(Ok(()), |(place, number)| {
+            Err(source.refuse(&place, Decimals::doubt(&number)))
+        })
     }
-}
-
-/// Returns whether digits around a comma or point may be a thousand and the three digits below it.
-fn is_group(first: &str, behind: &str) -> bool {
-    let is_one = first.len() == 1 && first != "0";
-    is_one && behind.len() == 3 && behind.chars().all(|c| c.is_ascii_digit())
 }

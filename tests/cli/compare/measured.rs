@@ -231,3 +231,17 @@ fn titles_above_the_headings_are_left_out() {
         assert_eq!(report(&titled), plain, "{titles}");
     }
 }
+
+#[test]
+fn signs_for_thousands_beside_decimals_change_nothing() {
+    let said = |[first, second, third]: [&str; 3]| {
+        let table = format!("bump (mm)\tspring (mm)\n-20\t{first}\n0\t{second}\n20\t{third}\n");
+        let (_folder, output) = beside(&arm("m", 1.0, 0.4), &table, &[]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        text(&output.stdout).to_owned()
+    };
+    let plain = said(["1500", "1490.5", "1480"]);
+    assert_eq!(said(["1,500", "1,490.5", "1,480"]), plain);
+    assert_eq!(said(["1,500", "1490.5", "1480"]), plain);
+    assert_eq!(said(["1.500", "1490,5", "1480"]), plain);
+}

@@ -209,9 +209,16 @@ fn a_number_that_may_have_a_sign_for_thousands_is_refused() {
         );
         assert_eq!(said, expected);
         // Other decimals show what the sign is.
-        let file = file.replace("-170", "-170,5");
-        let points = import(folder().path(), "a.csv", &file, &[]).points();
-        assert_eq!(points["lower_front"], [-1.26, 170.5, 125.0]);
+        for (lateral, decimal) in [("-170,5", ','), ("-170.5", '.')] {
+            let file = file.replace("-170", lateral);
+            let x = if written.contains(decimal) {
+                -1.26
+            } else {
+                -1260.0
+            };
+            let points = import(folder().path(), "a.csv", &file, &[]).points();
+            assert_eq!(points["lower_front"], [x, 170.5, 125.0], "{file}");
+        }
     }
 }
 

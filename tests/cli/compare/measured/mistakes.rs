@@ -82,6 +82,16 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
             "m.csv:6:1: the line has no number in column `wheel travel [mm]`; write one, or leave out the line",
         ),
         (
+            "bump [mm]\twheel_centre_y [mm]\n-20\t1,750\n",
+            &[],
+            "m.csv:2:5: `1,750` may be 1750, or a number with decimals: write 1750, or 1,7500 for decimals, here or in another line",
+        ),
+        (
+            "bump [mm];wheel_centre_y [mm]\n-20;1.750\n",
+            &[],
+            "m.csv:2:5: `1.750` may be 1750, or",
+        ),
+        (
             "steer [mm],toe\nmm,mm\n0,0\n",
             &[],
             "m.csv:1:12: `mm` is no unit of `toe` here; convert the column and write `toe [deg]`",
