@@ -64,15 +64,24 @@ impl Arguments {
     /// See [`Failure`]. If a mechanism locks within the travel, its curves end there, and the command compares what remains.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
-        let (report, failure) = if measured::is_table(&self.b) {
+        let first = load(&a)?;
+        let second = if measured::is_table(&self.b) {
             self.refuse_spans(&b)?;
-            let report = measured::compare([&a, &b], self.absolute, interrupted)?;
-            (report, None)
+            None
         } else {
             self.refuse_absolute(&b)?;
-            self.compared([&a, &b], interrupted)?
+            Some(load(&b)?)
         };
-        Destinations::new([&self.csv, &self.json, &self.html])?.write(
+        // Files that were read are known, and nothing is solved yet.
+        let to = Destinations::new([&self.csv, &self.json, &self.html])?;
+        let (report, failure) = match &second {
+            Some(second) => self.compared([(&a, &first), (&b, second)], interrupted)?,
+            None => {
+                let report = measured::compare((&a, &first), &b, self.absolute, interrupted)?;
+                (report, None)
+            }
+        };
+        to.write(
             || report.text(),
             |forms| report.write(forms),
             || page::html(&report),
@@ -101,14 +110,14 @@ impl Arguments {
     /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.
     fn compared(
         &self,
-        [a, b]: [&Source; 2],
+        files: [(&Source, &Loaded<'_>); 2],
         interrupted: &AtomicBool,
     ) -> Result<(Report, Option<Failure>), Failure> {
-        let (first, second) = (load(a)?, load(b)?);
+        let [(a, first), _] = files;
         let spans = [self.travel, self.steer];
-        let side = |source: &Source, loaded: &Loaded<'_>| {
+        let side = |(source, loaded): (&Source, &Loaded<'_>)| {
             let mechanism = loaded.at_design_in(first.axes())?;
-            let converted = converted([loaded, &first]);
+            let converted = converted([loaded, first]);
             Side::compute(
                 &*mechanism,
                 (source, converted),
@@ -117,7 +126,7 @@ impl Arguments {
                 interrupted,
             )
         };
-        let (one, other) = (side(a, &first)?, side(b, &second)?);
+        let [one, other] = [side(files[0])?, side(files[1])?];
         let sides = [&one, &other];
         if self.steer.is_some() && !sides.iter().any(|side| side.steers()) {
             return Err(no_steering(a.name()));

@@ -294,6 +294,8 @@ fn compare_refuses_files_that_cannot_be_compared() {
         ),
         (CORNER, &["--html", "b.toml"], "--html would overwrite"),
         (CORNER, &["--csv", "a.toml"], "--csv would overwrite"),
+        // Places are checked before anything is solved.
+        (&*arm_alone, &["--csv", "a.toml"], "--csv would overwrite"),
     ] {
         let (_folder, output) = compare(CORNER, b, options);
         assert_eq!(output.status.code(), Some(2), "{output:?}");

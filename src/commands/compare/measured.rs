@@ -19,7 +19,7 @@ use crate::commands::compare::report::Report;
 use crate::commands::compare::short_name::short_names;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
+use crate::load::Loaded;
 use crate::measured_table::MeasuredTable;
 use crate::number::counted;
 use columns::{Known, tell_doubts};
@@ -41,11 +41,11 @@ pub(super) fn is_table(path: &Path) -> bool {
 ///
 /// [`Failure::Input`] at a heading, at a field without a number, and at a place out of reach.
 pub(super) fn compare(
-    [model, measured]: [&Source; 2],
+    (model, loaded): (&Source, &Loaded<'_>),
+    measured: &Source,
     absolute: bool,
     interrupted: &AtomicBool,
 ) -> Result<Report, Failure> {
-    let loaded = load(model)?;
     let mechanism = &*loaded.at_design()?;
     let mut table = MeasuredTable::new(measured)?;
     let known = Known::all(&mut table, mechanism, absolute)?;
