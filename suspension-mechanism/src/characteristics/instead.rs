@@ -4,9 +4,7 @@ use crate::characteristics::parameters::columns;
 use crate::characteristics::title::Title;
 use crate::mechanism::{Description, Names, SteeringWheel};
 use crate::quantities::{
-    Axis, CENTRE, CONTACT, Column, HALF_TRACK_CHANGE, Quantity, RECESSION, STEERING_RATIO,
-    STEERING_WHEEL_ANGLE, TRACK, TRACK_CHANGE, WHEEL_TRAVEL, WHEELBASE_CHANGE, catalogue,
-    from_design, of_axles,
+    Column, Quantity, STEERING_RATIO, STEERING_WHEEL_ANGLE, catalogue, from_design, of_axles,
 };
 
 /// A sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that
@@ -19,7 +17,7 @@ pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
     let mut quantities = from_design();
     let quantity = quantities.find(is_called)?;
     let wheel = wanted.strip_suffix(quantity.name)?;
-    let (instead, axis) = instead_of(quantity)?;
+    let (instead, axis) = quantity.zero_at_design?;
     let columns = columns(mechanism).into_iter();
     let columns = columns.filter(|column| column.is(instead) && column.axis == axis);
     let names = columns.map(|column: Column| column.title());
@@ -124,19 +122,4 @@ fn listed(names: impl Iterator<Item = String>) -> Option<String> {
         [] => last.clone(),
         others => format!("{} or {last}", others.join(", ")),
     })
-}
-
-/// The quantity that changes in the same way as one that counts from the design position.
-fn instead_of(quantity: &Quantity) -> Option<(&'static Quantity, Option<Axis>)> {
-    let pairs: [(&Quantity, &Quantity, Option<Axis>); 6] = [
-        (&STEERING_WHEEL_ANGLE, &STEERING_RATIO, None),
-        (&WHEEL_TRAVEL, &CENTRE, Some(Axis::Z)),
-        (&RECESSION, &CENTRE, Some(Axis::X)),
-        (&HALF_TRACK_CHANGE, &CONTACT, Some(Axis::Y)),
-        (&WHEELBASE_CHANGE, &CONTACT, Some(Axis::X)),
-        (&TRACK_CHANGE, &TRACK, None),
-    ];
-    let mut pairs = pairs.into_iter();
-    let (_, instead, axis) = pairs.find(|(of, ..)| std::ptr::eq(*of, quantity))?;
-    Some((instead, axis))
 }

@@ -7,12 +7,15 @@ use crate::quantities::quantity::{Column, Quantity};
 
 /// Makes a `static` of each row and the list of a file's rows. A formula is compiled for each number type.
 macro_rules! catalogue {
+    (@option) => { None };
+    (@option $value:expr) => { Some($value) };
     ($($row:ident: $title:literal {
         name: $name:literal,
         sign: $sign:literal,
         definition: $definition:literal,
         source: $source:literal,
         $(vehicle: $vehicle:literal,)?
+        $(zero_at_design: $changes_as:expr,)?
         shown: $shown:expr,
         read: $read:expr,
     })+) => {
@@ -25,6 +28,7 @@ macro_rules! catalogue {
                 definition: $definition,
                 source: $source,
                 vehicle: concat!($($vehicle)?),
+                zero_at_design: catalogue!(@option $($changes_as)?),
                 shown: $shown,
                 read: crate::quantities::formulas::Formulas {
                     along: $read,
@@ -81,10 +85,7 @@ pub fn of_axles() -> impl Iterator<Item = &'static Quantity> {
 
 /// The rows of quantities that are zero at the design position.
 pub fn from_design() -> impl Iterator<Item = &'static Quantity> {
-    from_design::ROWS
-        .iter()
-        .copied()
-        .chain([&TRACK_CHANGE, &STEERING_WHEEL_ANGLE])
+    catalogue().filter(|quantity| quantity.zero_at_design.is_some())
 }
 
 /// The rows that a reader of curves looks for first.

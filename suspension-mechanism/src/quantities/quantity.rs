@@ -22,6 +22,8 @@ pub struct Quantity {
     pub source: &'static str,
     /// The lines of `[vehicle]` that a mechanism needs to have it, in words; empty if the linkage alone decides.
     pub vehicle: &'static str,
+    /// For a quantity that is zero at the design position, the one that changes in the same way.
+    pub zero_at_design: Option<(&'static Quantity, Option<Axis>)>,
     /// The outputs in which it is shown.
     pub shown: Shown,
     /// Its numbers; none if the linkage lacks what it describes.

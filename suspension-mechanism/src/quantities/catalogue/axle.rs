@@ -36,6 +36,7 @@ catalogue! {
         sign: "positive where the track is wider",
         definition: "the track less its value at the design position",
         source: "as track",
+        zero_at_design: (&TRACK, None),
         shown: Shown::InTables,
         read: |names| of_both_from_design(names, Dimension::Length, |now, design| track(now) - track(design)),
     }

@@ -1,7 +1,9 @@
-//! The displacement of each wheel from its design position.
+//! The displacement of each wheel from its design position, where it is zero.
 
 use suspension_core::signal::Number as _;
 
+use crate::quantities::axis::Axis;
+use crate::quantities::catalogue::wheel::{CENTRE, CONTACT};
 use crate::quantities::from_design::{of_moved, of_moved_from_other_axle};
 use crate::quantities::quantity::{Quantity, Shown};
 
@@ -11,6 +13,7 @@ catalogue! {
         sign: "positive upwards: bump",
         definition: "the height of the wheel centre above its height at the design position",
         source: "as reports of kinematics and compliance have it",
+        zero_at_design: (&CENTRE, Some(Axis::Z)),
         shown: Shown::InTables,
         read: |names| of_moved(names, false, |now, design| now.centre.z - design.centre.z),
     }
@@ -19,6 +22,7 @@ catalogue! {
         sign: "positive where the wheel moves rearward",
         definition: "how far the wheel centre is behind its design position, along x",
         source: "as wheel_travel",
+        zero_at_design: (&CENTRE, Some(Axis::X)),
         shown: Shown::InTables,
         read: |names| of_moved(names, false, |now, design| design.centre.x - now.centre.x),
     }
@@ -27,6 +31,7 @@ catalogue! {
         sign: "positive outboard",
         definition: "how far the contact point is outboard of its design position, along y",
         source: "as wheel_travel",
+        zero_at_design: (&CONTACT, Some(Axis::Y)),
         shown: Shown::InTables,
         read: |names| of_moved(names, true, |now, design| {
             let moved = now.contact.y - design.contact.y;
@@ -40,6 +45,7 @@ catalogue! {
                      wheelbase of its side",
         source: "as wheel_travel",
         vehicle: "`axle`",
+        zero_at_design: (&CONTACT, Some(Axis::X)),
         shown: Shown::InTables,
         read: |names| of_moved_from_other_axle(names, |now, design| now.contact.x - design.contact.x),
     }

@@ -71,6 +71,7 @@ catalogue! {
                      and has no column",
         source: "ISO 8855",
         vehicle: "rack_per_turn or steering_box_ratio",
+        zero_at_design: (&STEERING_RATIO, None),
         shown: Shown::InTables,
         read: steering_wheel::of_angle,
     }
