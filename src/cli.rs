@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::file::tell;
 use crate::interrupt;
 use crate::mistyped::with_suggestion;
+use crate::signals::catch_signals;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///
@@ -139,8 +140,7 @@ impl Options {
 }
 
 /// Returns the commands and their options. The help of `motion` is written only if it is asked for: it names the quantities
-/// of a
-/// listing, whose equations take longer to order than most commands take.
+/// of a listing, whose equations take longer to order than most commands take.
 fn program(arguments: &[OsString]) -> clap::Command {
     let program = Options::command();
     let has = |word: &str| arguments.iter().any(|argument| argument == word);
@@ -174,7 +174,7 @@ fn exit_code(failure: &Failure) -> u8 {
 
 /// Runs a job, with a flag that an interrupt sets. If the job fails, prints why and returns the exit code.
 pub fn run_job(job: impl FnOnce(&AtomicBool) -> Result<(), Failure>) -> ExitCode {
-    if let Err(error) = interrupt::catch_signals() {
+    if let Err(error) = catch_signals() {
         tell(format_args!("note: an interrupt will lose rows: {error}"));
     }
     match job(interrupt::flag()) {

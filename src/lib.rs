@@ -15,6 +15,7 @@ mod mistyped;
 mod option;
 pub mod output;
 mod side;
+mod signals;
 
 pub use suspension_mechanism::{
     assemblies, bake, characteristics, decimals, detail, failure, file, interrupt, kinematics,
