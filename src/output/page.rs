@@ -55,11 +55,24 @@ pub fn page(title: &str, body: &Markup) -> String {
             }
             body {
                 h1 { (title) }
-                (body)
+                (PreEscaped(with_code(&body.0)))
             }
         }
     };
     page.into_string()
+}
+
+/// Returns text with the names that sentences have between backticks set as code.
+fn with_code(text: &str) -> String {
+    let mut pieces = text.split('`');
+    let mut set = pieces.next().unwrap_or_default().to_owned();
+    while let Some(name) = pieces.next() {
+        match pieces.next() {
+            Some(behind) => set += &format!("<code>{name}</code>{behind}"),
+            None => set += &format!("`{name}"),
+        }
+    }
+    set
 }
 
 /// Returns charts beside and below each other.

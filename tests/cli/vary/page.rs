@@ -81,7 +81,10 @@ fn a_usual_range_beyond_the_reach_is_told_once() {
     let folded = "<summary>3 sweeps end before the range does, and their curves too.</summary>";
     assert!(page.contains(folded), "{page}");
     assert!(page.contains("a.toml with top.z 0.002 m: 12 of 61 places are out of reach"));
-    assert_eq!(page.matches("`suspension range a.toml`").count(), 3);
+    assert_eq!(
+        page.matches("<code>suspension range a.toml</code>").count(),
+        3
+    );
 }
 
 #[test]
