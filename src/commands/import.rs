@@ -2,6 +2,7 @@
 
 mod adams_command;
 mod add;
+mod angle;
 mod axle;
 mod candidate;
 mod checked;

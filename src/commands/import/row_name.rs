@@ -43,7 +43,7 @@ pub(super) fn with_whole_name(line: &str, names: &Names) -> (String, Section) {
         if is_on_ground(&remark) {
             return format!(" {words}");
         }
-        section = section_of_heading(&remark).or(section);
+        section = section_of_heading(&names.heading_in_english(&remark)).or(section);
         String::new()
     });
     let unsaid = Section::default();

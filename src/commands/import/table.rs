@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::adams_command::with_commands_as_rows;
 use super::add::add;
+use super::angle::check_angle;
 use super::columns::Columns;
 use super::hardpoints::Hardpoints;
 use super::heading::{
@@ -16,7 +17,6 @@ use super::names_as_columns::with_names_in_rows;
 use super::row::{Row, lines_with_tabs};
 use super::row_name::{name_of, with_whole_name};
 use super::thousands::Thousands;
-use super::unclear::check_angle;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;

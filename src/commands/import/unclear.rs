@@ -1,7 +1,7 @@
 //! Rows with known names whose numbers can be read in several ways: they are refused.
 
 use super::hardpoints::Hardpoints;
-use super::names::{Names, key_of, spelled};
+use super::names::key_of;
 use super::row::Row;
 use crate::failure::Failure;
 use crate::side::{Section, Sides};
@@ -81,72 +81,4 @@ fn in_words(section: Section) -> String {
     );
     let words: Vec<&str> = end.into_iter().chain(side).collect();
     words.join(" ")
-}
-
-/// Words of an angle that is not that of one wheel in degrees; an apostrophe behind a number stands for minutes.
-const NOT_DEGREES: [&str; 18] = [
-    "min",
-    "minutes",
-    "minuten",
-    "winkelminuten",
-    "minuti",
-    "primi",
-    "minutos",
-    "arcmin",
-    "'",
-    "rad",
-    "mrad",
-    "radians",
-    "total",
-    "gesamtspur",
-    "mm",
-    "cm",
-    "inch",
-    "inches",
-];
-
-/// Words beside each other of an angle that is that of both wheels.
-const OF_BOTH: [&str; 2] = ["per_axle", "pro_achse"];
-
-/// The word of a toe angle that is positive for toe-out.
-const TOE_OUT: &str = "out";
-
-/// Checks that toe and camber are those of one wheel, in degrees, and that toe is not toe-out.
-///
-/// # Errors
-///
-/// [`Failure::Input`] if the line of the number says otherwise.
-pub(super) fn check_angle(
-    stated: &Hardpoints<'_>,
-    (row, line): (&Row<'_>, &str),
-    name: &str,
-    names: &Names,
-) -> Result<(), Failure> {
-    let (key, _) = key_of(name);
-    let [is_toe, is_camber] = ["toe", "camber"].map(|angle| names.is_of_number(angle, &key));
-    if !(is_toe || is_camber) || !row.has_digits() {
-        return Ok(());
-    }
-    let said = spelled(line);
-    let minutes = has_minutes(line).then_some("'");
-    let of_both = OF_BOTH.into_iter().find(|both| said.contains(both));
-    let mut words = said.split('_').chain(minutes).chain(of_both);
-    let is_other = |word: &&str| {
-        NOT_DEGREES.contains(word) || OF_BOTH.contains(word) || is_toe && *word == TOE_OUT
-    };
-    words.find(is_other).map_or(Ok(()), |word| {
-        let or_limit = if word == "min" { ", for minutes or a limit" } else { "" };
-        let word = word.replace('_', " ");
-        let message = format!(
-            "`{name}` says `{word}`{or_limit}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
-        );
-        Err(stated.source.refuse(&row.place, &message))
-    })
-}
-
-/// Returns whether an apostrophe stands behind a number, and not at the end of a field in quotes.
-fn has_minutes(line: &str) -> bool {
-    let mut apostrophes = line.match_indices('\'');
-    let is_quoted = line.matches('\'').count().is_multiple_of(2);
-    !is_quoted && apostrophes.any(|(at, _)| line[..at].ends_with(|c: char| c.is_ascii_digit()))
 }

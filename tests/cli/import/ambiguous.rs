@@ -118,6 +118,12 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
         "Camber [rad], -0.02",
         "Toe, 12'",
         "Toe [° out], 0.2",
+        "Toe (in), 0.2",
+        "Vorspur (Achse), 0.4",
+        "Toe [deg] (both wheels), 0.4",
+        "Camber (top in positive), 2",
+        "Camber (negative out), 2",
+        "Camber, 2, positive = top in",
     ] {
         let said = refusal("a.csv", &format!("{corner}{row}\n"), &[]);
         assert!(said.starts_with("a.csv:16:1: `"), "{row}: {said}");
@@ -137,7 +143,16 @@ fn angles_in_quotes_and_in_degrees_are_read() {
         imported.motion["points"]["axle"].to_string()
     };
     let plain = of("Toe, 0.2");
-    for row in ["'Toe', '0.2'", "Toe [deg], 0.2", "Toe (°), 0.2"] {
+    for row in [
+        "'Toe', '0.2'",
+        "Toe [deg], 0.2",
+        "Toe (°), 0.2",
+        "Toe (per wheel, toe-in positive) [deg], 0.2",
+        "Vorspur (pro Rad), 0.2",
+        "Vorspur (Grad), 0.2",
+        "Vorspur (vorn links), 0.2",
+        "Toe (R), 0.1\nToe (L), 0.2",
+    ] {
         assert_eq!(of(row), plain, "{row}");
     }
     assert_ne!(of("Toe, 0.3"), plain);
