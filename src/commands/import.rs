@@ -24,11 +24,13 @@ mod names;
 mod names_as_columns;
 mod orientation;
 mod rack;
+mod reading;
 mod remarks;
 mod row;
 mod row_corner;
 mod row_name;
 mod shark;
+mod spelling;
 mod stand_in;
 mod subsystem;
 mod table;
@@ -153,28 +155,6 @@ impl Arguments {
             None => refuse_existing(out, out),
             Some(_) => Ok(()),
         }
-    }
-
-    /// Returns the points of the wanted axle. Words that name a corner are part of a name where a layout then has the points;
-    /// otherwise they are not.
-    fn of_axle<'a>(
-        &self,
-        stated: Hardpoints<'a>,
-        names: &Names,
-    ) -> Result<Hardpoints<'a>, Failure> {
-        let apart = stated.with_corners_apart(names);
-        let is_clearer = apart.count_known(names) > stated.count_known(names);
-        let [stated, apart] = [stated, apart].map(|read| read.of_end(self.end));
-        let is_suspension = |read: &Result<Hardpoints<'_>, Failure>| {
-            let corner = read
-                .as_ref()
-                .map(|read| self.corner(read, names, self.first_side()));
-            matches!(corner, Ok(Ok(_)))
-        };
-        if !is_suspension(&stated) && (is_clearer || is_suspension(&apart)) {
-            return apart;
-        }
-        stated
     }
 
     /// Returns the side of the corner that is imported, or that is first: the left one of an axle.

@@ -2,8 +2,9 @@
 
 use super::hardpoints::Hardpoints;
 use super::heading::{length, unit};
-use super::names::{Names, key_of};
+use super::names::Names;
 use super::row::Row;
+use super::spelling::key_of;
 use super::unclear::{check_group, check_row};
 use crate::failure::Failure;
 use crate::side::Section;

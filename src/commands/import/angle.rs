@@ -2,8 +2,9 @@
 
 use super::hardpoints::Hardpoints;
 use super::heading::section_of_heading;
-use super::names::{Names, key_of, spelled};
+use super::names::Names;
 use super::row::Row;
+use super::spelling::{key_of, spelled};
 use crate::failure::Failure;
 use crate::side::{Section, sides_of};
 

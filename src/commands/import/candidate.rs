@@ -16,6 +16,13 @@ const OF_ROCKER: [&str; 3] = ["rocker", "pushrod", "pullrod"];
 const ROCKER: &str = "rocker_front";
 const DAMPER: &str = "damper_lower";
 
+/// Pairs of points that state nothing but the axis of a part.
+const AXES: [[&str; 2]; 3] = [
+    ["rocker_front", "rocker_rear"],
+    ["crank_front", "crank_rear"],
+    ["pivot_inner", "pivot_outer"],
+];
+
 /// A listing that may be chosen, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Candidate<'a> {
@@ -71,17 +78,31 @@ impl<'a> Candidate<'a> {
     fn lacks(&self, names: &Names) -> String {
         let each = self.needed().into_iter().map(|name| {
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
-            match others.as_slice() {
-                [] => format!("`{name}`"),
-                others => {
-                    let (first, more) = others.split_at(others.len().min(FEW_NAMES));
-                    let mut first: Vec<String> = first.iter().map(ToString::to_string).collect();
-                    first.extend(and_more(more.len()));
-                    format!("`{name}` (or {})", first.join(", "))
-                }
-            }
+            let (first, more) = others.split_at(others.len().min(FEW_NAMES));
+            let mut first: Vec<String> = first.iter().map(ToString::to_string).collect();
+            first.extend(and_more(more.len()));
+            let or = match first.as_slice() {
+                [] => String::new(),
+                others => format!(" (or {})", others.join(", ")),
+            };
+            format!("`{name}`{or}{}", self.of_axis(name).unwrap_or_default())
         });
         each.collect::<Vec<_>>().join("; ")
+    }
+
+    /// Says that a missing point may be any one of an axis of which another point is found.
+    fn of_axis(&self, name: &str) -> Option<String> {
+        let other = AXES.iter().find_map(|[one, other]| {
+            (name == *one)
+                .then_some(other)
+                .or((name == *other).then_some(one))
+        })?;
+        let mut found = self.found.iter();
+        let (_, found) = found.find(|(found, _)| found == other)?;
+        Some(format!(
+            ": any second point of the axis through `{}` will do",
+            found.name
+        ))
     }
 
     /// Lists the unknown names of the file, each with the missing point that may have been meant.

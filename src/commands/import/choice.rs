@@ -77,6 +77,34 @@ pub(super) fn choose<'a>(
     names: &'a Names,
     wanted: Option<&str>,
 ) -> Result<Choice<'a>, String> {
+    let mut candidates = candidates(points, names, wanted).into_iter();
+    let Some(best) = candidates.next() else {
+        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
+    };
+    if let Some(why) = best.does_not_fit(stated, points, names, wanted) {
+        return Err(why);
+    }
+    match candidates.next() {
+        Some(other)
+            if other.missing.is_empty()
+                && other.found.len() == best.found.len()
+                && other.spare.len() == best.spare.len() =>
+        {
+            Err(format!(
+                "the points are those of {} and of {}: say which with --linkage",
+                best.layout.name, other.layout.name
+            ))
+        }
+        _ => Choice::new(best, stated).map_err(|mistakes| mistakes.to_string()),
+    }
+}
+
+/// Returns the layouts, or the one that the user names, with the points of a file; the nearest one is the first.
+pub(super) fn candidates<'a>(
+    points: &[&'a Hardpoint],
+    names: &'a Names,
+    wanted: Option<&str>,
+) -> Vec<Candidate<'a>> {
     let layouts = names.layouts.iter();
     let layouts = layouts.filter(|layout| wanted.is_none_or(|wanted| wanted == layout.name));
     // Points of one name are in one place, or the candidate refuses them: the first is taken.
@@ -97,24 +125,5 @@ pub(super) fn choose<'a>(
             Reverse(candidate.spare.len()),
         )
     });
-    let mut candidates = candidates.into_iter();
-    let Some(best) = candidates.next() else {
-        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
-    };
-    if let Some(why) = best.does_not_fit(stated, points, names, wanted) {
-        return Err(why);
-    }
-    match candidates.next() {
-        Some(other)
-            if other.missing.is_empty()
-                && other.found.len() == best.found.len()
-                && other.spare.len() == best.spare.len() =>
-        {
-            Err(format!(
-                "the points are those of {} and of {}: say which with --linkage",
-                best.layout.name, other.layout.name
-            ))
-        }
-        _ => Choice::new(best, stated).map_err(|mistakes| mistakes.to_string()),
-    }
+    candidates
 }

@@ -1,7 +1,7 @@
 //! The columns of coordinates where a heading says which they are, among other columns of numbers.
 
 use super::fields::is_number;
-use super::names::spelled;
+use super::spelling::spelled;
 use crate::side::Section;
 
 /// The columns of x, y and z, which are beside each other: those of one point, or of one in each group of columns.

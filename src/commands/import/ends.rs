@@ -3,8 +3,9 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::hardpoints::Hardpoints;
-use super::names::{Names, spelled};
+use super::hardpoints::{Hardpoint, Hardpoints};
+use super::names::Names;
+use super::spelling::spelled;
 use crate::failure::Failure;
 use crate::side::{End, Section, Side, end_of};
 
@@ -49,7 +50,11 @@ impl Hardpoints<'_> {
         let is_f = |word: &str| (word == "f").then_some(());
         let mut points = self.points.iter();
         let has_f = points.any(|point| without(&point.key, is_f, is_known_of_side).is_some());
-        let meaning = |word: &str| Section::of_word(word).or_else(|| of_letter(word, has_f));
+        let meaning = |word: &str| {
+            names
+                .corner_of_word(word)
+                .or_else(|| of_letter(word, has_f))
+        };
         let is_known_of_corner =
             |key: &str| is_known(key) || without(key, meaning, is_known).is_some();
         for point in &mut apart.points {
@@ -71,10 +76,17 @@ impl Hardpoints<'_> {
         apart
     }
 
-    /// Returns the number of points with known names.
-    pub(super) fn count_known(&self, names: &Names) -> usize {
-        let points = self.points.iter();
-        points.filter(|point| names.is_point(&point.key)).count()
+    /// Returns the contents with the sides of points in their names, as layouts with both sides have them: `Damper top RH`, or
+    /// `Damper top` of the right side, is `right_damper_upper`.
+    pub(super) fn with_sides_in_names(&self, names: &Names) -> Self {
+        let mut joined = self.clone();
+        for point in &mut joined.points {
+            if let Some(name) = name_with_side(point, names) {
+                point.key = name;
+                point.side = None;
+            }
+        }
+        joined
     }
 
     /// Returns the contents without the points and numbers of the other end of the vehicle, if `wanted` names an end.
@@ -103,6 +115,26 @@ impl Hardpoints<'_> {
         self.check_numbers()?;
         Ok(self)
     }
+}
+
+/// Returns the known name that says the side of a point: the words of its own name in English, or one with the side of its name or
+/// row before a known name.
+fn name_with_side(point: &Hardpoint, names: &Names) -> Option<String> {
+    let side_of = |word: &str| {
+        let said = names
+            .corner_of_word(word)
+            .or_else(|| of_letter(word, false))?;
+        said.side.filter(|_| said.end.is_none())
+    };
+    let words = point.key.split('_');
+    let in_english = words.map(|word| side_of(word).map_or(word, |side| side.name()));
+    let in_english = in_english.collect::<Vec<_>>().join("_");
+    if in_english != point.key && names.is_point(&in_english) {
+        return Some(in_english);
+    }
+    let by_name = without(&point.key, side_of, |own| names.is_point(own));
+    let (side, own) = by_name.or_else(|| Some((point.side?, point.key.clone())))?;
+    names.point_of_side(side, &own)
 }
 
 /// Returns what a letter at an end of a name says; `r` is rear where other names have an `f`.

@@ -92,11 +92,12 @@ pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, V
     (others, units)
 }
 
-/// Returns the fields of a line without quotes and empty fields.
+/// Returns the fields of a line without quotes and empty fields. The apostrophe of `Watt's link` is no quote.
 pub(super) fn fields(line: &str, separator: char) -> Vec<&str> {
-    let mut quote = None;
+    let (mut quote, mut before) = (None, ' ');
     let apart = move |c: char| {
-        if quote.is_none() && matches!(c, '\'' | '"') {
+        let is_within_word = std::mem::replace(&mut before, c).is_alphanumeric();
+        if quote.is_none() && (c == '"' || c == '\'' && !is_within_word) {
             quote = Some(c);
         } else if quote == Some(c) {
             quote = None;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::heading::length;
-use super::names::key_of;
+use super::spelling::key_of;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};

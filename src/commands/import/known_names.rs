@@ -40,7 +40,7 @@ fn row(name: &str, others: &[String]) -> String {
 mod tests {
     use std::collections::BTreeMap;
 
-    use super::super::names::spelled;
+    use super::super::spelling::spelled;
     use super::*;
 
     #[test]

@@ -6,9 +6,10 @@ use serde::Deserialize;
 use suspension_listing::did_you_mean::nearest;
 
 use super::layout::Layout;
+use super::spelling::is_on_ground;
 use super::words::Words;
 use crate::failure::Failure;
-use crate::side::{Side, Sides, corner_of};
+use crate::side::{Section, Side};
 
 /// The contents of `names.toml`.
 #[derive(Debug, Deserialize)]
@@ -118,10 +119,7 @@ impl Names {
 
     /// Returns the spelled words of a heading in English. A word that English has too is translated beside another foreign one.
     pub(super) fn heading_in_english(&self, words: &str) -> String {
-        let row = |word: &str| {
-            let mut rows = self.headings.iter();
-            rows.find(|(_, others)| others.iter().any(|other| other == word))
-        };
+        let row = |word: &str| self.heading_row(word);
         let is_english = |word: &str| ENGLISH_TOO.contains(&word);
         let is_foreign = |word: &str| row(word).is_some() && !is_english(word);
         let has_foreign = words.split('_').any(is_foreign);
@@ -131,6 +129,28 @@ impl Names {
         };
         let words = words.split('_').map(english);
         words.collect::<Vec<&str>>().join("_")
+    }
+
+    /// Returns what a spelled word in any language says of a corner.
+    pub(super) fn corner_of_word(&self, word: &str) -> Option<Section> {
+        Section::of_word(self.heading_row(word).map_or(word, |(english, _)| english))
+    }
+
+    /// Returns the row of a word of headings in another language.
+    fn heading_row(&self, word: &str) -> Option<(&String, &Vec<String>)> {
+        let mut rows = self.headings.iter();
+        rows.find(|(_, others)| others.iter().any(|other| other == word))
+    }
+
+    /// Returns the known name that has a side before a name, or before the point that this names.
+    pub(super) fn point_of_side(&self, side: Side, name: &str) -> Option<String> {
+        let form = self.normal(name);
+        let named = self.forms.iter().filter(|(_, forms)| forms.contains(&form));
+        let own = [name]
+            .into_iter()
+            .chain(named.map(|(point, _)| point.as_str()));
+        let mut of_side = own.map(|own| format!("{}_{own}", side.name()));
+        of_side.find(|name| self.is_point(name))
     }
 
     /// Returns whether the name is that of a point.
@@ -187,7 +207,7 @@ fn spellings<'a>(
 }
 
 /// Words of headings in other languages that English has too: `Rear links` and `drive train` say nothing of sides and axles.
-const ENGLISH_TOO: [&str; 2] = ["links", "train"];
+const ENGLISH_TOO: [&str; 6] = ["links", "train", "as", "ad", "re", "post"];
 
 /// The most points that a message names.
 pub(super) const MOST_NAMES: usize = 40;
@@ -195,68 +215,4 @@ pub(super) const MOST_NAMES: usize = 40;
 /// Returns the words on `others` that a message does not name; `None` if there are none.
 pub(super) fn and_more(others: usize) -> Option<String> {
     (others > 0).then(|| format!("and {others} more"))
-}
-
-/// Returns a name in lower-case letters with `_` between words.
-pub(super) fn spelled(name: &str) -> String {
-    let words = name.split(|c: char| !c.is_alphanumeric());
-    let words = words.filter(|word| !word.is_empty());
-    words.collect::<Vec<_>>().join("_").to_lowercase()
-}
-
-/// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
-pub(super) fn is_on_ground(name: &str) -> bool {
-    let mut words = name.split('_');
-    words.any(|word| ["contact", "patch", "ground"].contains(&word))
-}
-
-/// Removes the code of a corner at either end of a spelled name.
-fn without_corner(key: &str) -> Option<(String, Sides)> {
-    let ends = [
-        key.split_once('_'),
-        key.rsplit_once('_').map(|(own, code)| (code, own)),
-    ];
-    let mut ends = ends.into_iter().flatten();
-    ends.find_map(|(code, own)| Some((own.to_owned(), Sides::One(corner_of(code)?.1))))
-}
-
-/// Words that are no name without the part before them, as in `lca.front` of a structure.
-const OF_PART: [&str; 8] = [
-    "front", "rear", "fore", "aft", "inner", "outer", "centre", "center",
-];
-
-/// Returns a name as it is compared, and the side that it states. It omits the prefixes of Adams/Car, the model, and hpl_,
-/// hpr_ or hps_ for left, right and single; the path of a structure in a program; and the code of a corner such as RL.
-pub(super) fn key_of(name: &str) -> (String, Sides) {
-    let mut path = name.rsplit('.');
-    let own = path.next().unwrap_or(name);
-    let key = match path.next() {
-        Some(part) if OF_PART.contains(&spelled(own).as_str()) => spelled(&format!("{part} {own}")),
-        _ => spelled(own),
-    };
-    let prefixes = [
-        ("hpl_", Sides::One(Side::Left)),
-        ("hpr_", Sides::One(Side::Right)),
-        ("pvl_", Sides::One(Side::Left)),
-        ("pvr_", Sides::One(Side::Right)),
-        ("hps_", Sides::Unsaid),
-        ("pvs_", Sides::Unsaid),
-    ];
-    let mut found = prefixes.into_iter();
-    let found = found.find_map(|(prefix, side)| Some((key.strip_prefix(prefix)?.to_owned(), side)));
-    let found = found.or_else(|| without_corner(&key));
-    found.unwrap_or((key, Sides::Unsaid))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spelled_names_join_words_by_one_underscore() {
-        assert_eq!(
-            spelled(" Lower  Wishbone-front.pivot "),
-            "lower_wishbone_front_pivot"
-        );
-    }
 }

@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use super::fields::is_number;
 use super::heading::is_unit;
-use super::names::{Names, key_of, spelled};
+use super::names::Names;
+use super::spelling::{key_of, spelled};
 use crate::side::Section;
 
 /// A line of a text with its place.

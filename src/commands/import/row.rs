@@ -7,7 +7,7 @@ use super::fields::{
     without_units,
 };
 use super::heading::unit;
-use super::names::spelled;
+use super::spelling::spelled;
 use crate::decimals::Decimals;
 use crate::side::sides_of;
 

@@ -1,8 +1,8 @@
 //! The corner that a row of a table states: in a field of its own, or by a code at an end of its name.
 
 use super::heading::end_of_heading;
-use super::names::spelled;
 use super::row::Row;
+use super::spelling::spelled;
 use crate::side::{End, Sides, corner_of, sides_of};
 
 impl Row<'_> {

@@ -2,8 +2,9 @@
 
 use super::add::add;
 use super::hardpoints::Hardpoints;
-use super::names::{Names, spelled};
+use super::names::Names;
 use super::row::{Row, lines};
+use super::spelling::spelled;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;

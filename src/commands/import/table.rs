@@ -12,10 +12,11 @@ use super::heading::{
     check_columns, column_groups, end_of_heading, side_of_heading, units_of_heading,
 };
 use super::line_per_axis::joined;
-use super::names::{Names, key_of, spelled};
+use super::names::Names;
 use super::names_as_columns::with_names_in_rows;
 use super::row::{Row, lines_with_tabs};
 use super::row_name::{name_of, with_whole_name};
+use super::spelling::{key_of, spelled};
 use super::thousands::Thousands;
 use crate::failure::Failure;
 use crate::file::Source;

@@ -1,8 +1,8 @@
 //! Rows with known names whose numbers can be read in several ways: they are refused.
 
 use super::hardpoints::Hardpoints;
-use super::names::key_of;
 use super::row::Row;
+use super::spelling::key_of;
 use crate::failure::Failure;
 use crate::side::{Section, Sides};
 

@@ -31,6 +31,14 @@ fn a_row_may_have_the_four_corners_of_a_vehicle() {
         "Point;FL x;FL y;FL z;FR x;FR y;FR z;RL x;RL y;RL z;RR x;RR y;RR z\n",
         ";Front;;;;;;Rear;;;;;\n;Left;;;Right;;;Left;;;Right;;\n;x;y;z;x;y;z;x;y;z;x;y;z\n",
         "Punkt;vorne links;;;vorne rechts;;;hinten links;;;hinten rechts;;\n",
+        "Punkt;vorn li.;;;vorn re.;;;hinten li.;;;hinten re.;;\n",
+        "Punkt;Linkes Vorderrad;;;Rechtes Vorderrad;;;Linkes Hinterrad;;;Rechtes Hinterrad;;\n",
+        "Punkt;Rad VL;;;Rad VR;;;Rad HL;;;Rad HR;;\n",
+        "Punkt;VA links;;;VA rechts;;;HA links;;;HA rechts;;\n",
+        "Punto;Ruota anteriore sinistra;;;Ruota anteriore destra;;;Ruota posteriore sinistra;;;Ruota posteriore destra;;\n",
+        "Punto;Ant. SX;;;Ant. DX;;;Post. SX;;;Post. DX;;\n",
+        "Punto;AS;;;AD;;;PS;;;PD;;\n",
+        "Point;AVG;;;AVD;;;ARG;;;ARD;;\n",
     ] {
         let file = format!("{heading}{rows}");
         for (end, behind) in [("front", 0.0), ("rear", 1600.0)] {

@@ -2,7 +2,7 @@
 
 use super::super::program::{folder, run};
 use super::refused::refusal;
-use super::{CORNER, Imported, import, swept, table};
+use super::{CORNER, Imported, import, listed, swept, table};
 
 /// The table with other names for both ends of the tie rod.
 fn with_names(inner: &str, outer: &str) -> String {
@@ -207,6 +207,88 @@ fn a_watt_linkage_is_found_by_the_names_of_its_links() {
     // Many tables have one point of the crank's axis.
     let one = WATT.replace("Watt bellcrank pivot front, -80, 0, 320\n", "");
     let message = refusal("a.csv", &one.replace("pivot rear", "pivot"), &[]);
-    let expected = "the nearest, live_axle_watt, lacks `crank_front` (or watt_crank_pivot_front, ";
-    assert!(message.contains(expected), "{message}");
+    for expected in [
+        "the nearest, live_axle_watt, lacks `crank_front` (or watt_rocker_pivot_front, ",
+        "): any second point of the axis through `Watt bellcrank pivot` will do; ",
+    ] {
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+/// Pairs of names in the table above and others of the same points.
+const WATT_NAMES: [&[[&str; 2]]; 8] = [
+    &[
+        ["Left damper upper", "Left damper top"],
+        ["Left damper lower", "Damper axle LH"],
+    ],
+    &[
+        ["Left wheel centre", "Wheel centre L"],
+        ["Right wheel centre", "Wheel centre R"],
+    ],
+    &[
+        ["Left wheel centre", "L, Wheel centre"],
+        ["Right wheel centre", "R, Wheel centre"],
+    ],
+    &[
+        ["Left wheel centre", "Radmitte links"],
+        ["Right wheel centre", "Radmitte rechts"],
+    ],
+    &[
+        ["Watt link left", "Watt's link left"],
+        ["Watt bellcrank pivot", "Watt's crank pivot"],
+    ],
+    &[["Watt bellcrank", "Bellcrank"]],
+    &[
+        [
+            "Lower trailing link left chassis",
+            "Trailing arm left front",
+        ],
+        ["Lower trailing link left axle", "Trailing arm left rear"],
+    ],
+    &[
+        [
+            "Lower trailing link left chassis",
+            "Längslenker links Karosserie",
+        ],
+        ["Lower trailing link left axle", "Längslenker links Achse"],
+        ["Watt link left chassis", "Wattgestänge links Karosserie"],
+    ],
+];
+
+/// `Watt's` must not be the beginning of a quotation.
+#[test]
+fn a_watt_linkage_is_found_by_other_names() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", WATT, &[]).points();
+    for names in WATT_NAMES {
+        let changed = |file: String, [from, to]: &[&str; 2]| file.replace(from, to);
+        let file = names.iter().fold(WATT.to_owned(), changed);
+        assert_ne!(file, WATT);
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(imported.points(), plain, "{names:?}");
+        // One more name that is not known.
+        let message = refusal("a.csv", &file.replace("Upper link axle", "Strange"), &[]);
+        let expected = "the nearest, live_axle_watt, lacks `upper_rear` (";
+        assert!(message.contains(expected), "{names:?}: {message}");
+    }
+}
+
+/// The prefixes of Adams/Car state the sides.
+#[test]
+fn a_layout_with_both_sides_is_found_where_rows_state_the_side() {
+    let folder = folder();
+    let points = listed("twist_beam");
+    let left = points.iter().filter_map(|(name, [x, y, z])| {
+        let name = name
+            .strip_prefix("left_")?
+            .replace("damper_upper", "damper_top");
+        Some(format!(" '{name}' 'left/right' {x} {y} {z}\n"))
+    });
+    let file = format!(
+        "[UNITS]\nLENGTH = 'm'\n[HARDPOINT]\n{}",
+        left.collect::<String>()
+    );
+    let imported = import(folder.path(), "a.sub", &file, &[]);
+    assert_eq!(imported.text("linkage"), "twist_beam");
+    assert_eq!(imported.points(), points.into_iter().collect());
 }

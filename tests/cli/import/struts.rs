@@ -128,6 +128,42 @@ fn a_strut_on_two_lower_links_is_found_by_usual_names() {
             "Zugstrebe außen",
         ],
         [
+            "Rear lower control arm inner",
+            "Rear lower control arm outer",
+            "Front lower control arm inner",
+            "Front lower control arm outer",
+        ],
+        [
+            "Rear lower link inner",
+            "Rear lower link outer",
+            "Front lower link inner",
+            "Front lower link outer",
+        ],
+        [
+            "Transverse arm inner",
+            "Transverse arm outer",
+            "Traction strut inner",
+            "Traction strut outer",
+        ],
+        [
+            "Track control arm inner",
+            "Track control arm outer",
+            "Compression rod inner",
+            "Compression rod outer",
+        ],
+        [
+            "TCA inner",
+            "TCA outer",
+            "Caster arm inner",
+            "Caster arm outer",
+        ],
+        [
+            "Lower arm inner",
+            "Lower arm outer",
+            "Radius rod inner",
+            "Radius rod outer",
+        ],
+        [
             "Lateral link inner",
             "Lateral link outer",
             "Tension arm inner",
@@ -154,6 +190,40 @@ fn a_strut_on_two_lower_links_is_found_by_usual_names() {
             (row["virtual_kingpin_deg"] - 12.1379).abs() < 1e-4,
             "{named:?}"
         );
+    }
+}
+
+/// Other names of the ends of the strut and of the tie rod.
+#[test]
+fn a_strut_is_found_by_other_names_of_its_ends() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &on_two_links(&TWO_LINKS), &[]).points();
+    for [inner, outer, top, low] in [
+        [
+            "Tie rod inner",
+            "Track rod end",
+            "Federbein oben",
+            "Federbein unten",
+        ],
+        [
+            "Inner tie rod end",
+            "Outer tie rod end",
+            "Federbeinlager",
+            "Strut bottom",
+        ],
+        [
+            "Rack end",
+            "Tie rod end",
+            "Strut mount",
+            "Strut lower mount",
+        ],
+    ] {
+        let mut names = TWO_LINKS;
+        for (at, name) in [(4, inner), (5, outer), (6, top), (7, low)] {
+            names[at].1 = name;
+        }
+        let imported = import(folder.path(), "a.csv", &on_two_links(&names), &[]);
+        assert_eq!(imported.points(), plain, "{names:?}");
     }
 }
 

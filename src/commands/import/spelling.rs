@@ -1,0 +1,67 @@
+//! Names as they are compared: in one spelling, without corners and prefixes.
+
+use crate::side::{Side, Sides, corner_of};
+
+/// Returns a name in lower-case letters with `_` between words.
+pub(super) fn spelled(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_alphanumeric());
+    let words = words.filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_").to_lowercase()
+}
+
+/// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
+pub(super) fn is_on_ground(name: &str) -> bool {
+    let mut words = name.split('_');
+    words.any(|word| ["contact", "patch", "ground"].contains(&word))
+}
+
+/// Removes the code of a corner at either end of a spelled name.
+fn without_corner(key: &str) -> Option<(String, Sides)> {
+    let ends = [
+        key.split_once('_'),
+        key.rsplit_once('_').map(|(own, code)| (code, own)),
+    ];
+    let mut ends = ends.into_iter().flatten();
+    ends.find_map(|(code, own)| Some((own.to_owned(), Sides::One(corner_of(code)?.1))))
+}
+
+/// Words that are no name without the part before them, as in `lca.front` of a structure.
+const OF_PART: [&str; 8] = [
+    "front", "rear", "fore", "aft", "inner", "outer", "centre", "center",
+];
+
+/// Returns a name as it is compared, and the side that it states. It omits the prefixes of Adams/Car, the model, and hpl_,
+/// hpr_ or hps_ for left, right and single; the path of a structure in a program; and the code of a corner such as RL.
+pub(super) fn key_of(name: &str) -> (String, Sides) {
+    let mut path = name.rsplit('.');
+    let own = path.next().unwrap_or(name);
+    let key = match path.next() {
+        Some(part) if OF_PART.contains(&spelled(own).as_str()) => spelled(&format!("{part} {own}")),
+        _ => spelled(own),
+    };
+    let prefixes = [
+        ("hpl_", Sides::One(Side::Left)),
+        ("hpr_", Sides::One(Side::Right)),
+        ("pvl_", Sides::One(Side::Left)),
+        ("pvr_", Sides::One(Side::Right)),
+        ("hps_", Sides::Unsaid),
+        ("pvs_", Sides::Unsaid),
+    ];
+    let mut found = prefixes.into_iter();
+    let found = found.find_map(|(prefix, side)| Some((key.strip_prefix(prefix)?.to_owned(), side)));
+    let found = found.or_else(|| without_corner(&key));
+    found.unwrap_or((key, Sides::Unsaid))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spelled_names_join_words_by_one_underscore() {
+        assert_eq!(
+            spelled(" Lower  Wishbone-front.pivot "),
+            "lower_wishbone_front_pivot"
+        );
+    }
+}
