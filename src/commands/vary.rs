@@ -153,9 +153,10 @@ For each value the hardpoint is moved, and the suspension is built from its poin
 changed drawing; a link's length is changed with the chassis points and the drives held, as a turnbuckle does. Points move as
 for suspension sensitivities: a marker that the file states as an offset from a point moves with it, and a point on a line
 between two chassis points, like a rack in its housing, takes the line and the other points on it along when it moves across
-the line. rack_left.z is the height of the whole rack, and rack_left.z,rack_right.z is the same. Of an axle, left_tie_ball.z
-moves one side alone; left_tie_ball.z,right_tie_ball.z moves both as in a mirror, across the vehicle with a minus:
-left_tie_ball.y,-right_tie_ball.y.
+the line: in examples/steered_axle.toml rack_left.z is the height of the whole rack, and rack_left.z,rack_right.z is the same. Of
+other points of an axle, and of the rack of an axle that import wrote, left_tie_ball.z moves one side alone; left_rack.z,right_rack.z
+moves both as in a mirror, across the vehicle with a minus: left_rack.y,-right_rack.y. There rack_housing, past which the rack moves,
+changes nothing.
 
 The table has a row for each quantity at the design position and for its derivative with respect to each drive (toe per bump is
 bump steer), and a column for each value. The design itself is always among them. Without --of a line below the table names what

@@ -3,8 +3,8 @@
 /// The number of letters that may be wrong, missing, surplus or transposed; in short names fewer than half of them.
 const MISTYPED: usize = 2;
 
-/// `; did you mean ...?` with the nearest known name, or otherwise the two that begin with the same word, for example
-/// both ends of a damper; empty if there are none.
+/// `; did you mean ...?` with the nearest known name, or otherwise the two that end with the wanted one or begin with the same
+/// word, for example both ends of a damper; empty if there are none.
 pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     match (
@@ -17,13 +17,23 @@ pub fn did_you_mean<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) 
     }
 }
 
-/// The two known names that begin with the first of several words of the wanted one, if there are exactly two.
+/// The two known names that end with the wanted one, as those of both sides, or else that begin with the first of several words of it,
+/// if there are exactly two.
 fn alike<'a>(wanted: &str, known: &[&'a str]) -> Option<[&'a str; 2]> {
-    let first_word = |name: &'a str| name.split_once('_').map(|(word, _)| word);
-    let (word, _) = wanted.split_once('_')?;
-    let alike = known.iter().copied();
-    let alike = alike.filter(|name| *name != wanted && first_word(name) == Some(word));
-    alike.collect::<Vec<_>>().try_into().ok()
+    let two = |is_alike: &dyn Fn(&str) -> bool| {
+        let alike = known.iter().copied();
+        let alike = alike.filter(|name| *name != wanted && is_alike(name));
+        alike.collect::<Vec<_>>().try_into().ok()
+    };
+    let ends_with = |name: &str| {
+        name.strip_suffix(wanted)
+            .is_some_and(|side| side.ends_with('_'))
+    };
+    let of_sides = two(&ends_with);
+    of_sides.or_else(|| {
+        let (word, _) = wanted.split_once('_')?;
+        two(&|name| name.split_once('_').is_some_and(|(first, _)| first == word))
+    })
 }
 
 /// The sentence about an unknown name.

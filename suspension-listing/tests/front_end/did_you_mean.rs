@@ -55,6 +55,22 @@ fn two_names_with_the_same_first_word_are_both_suggested() {
 }
 
 #[test]
+fn the_names_of_both_sides_are_suggested() {
+    let known = [
+        "rack_housing",
+        "left_rack",
+        "left_tie_ball",
+        "right_rack",
+        "right_tie_ball",
+    ];
+    for wanted in ["rack", "tie_ball"] {
+        let both = format!("; did you mean `left_{wanted}` or `right_{wanted}`?");
+        assert_eq!(did_you_mean(wanted, known), both);
+    }
+    assert_eq!(did_you_mean("housings", known), "");
+}
+
+#[test]
 fn exchanged_letters_count_as_one_mistake() {
     let is_near = |wanted, known| nearest(wanted, [known]).is_some();
     // One letter in names of four, two in names of five.

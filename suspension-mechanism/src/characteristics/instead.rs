@@ -4,7 +4,7 @@ use crate::characteristics::parameters::columns;
 use crate::characteristics::title::Title;
 use crate::mechanism::{Description, Names, SteeringWheel};
 use crate::quantities::{
-    Column, Quantity, STEERING_RATIO, STEERING_WHEEL_ANGLE, catalogue, from_design, of_axles,
+    self, Column, Quantity, STEERING_RATIO, STEERING_WHEEL_ANGLE, catalogue, from_design, of_axles,
 };
 
 /// A sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that
@@ -55,6 +55,9 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
         _ if is_of_axle && mechanism.names.wheels.len() < 2 => {
             "it is a quantity of an axle, with two wheels".to_owned()
         }
+        "" if needs_radius(quantity, &mechanism.names) => {
+            "it needs wheel_radius under [vehicle], see suspension motion --help".to_owned()
+        }
         "" => "suspension motion --help says what it needs, the wheel's name before it, an axis behind it, or a line under [vehicle]"
             .to_owned(),
         lines => format!("it needs {lines} under [vehicle], see suspension motion --help"),
@@ -96,6 +99,16 @@ fn lines_needed(quantity: &Quantity, names: &Names) -> &'static str {
         [true] => SteeringWheel::BOX,
         _ => quantity.vehicle,
     }
+}
+
+/// Whether a mechanism that lacks a quantity would have it if the radius of its wheels were known.
+fn needs_radius(quantity: &'static Quantity, names: &Names) -> bool {
+    let has = |names: &Names| !quantities::columns([quantity], names).is_empty();
+    let mut on_ground = names.clone();
+    for wheel in &mut on_ground.wheels {
+        wheel.radius.get_or_insert(1.0);
+    }
+    !has(names) && has(&on_ground)
 }
 
 /// The usual names of derivatives of quantities with respect to the wheel's travel.

@@ -126,6 +126,15 @@ fn a_missing_quantity_of_one_wheel_names_the_line_to_write() {
             format!("axle.toml: there is no `{name}` {needs}")
         );
     }
+    // Without the wheels' radius there is no ground.
+    let floating = axle.replace("wheel_radius", "# wheel_radius");
+    assert_ne!(floating, axle);
+    std::fs::write(folder.path().join("axle.toml"), floating).expect("written");
+    for name in ["axle_roll_centre", "left_roll_centre"] {
+        let needs = "it needs wheel_radius under [vehicle], see suspension motion --help\n";
+        let expected = format!("axle.toml: there is no `{name}` of this mechanism: {needs}");
+        assert_eq!(refusal(name), expected);
+    }
     let unknown = refusal("middle_steering_ratio");
     assert!(
         unknown.starts_with("axle.toml: no quantity begins with"),
