@@ -114,7 +114,8 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
         format!("`{name}` needs one number after it, with a decimal point")
     } else if let Some((count, which)) = of_several_points(row) {
         format!(
-            "point `{name}` has {count} numbers: say in a heading above the columns which are {which}, or give each a row of its own"
+            "point `{name}` has {count} numbers: say in a heading above the columns which are {which}{}, or give each a row of its own",
+            unread_heading(stated).unwrap_or_default()
         )
     } else {
         format!(
@@ -122,6 +123,14 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
         )
     };
     stated.source.refuse(&row.place, message)
+}
+
+/// Quotes the heading above the rows that says nothing that import knows.
+fn unread_heading(stated: &Hardpoints<'_>) -> Option<String> {
+    let place = stated.unread_heading.as_ref()?;
+    let heading = stated.source.text().get(place.clone())?.lines().next()?;
+    let heading = heading.trim_end_matches([';', ',', '\t', '|', ' ']);
+    Some(format!(" (`{heading}` in {} does not)", stated.line(place)))
 }
 
 /// Returns the number of numbers of a row and the headings of their columns, in words, if they may be the coordinates of

@@ -75,8 +75,11 @@ impl<'a> Candidate<'a> {
     }
 
     /// Lists the needed points with the names that import knows for them.
-    fn lacks(&self, names: &Names) -> String {
+    fn lacks(&self, names: &Names, stated: &Hardpoints<'_>) -> String {
         let each = self.needed().into_iter().map(|name| {
+            if let Some(other) = of_other_corner(name, names, stated) {
+                return format!("`{name}`{other}");
+            }
             let others: Vec<&str> = names.of_point(name).skip(1).collect();
             let (first, more) = others.split_at(others.len().min(FEW_NAMES));
             let mut first: Vec<String> = first.iter().map(ToString::to_string).collect();
@@ -127,6 +130,25 @@ impl<'a> Candidate<'a> {
         }
     }
 
+    /// Lists the points of the file that other layouts have.
+    fn of_others(&self, points: &[&Hardpoint], names: &Names, stated: &Hardpoints<'_>) -> String {
+        let is_of_other = |point: &&&Hardpoint| names.is_point(&point.key) && !self.uses(point);
+        let mut others = points.iter().filter(is_of_other);
+        let told = others.by_ref().take(FEW_NAMES);
+        let told = told.map(|point| format!("`{}` ({})", point.name, stated.line(&point.place)));
+        let mut each: Vec<String> = told.collect();
+        if each.is_empty() {
+            return String::new();
+        }
+        each.extend(and_more(others.count()));
+        format!("; of other layouts: {}", each.join(", "))
+    }
+
+    fn uses(&self, point: &Hardpoint) -> bool {
+        let mut used = self.found.iter().map(|(_, used)| *used);
+        used.any(|used| std::ptr::eq(used, point))
+    }
+
     /// Names two points of the file that have names of one point of the listing and are in different places.
     fn named_twice(
         &self,
@@ -134,13 +156,9 @@ impl<'a> Candidate<'a> {
         points: &[&Hardpoint],
         names: &Names,
     ) -> Option<String> {
-        let is_used = |point: &Hardpoint| {
-            let mut used = self.found.iter().map(|(_, used)| *used);
-            used.any(|used| std::ptr::eq(used, point))
-        };
         self.found.iter().find_map(|(name, taken)| {
             let forms = names.forms_of(name);
-            let mut others = points.iter().filter(|point| !is_used(point) && point.at != taken.at);
+            let mut others = points.iter().filter(|point| !self.uses(point) && point.at != taken.at);
             let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
             let [other, taken] = [*other, *taken].map(|point| {
                 format!("`{}` ({})", point.name, stated.line(&point.place))
@@ -201,13 +219,32 @@ impl<'a> Candidate<'a> {
             let twice = self.named_twice(stated, points, names);
             return twice.or_else(|| self.unused_rocker(stated, points, names));
         }
-        let what = match wanted {
-            Some(_) => format!("{linkage} lacks"),
-            None => format!("no layout has all its points here; the nearest, {linkage}, lacks"),
+        let (lacks, unknown) = (
+            self.lacks(names, stated),
+            self.unknown(points, names, stated),
+        );
+        // The user may name a layout that leaves points of the file out.
+        let (what, others) = match wanted {
+            Some(_) => (format!("{linkage} lacks"), String::new()),
+            None => (
+                format!("no layout has all its points here; the nearest, {linkage}, lacks"),
+                self.of_others(points, names, stated),
+            ),
         };
-        let (lacks, unknown) = (self.lacks(names), self.unknown(points, names, stated));
         Some(format!(
-            "{what} {lacks}{unknown}; suspension import --names lists all names, suspension list {linkage} says what the points are"
+            "{what} {lacks}{unknown}{others}; suspension import --names lists all names, suspension list {linkage} says what the points are"
         ))
     }
+}
+
+/// Says that the file has a missing point in the other corner.
+fn of_other_corner(name: &str, names: &Names, stated: &Hardpoints<'_>) -> Option<String> {
+    let forms = names.forms_of(name);
+    let mut points = stated.points.iter();
+    let point = points.find(|point| forms.contains(&names.normal(&point.key)))?;
+    let (corner, line) = (point.side?.name(), stated.line(&point.place));
+    Some(format!(
+        ", which only the {corner} corner has (`{}`, {line})",
+        point.name
+    ))
 }

@@ -59,6 +59,8 @@ pub(super) struct Hardpoints<'a> {
     pub(super) section: Section,
     /// The corners of the groups of columns in which the row has coordinates; none if there are no groups.
     pub(super) groups: Vec<Section>,
+    /// The last heading that says nothing that import knows.
+    pub(super) unread_heading: Option<Range<usize>>,
     /// Whether the file's angles are in radians.
     pub(super) radians: bool,
     /// The usual axes of such files.
@@ -78,6 +80,7 @@ impl<'a> Hardpoints<'a> {
             wanted: None,
             section: Section::default(),
             groups: Vec::new(),
+            unread_heading: None,
             radians: false,
             usual,
         }
@@ -199,16 +202,27 @@ impl<'a> Hardpoints<'a> {
         let mut found = BTreeMap::new();
         for point in &points {
             if let Some(first) = found.insert(&point.key, point) {
-                let message = format!(
-                    "point `{}` stands in {} already; {}",
-                    point.name,
-                    self.line(&first.place),
-                    remedy(first.end, point.end)
-                );
+                let message = self.twice(first, point);
                 return Err(self.source.refuse(&point.place, message));
             }
         }
         Ok(points)
+    }
+
+    /// Returns what to do about two points of one name and corner.
+    fn twice(&self, first: &Hardpoint, second: &Hardpoint) -> String {
+        let is_same_row = first.place == second.place;
+        let at = match is_same_row {
+            true => "this row".to_owned(),
+            false => self.line(&first.place),
+        };
+        let remedy = match is_same_row && first.end == second.end {
+            true => {
+                "write above the columns which are `Left` and which `Right`, or of four corners `FL`, `FR`, `RL` and `RR`"
+            }
+            false => remedy(first.end, second.end),
+        };
+        format!("point `{}` stands in {at} already; {remedy}", second.name)
     }
 
     /// Returns `file:line` of a place.

@@ -146,7 +146,10 @@ impl Table<'_, '_> {
         self.section = self.section.below(end.or(code), side);
         match (end, side) {
             (None, None) if groups.is_none() => {
-                self.heading = row.heading().unwrap_or(take(&mut self.heading))
+                if let Some(heading) = row.heading() {
+                    self.heading = heading;
+                    stated.unread_heading = Some(row.place.clone());
+                }
             }
             _ => self.heading.clear(),
         }

@@ -61,6 +61,40 @@ fn a_row_may_have_the_four_corners_of_a_vehicle() {
     );
 }
 
+#[test]
+fn groups_that_are_not_told_apart_are_refused_by_their_heading() {
+    let rows = cars(|name, corners| format!("{name};{}\n", corners.join(";")));
+    let axes = ";x;y;z;x;y;z;x;y;z;x;y;z\n";
+    for (heading, expected) in [
+        (
+            "Punkt;Rad A;;;Rad B;;;Rad C;;;Rad D;;",
+            "which are `FL`, `FR`, `RL` and `RR` (`Punkt;Rad A;;;Rad B;;;Rad C;;;Rad D` in a.csv:1 does not), or give",
+        ),
+        (
+            "Punkt;Links;;;Rechts;;;Links;;;Rechts;;",
+            "a.csv:3:1: point `lca_front` stands in this row already; write above the columns which are `Left` and which `Right`, or \
+             of four corners `FL`, `FR`, `RL` and `RR`",
+        ),
+    ] {
+        let said = refusal("a.csv", &format!("{heading}\n{axes}{rows}"), &[]);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+#[test]
+fn a_point_that_one_corner_lacks_is_named_with_the_corner_that_has_it() {
+    let heading = "Point;FL;;;FR;;\n;x;y;z;x;y;z\n";
+    let rows = cars(|name, [left, right, ..]| match name {
+        "lca_front" => format!("{name};{left};;;\n"),
+        _ => format!("{name};{left};{right}\n"),
+    });
+    let expected = "lacks `lower_front`, which only the left corner has (`lca_front`, a.csv:3); ";
+    for option in [["--axle"].as_slice(), &["--side", "right"]] {
+        let said = refusal("a.csv", &format!("{heading}{rows}"), option);
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
 /// The front axle has more points than the rear one, and angles of its own.
 #[test]
 fn groups_may_be_empty_and_state_numbers() {

@@ -283,3 +283,14 @@ fn a_strut_that_lacks_a_point_is_nearest_to_the_layout_of_its_lower_end() {
         assert!(message.contains(&expected), "{message}");
     }
 }
+
+/// A known point that the nearest layout does not have may be a mistake in a name.
+#[test]
+fn points_of_other_layouts_are_named_where_one_is_missing() {
+    let mut names = TWO_LINKS.to_vec();
+    names.retain(|(own, _)| *own != "rack");
+    let file = format!("{}Pushrod inner, 0, 0, 0\n", on_two_links(&names));
+    let message = refusal("a.csv", &file, &[]);
+    let expected = "; of other layouts: `Pushrod inner` (a.csv:10); suspension import --names";
+    assert!(message.contains(expected), "{message}");
+}
