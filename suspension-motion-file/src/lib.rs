@@ -5,6 +5,7 @@ mod axle;
 pub mod check;
 mod coefficients;
 mod dimension;
+mod encoding;
 mod explain;
 pub mod failure;
 pub mod inputs;

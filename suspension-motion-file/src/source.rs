@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::Path;
 
+use crate::encoding::in_utf8;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::counted;
@@ -49,7 +50,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook or is not UTF-8.
+    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook, or is neither UTF-8 nor
+    /// UTF-16.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = fit_for_terminal(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
@@ -68,7 +70,7 @@ impl Source {
         if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
             return refuse("is a workbook, not text; save the sheet as CSV in UTF-8".to_owned());
         }
-        String::from_utf8(bytes).map_or_else(
+        String::from_utf8(in_utf8(bytes)).map_or_else(
             |error| {
                 let valid = error.utf8_error().valid_up_to();
                 let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);

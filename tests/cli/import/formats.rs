@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::super::program::folder;
+use super::super::program::{folder, run};
 use super::{CORNER, IN_OUR_AXES, import, table};
 
 /// Returns a subsystem file of Adams/Car in a unit of which `millimetre` is one millimetre.
@@ -155,4 +155,18 @@ fn the_unit_of_lengths_is_stated_or_inferred_from_their_size() {
     let (unit, why) = found(&table(&CORNER), &["--unit", "in"]);
     assert_eq!(unit, "in");
     assert!(why.contains("as --unit says; that is doubtful"), "{why}");
+}
+
+#[test]
+fn a_table_in_utf_16_is_read() {
+    let folder = folder();
+    let file = format!("\u{feff}{}", table(&CORNER).replace(", ", "\t"));
+    let bytes: Vec<u8> = file.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    std::fs::write(folder.path().join("a.txt"), bytes).expect("written");
+    let output = run(folder.path(), &["import", "a.txt", "--out", "wide.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let wide = std::fs::read_to_string(folder.path().join("wide.toml")).expect("a motion file");
+    let wide: toml::Table = wide.parse().expect("TOML");
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    assert_eq!(wide, plain.motion);
 }
