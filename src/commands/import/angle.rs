@@ -40,8 +40,10 @@ const TOE_OUT: &str = "out";
 /// Words in which `rad` is a wheel.
 const PER_WHEEL: [&str; 2] = ["pro_rad", "je_rad"];
 
-/// The words that parentheses may have: degrees, the angle of one wheel at the design position, and our signs.
-const UNDERSTOOD: [&str; 29] = [
+/// The words that parentheses and columns behind the name may have: degrees, the angle of one wheel at the design position, and our signs.
+const UNDERSTOOD: [&str; 31] = [
+    "angle",
+    "winkel",
     "deg",
     "degree",
     "degrees",
@@ -77,7 +79,8 @@ const UNDERSTOOD: [&str; 29] = [
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] if the line of the number says otherwise, or something else in parentheses.
+/// [`Failure::Input`] if the line of the number says otherwise, or something else in parentheses or in a column
+/// between its name and the number.
 pub(super) fn check_angle(
     stated: &Hardpoints<'_>,
     (row, line): (&Row<'_>, &str),
@@ -89,8 +92,15 @@ pub(super) fn check_angle(
     if !(is_toe || is_camber) || !row.has_digits() {
         return Ok(());
     }
-    let Some(said) = other_angle(line, is_toe).or_else(|| not_understood(line, is_toe, names))
-    else {
+    let columns = row.columns_before_numbers().into_iter();
+    let is_name = |column: &&str| names.is_number(&key_of(column).0);
+    let mut beside = columns
+        .skip_while(|column| !is_name(column))
+        .skip(1)
+        .chain(in_parentheses(line));
+    let is_understood = |words: &str| is_understood(words, is_toe, names);
+    let unknown = beside.find(|words| !is_understood(words));
+    let Some(said) = other_angle(line, is_toe).or(unknown.map(str::to_owned)) else {
         return Ok(());
     };
     let or_limit = if said == "min" {
@@ -118,24 +128,22 @@ fn other_angle(line: &str, is_toe: bool) -> Option<String> {
     other.map(|word| word.replace('_', " "))
 }
 
-/// Returns the first parentheses of a line with a word that is not understood, and is no corner.
-fn not_understood(line: &str, is_toe: bool, names: &Names) -> Option<String> {
+/// Returns the words in each pair of parentheses of a line.
+fn in_parentheses(line: &str) -> impl Iterator<Item = &str> {
     let opened = line.split(['(', '[']).skip(1);
-    let mut inside = opened.filter_map(|rest| Some(rest.split_once([')', ']'])?.0));
-    let is_understood = |inside: &str| {
-        let said = without_wheel(inside);
-        let section = section_of_heading(&names.heading_in_english(&said));
-        // `(in)` alone may be inches.
-        let is_ours =
-            |word: &str| UNDERSTOOD.contains(&word) || is_toe && word == "in" && said != "in";
-        section != Section::default()
-            || sides_of(inside).is_some()
-            || !said.contains(char::is_alphabetic)
-            || said.split('_').all(is_ours)
-    };
-    inside
-        .find(|inside| !is_understood(inside))
-        .map(str::to_owned)
+    opened.filter_map(|rest| Some(rest.split_once([')', ']'])?.0))
+}
+
+/// Returns whether words beside an angle are those of a corner, or say that it is as ours.
+fn is_understood(words: &str, is_toe: bool, names: &Names) -> bool {
+    let said = without_wheel(words);
+    let section = section_of_heading(&names.heading_in_english(&said));
+    // `(in)` alone may be inches.
+    let is_ours = |word: &str| UNDERSTOOD.contains(&word) || is_toe && word == "in" && said != "in";
+    section != Section::default()
+        || sides_of(words).is_some()
+        || !said.contains(char::is_alphabetic)
+        || said.split('_').all(is_ours)
 }
 
 /// Returns the spelled words without those in which `rad` is a wheel.

@@ -120,6 +120,7 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
         "Toe [° out], 0.2",
         "Toe (in), 0.2",
         "Vorspur (Achse), 0.4",
+        "Vorspur, Achse, 0.4",
         "Toe [deg] (both wheels), 0.4",
         "Camber (top in positive), 2",
         "Camber (negative out), 2",
@@ -151,6 +152,8 @@ fn angles_in_quotes_and_in_degrees_are_read() {
         "Vorspur (pro Rad), 0.2",
         "Vorspur (Grad), 0.2",
         "Vorspur (vorn links), 0.2",
+        "Toe, angle, deg, 0.2, as measured",
+        "Geometry, Toe, static, 0.2",
         "Toe (R), 0.1\nToe (L), 0.2",
     ] {
         assert_eq!(of(row), plain, "{row}");
