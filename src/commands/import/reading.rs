@@ -18,22 +18,17 @@ impl Arguments {
     ) -> Result<Hardpoints<'a>, Failure> {
         let apart = stated.with_corners_apart(names);
         let of_both_sides = stated.with_sides_in_names(names);
-        let readings = [stated, apart, of_both_sides].map(|reading| {
-            let lacking = self.lacking(&reading, names);
-            let reading = reading.of_end(self.end);
-            let corner = reading
-                .as_ref()
-                .map(|reading| self.corner(reading, names, self.first_side()));
-            let is_suspension = matches!(corner, Ok(Ok(_)));
-            ((!is_suspension, lacking), reading)
-        });
-        let [mut best, others @ ..] = readings;
-        for other in others {
-            if other.0 < best.0 {
-                best = other;
-            }
-        }
-        best.1
+        let mut readings = vec![stated, apart, of_both_sides];
+        let is_suspension = |reading: &Hardpoints<'_>| {
+            let reading = reading.clone().of_end(self.end);
+            let corner = |reading| self.corner(reading, names, self.first_side());
+            matches!(reading.as_ref().map(corner), Ok(Ok(_)))
+        };
+        let nearest = || (0..readings.len()).min_by_key(|&it| self.lacking(&readings[it], names));
+        let best = readings.iter().position(is_suspension).or_else(nearest);
+        readings
+            .swap_remove(best.unwrap_or_default())
+            .of_end(self.end)
     }
 
     /// Returns how much the nearest layout lacks in a reading, of which corner ever its points are: first whether it has none of
