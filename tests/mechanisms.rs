@@ -6,6 +6,7 @@ mod checks;
 mod couple;
 mod double_wishbone;
 mod drives;
+mod factors;
 pub(crate) mod four_bar;
 mod hinge;
 mod joints;

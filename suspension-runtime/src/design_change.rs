@@ -161,8 +161,11 @@ where
             }
         }
         for linear in plan.forms.linear.iter() {
-            if let (Prescribed::Drive(drive), Some(sum)) = (linear.prescribed, linear.sum(&moved)) {
-                put(rows, linear.row, sum - self.coordinates.value.get(drive));
+            if let (Prescribed::Drive(drive, factor), Some(sum)) =
+                (linear.prescribed, linear.sum(&moved))
+            {
+                let by = T::constant(factor) * self.coordinates.value.get(drive);
+                put(rows, linear.row, sum - by);
             }
         }
         for (line, constant) in plan.forms.lines.iter().zip(model.lines.as_slice()) {

@@ -26,6 +26,7 @@ listings! {
     couples: "listings/couples.linkage",
     crank: "listings/crank.linkage",
     double_carrier: "listings/double_carrier.linkage",
+    factors: "listings/factors.linkage",
     guides: "listings/guides.linkage",
     live_axle_watt: "../../suspension-core/src/linkages/live_axle_watt.linkage",
     macpherson: "../../suspension-core/src/linkages/macpherson.linkage",
@@ -120,6 +121,7 @@ fn both_back_ends_compute_the_same_bits_for_every_statement() {
     compare!(couples, 6, f64, 15, 200);
     compare!(crank, 6, f64, 15, 0);
     compare!(double_carrier, 18, f64, 30, 200);
+    compare!(factors, 9, f64, 15, 200);
     compare!(guides, 19, f64, 30, 200);
     compare!(pillar, 11, f64, 15, 0);
     compare!(rotary, 38, f64, 60, 200);

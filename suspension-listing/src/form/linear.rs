@@ -1,4 +1,5 @@
-//! A prescribed sum of coordinates, or a prescribed scalar: `sum k x + s - drive`, or less what it is in the design.
+//! A prescribed sum of coordinates, or a prescribed scalar: `sum k x + s - drive`, or less what it is in the design; divided by
+//! a scale, so that its residual is a length.
 
 use super::{Dependence, Equations};
 use crate::name::Name;
@@ -7,9 +8,50 @@ use crate::vector::Vector;
 
 #[derive(Clone, Debug)]
 pub struct Linear {
+    /// With factors that are divided by the scale.
     pub terms: Vec<Term>,
     pub scalar: Option<Name>,
     pub prescribed: Prescribed,
+    /// A power of two: 1 unless all factors are small or one is large.
+    pub scale: f64,
+}
+
+impl Linear {
+    /// A sum with the factors of the listing.
+    pub(crate) fn sum(mut terms: Vec<Term>, prescribed: Prescribed) -> Self {
+        let scale = scale(&terms);
+        for term in &mut terms {
+            term.factor /= scale;
+        }
+        Self {
+            terms,
+            scalar: None,
+            prescribed,
+            scale,
+        }
+    }
+
+    /// A scalar that a drive prescribes.
+    pub(crate) fn scalar(name: Name, drive: Name) -> Self {
+        Self {
+            terms: Vec::new(),
+            scalar: Some(name),
+            prescribed: Prescribed::Drive(drive),
+            scale: 1.0,
+        }
+    }
+}
+
+/// The power of two by which the largest factor is divided to become one from 1 to 2. From a half to 2 it is fine as it is.
+fn scale(terms: &[Term]) -> f64 {
+    let factors = terms.iter().map(|term| term.factor.abs());
+    let largest = factors.fold(0.0, f64::max);
+    if largest == 0.0 || (0.5..=2.0).contains(&largest) {
+        return 1.0;
+    }
+    // Beyond, powers of two are not normal numbers.
+    const MOST: f64 = 1000.0;
+    largest.log2().floor().clamp(-MOST, MOST).exp2()
 }
 
 /// The source of the value of a sum.

@@ -50,11 +50,8 @@ impl Statement for Couple {
     }
 
     fn lower(&self, lowering: &mut Lowering<'_>) {
-        let form = Form::Linear(Linear {
-            terms: self.sum.terms(|point| lowering.site(point)),
-            scalar: None,
-            prescribed: Prescribed::Design,
-        });
+        let terms = self.sum.terms(|point| lowering.site(point));
+        let form = Form::Linear(Linear::sum(terms, Prescribed::Design));
         lowering.equation_of(KIND, &self.named, form);
     }
 

@@ -81,13 +81,12 @@ impl Statement for Drive {
             _ => (None, None),
         };
         if moves.is_none() {
-            let site = |point: &Ident| lowering.site(point);
-            let form = Form::Linear(Linear {
-                terms: self.quantity.terms(site),
-                scalar,
-                prescribed: Prescribed::Drive(name),
-            });
-            lowering.equation_of(KIND, &self.named, form);
+            let terms = self.quantity.terms(|point| lowering.site(point));
+            let form = match scalar {
+                Some(scalar) => Linear::scalar(scalar, name),
+                None => Linear::sum(terms, Prescribed::Drive(name)),
+            };
+            lowering.equation_of(KIND, &self.named, Form::Linear(form));
         }
         let angle_of = match &quantity {
             system::Quantity::Angle { line: [a, b], .. } => {

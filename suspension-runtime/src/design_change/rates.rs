@@ -169,10 +169,10 @@ where
     /// Adds the contribution of a drive whose coordinate changes.
     fn add_drive(&self, terms: &mut SVector<T, N>, drive: u16, changes: &Few<T, N>) {
         for linear in self.given.start.model.forms().linear.iter() {
-            if let Prescribed::Drive(of) = linear.prescribed
+            if let Prescribed::Drive(of, factor) = linear.prescribed
                 && of == drive
             {
-                add(terms, linear.row, changes.get(drive));
+                add(terms, linear.row, T::constant(factor) * changes.get(drive));
             }
         }
     }

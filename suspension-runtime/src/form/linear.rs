@@ -27,7 +27,8 @@ pub(crate) struct Linear {
 /// The source of the value of a sum.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Prescribed {
-    Drive(u16),
+    /// A drive, times a factor.
+    Drive(u16, f64),
     /// The design: its index among the sums that stay as they are.
     Design(u16),
 }
@@ -74,7 +75,7 @@ impl Linear {
             form::Prescribed::Drive(name) => {
                 let mut drives = place.system.drives.iter();
                 let drive = drives.position(|drive| drive.named.name == *name);
-                Prescribed::Drive(drive.map_or(SPARE, index))
+                Prescribed::Drive(drive.map_or(SPARE, index), form.scale.recip())
             }
             form::Prescribed::Design => Prescribed::Design(index(held)),
         };
@@ -124,7 +125,7 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Linear {
     #[inline(always)]
     fn residual(&self, held: &Self::Constant, at: &Sites<'_, T, F>, rows: &mut [T]) {
         let off = self.sum(at).and_then(|sum| match self.prescribed {
-            Prescribed::Drive(drive) => Some(sum - at.drive(drive)?),
+            Prescribed::Drive(drive, factor) => Some(sum - T::constant(factor) * at.drive(drive)?),
             Prescribed::Design(place) => Some(held.get(usize::from(place))?.residual(sum)),
         });
         if let Some(off) = off {
@@ -145,7 +146,10 @@ impl<T: Scalar, F: Table<Vector3<T>>> Walked<T, F> for Linear {
     #[inline(always)]
     fn input_rate(&self, _: &Self::Constant, inputs: &Inputs<'_, T, F>, rows: &mut [T]) {
         let of_drive = match self.prescribed {
-            Prescribed::Drive(drive) => inputs.drive_rate.get(usize::from(drive)).copied(),
+            Prescribed::Drive(drive, factor) => {
+                let rate = inputs.drive_rate.get(usize::from(drive));
+                rate.map(|rate| T::constant(factor) * *rate)
+            }
             Prescribed::Design(_) => None,
         };
         let terms = self.of_chassis.iter();

@@ -1,5 +1,7 @@
 //! `Linear`: a prescribed sum of coordinates, or a prescribed scalar.
 
+use std::iter;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -34,10 +36,16 @@ impl Emit for Linear {
         let (free, fixed) = (ident("free"), ident("fixed"));
         let terms = coordinates(self, |site| value_of(site, &free, &fixed));
         let scalar = self.scalar.iter().map(|scalar| (1.0, quote!(free.#scalar)));
-        let sum = sum(terms.chain(scalar));
+        let terms = terms.chain(scalar);
         let off = match &self.prescribed {
-            Prescribed::Drive(drive) => quote!(#sum - drives.#drive),
-            Prescribed::Design => quote!(self.#name.residual(#sum)),
+            Prescribed::Drive(drive) => {
+                let drive = (-self.scale.recip(), quote!(drives.#drive));
+                sum(terms.chain(iter::once(drive)))
+            }
+            Prescribed::Design => {
+                let sum = sum(terms);
+                quote!(self.#name.residual(#sum))
+            }
         };
         assign(name, &off)
     }
@@ -67,7 +75,7 @@ impl Emit for Linear {
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
         let of_drive = match &self.prescribed {
             Prescribed::Drive(drive) if motion == SiteMotion::DrivenAnchor => {
-                Some((1.0, quote!(drive_rate.#drive)))
+                Some((self.scale.recip(), quote!(drive_rate.#drive)))
             }
             _ => None,
         };
@@ -84,7 +92,8 @@ impl Emit for Linear {
     fn cost(&self) -> [Operations; 3] {
         let terms = self.terms.len() + usize::from(self.scalar.is_some());
         let scaled = self.terms.iter().filter(|term| term.factor.abs() != 1.0);
-        [(scaled.count(), terms), (0, 0), (0, 0)].map(Operations::from)
+        let scaled = scaled.count() + usize::from(self.scale != 1.0);
+        [(scaled, terms), (0, 0), (0, 0)].map(Operations::from)
     }
 }
 
