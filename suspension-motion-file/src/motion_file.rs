@@ -84,22 +84,6 @@ impl MotionFile {
         }
     }
 
-    /// Returns the file with the values of the named drives and measures, which are angles, in radians.
-    pub fn in_radians<'a>(mut self, angles: impl Iterator<Item = &'a str>) -> Self {
-        let radian = self.angle.radian();
-        for name in angles {
-            let design = self.design.as_mut();
-            if let Some(value) = design.and_then(|values| values.get_mut().get_mut(name)) {
-                *value.get_mut() /= radian;
-            }
-            let law = self.drives.get_mut().get_mut(name);
-            for coefficient in law.into_iter().flat_map(|law| &mut law.get_mut().0) {
-                *coefficient /= radian;
-            }
-        }
-        self
-    }
-
     /// Returns the markers that are stated relative to another point, each with that point, as indices into `points`.
     pub fn followers(&self, points: &[String]) -> Vec<[usize; 2]> {
         let number = |name: &str| points.iter().position(|point| point == name);
@@ -111,18 +95,6 @@ impl MotionFile {
             Position::At(_) => None,
         });
         pairs.collect()
-    }
-
-    /// Returns the file with coordinates relative to `origin`.
-    pub fn seen_from(mut self, origin: [f64; 3]) -> Self {
-        for position in self.points.get_mut().values_mut() {
-            if let Position::At(at) = position.get_mut() {
-                for (x, origin) in at.iter_mut().zip(origin) {
-                    *x -= origin;
-                }
-            }
-        }
-        self
     }
 
     /// Returns the file with points, offsets and masses in other axes; the rest stays the same.
@@ -146,21 +118,6 @@ impl MotionFile {
             }
         }
         Self { axes, ..self }
-    }
-
-    /// Returns the file with the drives' values minus the `offset` of each name.
-    pub fn driven_from<'a>(mut self, offset: impl Iterator<Item = (&'a str, f64)>) -> Self {
-        for (name, offset) in offset {
-            let design = self.design.as_mut();
-            if let Some(value) = design.and_then(|values| values.get_mut().get_mut(name)) {
-                *value.get_mut() -= offset;
-            }
-            let law = self.drives.get_mut().get_mut(name);
-            if let Some(constant) = law.and_then(|law| law.get_mut().0.first_mut()) {
-                *constant -= offset;
-            }
-        }
-        self
     }
 }
 

@@ -56,13 +56,6 @@ impl<V> Entries<V> {
         Some(value)
     }
 
-    /// Returns the value of a name; `None` if there is none.
-    pub fn get_mut(&mut self, name: &str) -> Option<&mut Spanned<V>> {
-        let mut entries = self.0.iter_mut();
-        let (_, value) = entries.find(|(other, _)| other.get_ref() == name)?;
-        Some(value)
-    }
-
     /// Adds an entry for a name that has none.
     pub fn add(&mut self, name: Spanned<String>, value: Spanned<V>) {
         self.0.push((name, value));

@@ -7,7 +7,7 @@ use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{Source, StandIn, check, stand_in};
+use crate::file::{MotionFile, Source, StandIn, check, stand_in};
 use crate::load::design::{Design, at_design};
 use crate::load::flat_body;
 use crate::load::outlier::Outlier;
@@ -18,13 +18,10 @@ use crate::mechanism::{Names, Suspension};
 
 /// A mechanism at its design position, and the file that it comes from.
 pub(super) struct Assembled<'a, L: Suspension<N>, const N: usize> {
-    /// The file in local coordinates, angles in radians.
     pub(super) task: Task<'a>,
-    /// The points as the file has them.
+    /// The points as the file has them, in local coordinates.
     pub(super) given: L::Points,
     pub(super) design: Design<L, N>,
-    /// The offsets to be added to drives to get the file's coordinates.
-    pub(super) drive_offsets: L::Drives,
     /// The measure that leads instead of a drive.
     pub(super) stand_in: Option<StandIn>,
     pub(super) outlier: Option<Outlier>,
@@ -41,31 +38,25 @@ pub(super) struct Measured {
 impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     /// The mechanism of a file, and of a listing.
     pub(super) fn new(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
-        let mut task = Task::new(request, names(request, &listing));
-        let stand_in = check_names(&task, request.listing)?;
-        task.file = task.file.in_radians(task.names.angles());
-        let points: L::Points = stated_points(&task);
-        let stated = || points.values().take(task.names.points.len());
-        parts::finite(stated()).map_err(|error| task.refuse_geometry(&error))?;
-        let outlier = Outlier::find(&task, &points);
+        let names = names(request, &listing);
+        let stand_in = check_names(request, &names)?;
+        let stated = stated_points(request.file, &names);
+        let origin = LocalOrigin::among(stated.iter().copied());
+        let mut task = Task::new(request, names, origin);
+        parts::finite(stated.iter().copied()).map_err(|error| task.refuse_geometry(&error))?;
+        let outlier = Outlier::find(&task, &stated);
         let outlier_first = |failure| prepend_outlier(outlier.as_ref(), failure, request.source);
-        let origin = LocalOrigin::among(stated());
-        task.file = task.file.seen_from(origin.position().into());
-        task.middle = origin.position().y;
-        let given = stated_points(&task);
+        let local = stated.iter().map(|point| point - origin.position());
+        let given = L::Points::from_values(local);
         let model: L = model(&task, (listing, request.listing), &given).map_err(outlier_first)?;
         let placed: Vec<_> = given.values().take(task.names.points.len()).collect();
         task.names = task.names.designed(&placed);
         task.names = names_with_vehicle(&task)?;
-        let drive_offsets = origin.of_drives(&model);
-        let offsets = task.names.drive_names().into_iter();
-        task.file = task.file.driven_from(offsets.zip(drive_offsets.values()));
-        let design = at_design(&task, model, origin, &given).map_err(outlier_first)?;
+        let design = at_design(&task, model, &given).map_err(outlier_first)?;
         Ok(Self {
             task,
             given,
             design,
-            drive_offsets,
             stand_in,
             outlier,
         })
@@ -73,7 +64,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
 
     /// All points, in the file's coordinates.
     pub(super) fn points_in_file(&self) -> Vec<Vector3<f64>> {
-        let origin = self.design.origin.position();
+        let origin = self.task.origin.position();
         let points = self
             .design
             .points
@@ -86,7 +77,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
         let design = &self.design;
         let count = self.task.names.measures.len();
         let of_listing = |all: L::Measures| all.values().take(count).collect();
-        let offsets: Vec<f64> = of_listing(design.origin.of_measures(&design.model));
+        let offsets: Vec<f64> = of_listing(self.task.origin.of_measures(&design.model));
         let local: Vec<f64> = of_listing(design.measures());
         let measured = local.iter().zip(&offsets);
         Measured {
@@ -117,13 +108,13 @@ fn names(request: &Request<'_>, listing: &impl Parts) -> Names {
     }
 }
 
-fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<StandIn>, Failure> {
-    let Task {
+fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<StandIn>, Failure> {
+    let Request {
         source,
         file,
-        names,
+        listing,
         ..
-    } = task;
+    } = *request;
     check::point_names(source, file, &names.points)?;
     let unjoined = listing.map(Listing::unjoined_points);
     check::points(source, file, names.markers(), &unjoined.unwrap_or_default())?;
@@ -142,9 +133,9 @@ fn check_names(task: &Task<'_>, listing: Option<&Listing>) -> Result<Option<Stan
 }
 
 /// The points as the file has them; relative ones are placed off the others as given.
-fn stated_points<P: Values<Vector3<f64>>>(task: &Task<'_>) -> P {
-    let each = task.names.points.iter();
-    P::from_values(each.map(|name| stated_at(&task.file.points, name)))
+fn stated_points(file: &MotionFile, names: &Names) -> Vec<Vector3<f64>> {
+    let each = names.points.iter();
+    each.map(|name| stated_at(&file.points, name)).collect()
 }
 
 /// The model of a listing at points, with the lengths that the file states.

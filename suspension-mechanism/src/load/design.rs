@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use nalgebra::{SVector, Vector3};
 use suspension_core::directions::Directions;
 use suspension_core::listing::{DriveKind, Kind};
-use suspension_core::model::local::LocalOrigin;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Linkage, Newton, Signal, Values, assemble};
 
@@ -18,8 +17,9 @@ use crate::number::rounded;
 
 /// The configuration in which markers are attached.
 pub(super) struct Design<L: Linkage<N>, const N: usize> {
-    pub(super) origin: LocalOrigin<f64>,
     pub(super) model: L,
+    /// The offsets to be added to drives to get the file's coordinates.
+    pub(super) drive_offsets: L::Drives,
     pub(super) q: SVector<f64, N>,
     pub(super) drives: L::Drives,
     /// All points in this configuration.
@@ -31,7 +31,7 @@ pub(super) struct Design<L: Linkage<N>, const N: usize> {
 impl<L: Suspension<N>, const N: usize> Design<L, N> {
     /// The drives' values in the file's coordinates, from local ones.
     pub(super) fn drives_in_file(&self, local: &L::Drives) -> Vec<f64> {
-        drives_in_file(&self.origin, &self.model, local)
+        drives_in_file(&self.model, &self.drive_offsets, local)
     }
 
     /// The derivatives of the points with respect to a drive; `None` if the mechanism locks.
@@ -57,15 +57,17 @@ impl<L: Suspension<N>, const N: usize> Design<L, N> {
 pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     model: L,
-    origin: LocalOrigin<f64>,
     guess: &L::Points,
 ) -> Result<Design<L, N>, Failure> {
     let Task { file, names, .. } = task;
+    let drive_offsets = task.origin.of_drives(&model);
     let drives = match &file.design {
         Some(table) => {
-            let each = names.drives.iter();
-            let each = each.map(|drive| *table.get_ref()[drive.name.as_str()].get_ref());
-            let drives = L::Drives::from_values(each);
+            let each = names.drives.iter().zip(drive_offsets.values());
+            let drives = L::Drives::from_values(each.map(|(drive, offset)| {
+                let stated = *table.get_ref()[drive.name.as_str()].get_ref();
+                task.in_radians(stated, drive.kind) - offset
+            }));
             task.check_angles(drives.values(), table)?;
             drives
         }
@@ -78,7 +80,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
     let off = unsatisfied(task, &model, guess);
     if off.is_some() || file.lengths.is_some() || file.design.is_some() {
         assemble(&Newton::from_afar(), &model, &inputs, &mut q).map_err(|error| {
-            let drives = drives_in_file(&origin, &model, &drives);
+            let drives = drives_in_file(&model, &drive_offsets, &drives);
             let at = names.drives_in_words(&drives, file.unit(), None);
             let of_points = model.drives_at(guess);
             let turned = describe_other_turn(task, drives.into_iter().zip(of_points.values()));
@@ -92,8 +94,8 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
         .with_markers(&points)
         .map_err(|error| task.refuse_geometry(&error))?;
     Ok(Design {
-        origin,
         model,
+        drive_offsets,
         q,
         drives,
         points,
@@ -222,11 +224,10 @@ fn check_spin_axis<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> Resu
 
 /// The drives' values in the file's coordinates, from local ones.
 fn drives_in_file<L: Suspension<N>, const N: usize>(
-    origin: &LocalOrigin<f64>,
     model: &L,
+    offsets: &L::Drives,
     local: &L::Drives,
 ) -> Vec<f64> {
-    let offsets = origin.of_drives(model);
     let each = local.values().zip(offsets.values());
     let each = each.take(model.count(Kind::Drive));
     each.map(|(local, offset)| local + offset).collect()

@@ -22,7 +22,7 @@ pub(super) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     let mut led = at_rest(task, design, &way, stand_in.drive)?;
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
     let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
-    let offset = measured(design.origin.of_measures(&design.model));
+    let offset = measured(task.origin.of_measures(&design.model));
     let law = law(task, stand_in, offset);
     let ends = [
         measured(design.model.measures(&points).value),
@@ -78,12 +78,7 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 
 /// The measure over time according to the file, for points in local coordinates.
 fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
-    let mut coefficients = task.file.drives.get_ref()[stand_in.key.get_ref().as_str()]
-        .get_ref()
-        .0
-        .clone();
-    if let Some(constant) = coefficients.first_mut() {
-        *constant -= offset;
-    }
-    Law::new(Polynomial::new(coefficients))
+    let stated = &task.file.drives.get_ref()[stand_in.key.get_ref().as_str()];
+    let kind = task.names.measures[stand_in.measure].kind;
+    Law::new(task.local(stated.get_ref(), kind, offset))
 }

@@ -4,7 +4,6 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use suspension_core::Values;
 
 use crate::failure::Failure;
 use crate::file::{Position, Source};
@@ -38,13 +37,13 @@ pub(super) struct Outlier {
 
 impl Outlier {
     /// The outlier among the points that the file states by coordinates, as given.
-    pub(super) fn find<P: Values<Vector3<f64>>>(task: &Task<'_>, given: &P) -> Option<Self> {
+    pub(super) fn find(task: &Task<'_>, given: &[Vector3<f64>]) -> Option<Self> {
         let stated = task.file.points.get_ref();
-        let named = task.names.points.iter().zip(given.values());
+        let named = task.names.points.iter().zip(given);
         let by_coordinates = named.filter_map(|(name, at)| {
             let position = stated.get(name.as_str())?;
             let is_one = matches!(position.get_ref(), Position::At(_));
-            is_one.then(|| ((name, position.span()), at))
+            is_one.then(|| ((name, position.span()), *at))
         });
         let (points, places): (Vec<_>, Vec<_>) = by_coordinates.unzip();
         let mut points = points.into_iter().enumerate();

@@ -32,7 +32,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
     let (names, of_drives) = complete_names(&assembled, request.listing, &measured)?;
-    let drives = task.drive_laws(design.drives.values());
+    let drives = task.drive_laws(&design.drive_offsets, &design.drives);
     let doubts = doubts(&assembled, &drives, request.instants);
     let outlier = assembled.outlier.iter();
     let mut notes: Vec<String> = outlier.map(|outlier| outlier.note(task.source)).collect();
@@ -43,12 +43,12 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     task.check_angles(first.values(), &task.file.drives)?;
     let begin = Begin::find(&assembled, request.to, drives, (&doubts, &mut notes))?;
     columns::check(request.source, &names, task.file.unit())?;
-    let drive_offsets = assembled.drive_offsets.values().take(names.drives.len());
+    let drive_offsets = design.drive_offsets.values().take(names.drives.len());
     let description = Description {
         linkage: linkage.to_owned(),
         unit: task.file.unit(),
         axes: task.file.axes,
-        origin: design.origin.position(),
+        origin: task.origin.position(),
         instants: request.instants.clone(),
         drives: begin.drives,
         drive_offsets: drive_offsets.collect(),
@@ -80,7 +80,7 @@ fn complete_names<L: Suspension<N>, const N: usize>(
     let springs = springs(task, listing, &measured.in_file)?;
     let masses = match listing {
         Some(listing) => {
-            let origin = design.origin.position();
+            let origin = task.origin.position();
             masses(task, listing, (origin, &assembled.points_in_file()))?
         }
         None => Vec::new(),
@@ -92,7 +92,7 @@ fn complete_names<L: Suspension<N>, const N: usize>(
     let names = names
         .with_springs_and_masses(springs, masses)
         .designed(&points)
-        .with_middle(task.middle)
+        .with_middle(task.origin.position().y)
         .coupled(&couplings);
     Ok((names, of_drives))
 }
@@ -207,7 +207,7 @@ impl<const N: usize> Begin<N> {
         let there = lead.inputs(&design.model, &inputs, &lead.start);
         Ok(Self {
             start: lead.start.motion(),
-            drives: task.drive_laws(there.drives.value.values()),
+            drives: task.drive_laws(&design.drive_offsets, &there.drives.value),
             lead: Some(lead),
             out_of_reach: None,
         })

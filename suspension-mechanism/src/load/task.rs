@@ -1,13 +1,14 @@
 //! A file that is being prepared, and what is to be made of it.
 
 use nalgebra::Vector3;
-use suspension_core::GeometryError;
 use suspension_core::listing::{Part, Parts};
+use suspension_core::model::local::LocalOrigin;
+use suspension_core::{GeometryError, Values};
 use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, Table};
+use crate::file::{Coefficients, Dimension, MotionFile, Source, Table};
 use crate::load::unsatisfied::Unsatisfied;
 use crate::mechanism::{DriveLaws, Instants, Names, Polynomial};
 use crate::number::{number, rounded};
@@ -37,23 +38,24 @@ pub(super) enum Start {
 /// A file whose mechanism is being prepared.
 pub(super) struct Task<'a> {
     pub(super) source: &'a Source,
-    pub(super) file: MotionFile,
+    /// The file as it was read: in its own coordinates and units.
+    pub(super) file: &'a MotionFile,
     /// The first instant, s.
     pub(super) first: f64,
     pub(super) names: Names,
-    /// The offset to be added to y to get the file's coordinates.
-    pub(super) middle: f64,
+    /// The origin of the local coordinates, in which the mechanism is computed.
+    pub(super) origin: LocalOrigin<f64>,
 }
 
 impl<'a> Task<'a> {
-    /// A file as it was read, with the names of all parts.
-    pub(super) fn new(request: &Request<'a>, names: Names) -> Self {
+    /// A file with the names of all parts.
+    pub(super) fn new(request: &Request<'a>, names: Names, origin: LocalOrigin<f64>) -> Self {
         Self {
             source: request.source,
-            file: request.file.clone(),
+            file: request.file,
             first: request.instants.ends()[0],
             names,
-            middle: 0.0,
+            origin,
         }
     }
 
@@ -104,18 +106,41 @@ impl<'a> Task<'a> {
 
     /// The y of a local point in the file, where the middle of the vehicle is at zero.
     pub(super) fn y_in_file(&self, point: &Vector3<f64>) -> f64 {
-        point.y + self.middle
+        point.y + self.origin.position().y
     }
 
-    /// The drives over time; drives that the file does not lead keep their values in `held`.
-    pub(super) fn drive_laws(&self, held: impl Iterator<Item = f64>) -> DriveLaws {
+    /// A number of the file, in radians if it is an angle.
+    pub(super) fn in_radians(&self, stated: f64, dimension: impl Into<Dimension>) -> f64 {
+        stated / dimension.into().file_factor(self.file.unit())
+    }
+
+    /// A polynomial of the file in local coordinates, which differ by `offset` from those of the file.
+    pub(super) fn local(
+        &self,
+        Coefficients(stated): &Coefficients,
+        dimension: impl Into<Dimension> + Copy,
+        offset: f64,
+    ) -> Polynomial {
+        let radians = stated
+            .iter()
+            .map(|stated| self.in_radians(*stated, dimension));
+        let mut coefficients: Vec<f64> = radians.collect();
+        if let Some(constant) = coefficients.first_mut() {
+            *constant -= offset;
+        }
+        Polynomial::new(coefficients)
+    }
+
+    /// The drives over time, which differ by `offsets` from those of the file; drives that the file does not lead keep
+    /// their values in `held`.
+    pub(super) fn drive_laws<D: Values<f64>>(&self, offsets: &D, held: &D) -> DriveLaws {
         let table = self.file.drives.get_ref();
-        let each = self.names.drives.iter().zip(held);
-        DriveLaws::new(each.map(|(drive, held)| {
-            let stated = table
-                .get(drive.name.as_str())
-                .map(|law| law.get_ref().0.clone());
-            Polynomial::new(stated.unwrap_or_else(|| vec![held]))
+        let each = self.names.drives.iter();
+        let each = each.zip(offsets.values().zip(held.values()));
+        DriveLaws::new(each.map(|(drive, (offset, held))| {
+            let stated = table.get(drive.name.as_str());
+            let stated = stated.map(|stated| self.local(stated.get_ref(), drive.kind, offset));
+            stated.unwrap_or_else(|| Polynomial::new(vec![held]))
         }))
     }
 

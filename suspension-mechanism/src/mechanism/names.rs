@@ -194,16 +194,6 @@ impl Names {
         measures.map(|measure| measure.name.as_str()).collect()
     }
 
-    /// The drives and measures that are angles.
-    pub fn angles(&self) -> impl Iterator<Item = &str> {
-        let drives = self.drives.iter();
-        let drives = drives.filter(|drive| drive.kind.is_angle());
-        let measures = self.measures.iter();
-        let measures = measures.filter(|measure| measure.kind == MeasureKind::Angle);
-        let drives = drives.map(|drive| drive.name.as_str());
-        drives.chain(measures.map(|measure| measure.name.as_str()))
-    }
-
     /// The number of the drive that an option names; without an option, the number of the only drive.
     ///
     /// # Errors
