@@ -47,11 +47,10 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
         let outlier = Outlier::find(&task, &stated);
         let outlier_first = |failure| prepend_outlier(outlier.as_ref(), failure, request.source);
         let local = stated.iter().map(|point| point - origin.position());
-        let given = L::Points::from_values(local);
+        let local: Vec<_> = local.collect();
+        let given = L::Points::from_values(local.iter().copied());
         let model: L = model(&task, (listing, request.listing), &given).map_err(outlier_first)?;
-        let placed: Vec<_> = given.values().take(task.names.points.len()).collect();
-        task.names = task.names.designed(&placed);
-        task.names = names_with_vehicle(&task)?;
+        task.names = names_with_vehicle(&task, &local)?;
         let design = at_design(&task, model, &given).map_err(outlier_first)?;
         Ok(Self {
             task,

@@ -1,5 +1,6 @@
 //! From the contents of a file to a mechanism in the configuration of the first instant.
 
+use nalgebra::Vector3;
 use suspension_core::{Motion, Values};
 use suspension_runtime::Listing;
 
@@ -15,11 +16,11 @@ use crate::load::notes::{
 };
 use crate::load::springs::springs;
 use crate::load::steering_wheel::steering_wheel;
-use crate::load::task::{Request, Start};
+use crate::load::task::{Request, Start, Task};
 use crate::load::usual_drives::effective_names;
 use crate::load::{columns, led, start};
 use crate::mechanism::{
-    Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension,
+    Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
 };
 
 /// The mechanism of a file and a listing.
@@ -85,16 +86,29 @@ fn complete_names<L: Suspension<N>, const N: usize>(
         }
         None => Vec::new(),
     };
-    let (mut names, of_drives) = effective_names(task, design);
-    names.vehicle.steering_wheel = steering_wheel(task, &names, design)?;
+    let (names, of_drives) = effective_names(task, design);
+    let steering_wheel = steering_wheel(task, &names, design)?;
     let couplings = couplings(&names, design);
     let points: Vec<_> = design.points.values().take(names.points.len()).collect();
-    let names = names
-        .with_springs_and_masses(springs, masses)
-        .designed(&points)
-        .with_middle(task.origin.position().y)
-        .coupled(&couplings);
+    let mut names = names.designed(&points);
+    for (wheel, coupling) in names.wheels.iter_mut().zip(couplings) {
+        wheel.is_in_middle = is_in_middle(task, wheel.points.axis.map(|end| points[end]));
+        wheel.coupling = coupling;
+    }
+    names.vehicle = Vehicle {
+        steering_wheel,
+        springs: springs.into(),
+        masses: masses.into(),
+        ..names.vehicle
+    };
     Ok((names, of_drives))
+}
+
+/// Whether the wheel with this spin axis is in the middle of the vehicle.
+fn is_in_middle(task: &Task<'_>, [inner, centre]: [Vector3<f64>; 2]) -> bool {
+    /// A fraction of the length of the spin axis.
+    const ROUNDING: f64 = 1e-6;
+    task.y_in_file(&centre).abs() < ROUNDING * (centre - inner).norm()
 }
 
 /// Descriptions of what is probably a mistake; if a point is probably wrong, only that.

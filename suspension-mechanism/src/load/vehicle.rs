@@ -3,6 +3,7 @@
 mod forces;
 mod per_wheel;
 
+use nalgebra::Vector3;
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
@@ -19,16 +20,19 @@ const TRAVEL: &str = "bump";
 const STEER: &str = "steer";
 
 /// The names with the statements of the file, drives by number; drives that it does not state are those with the
-/// usual names.
+/// usual names. The wheels are where `given` has all points.
 ///
 /// # Errors
 ///
 /// At a length that is not positive and finite, at a number that is not a share, at a name that is not that of a
 /// drive or a wheel, and if a car is described in part only.
-pub(super) fn names_with_vehicle(task: &Task<'_>) -> Result<Names, Failure> {
+pub(super) fn names_with_vehicle(
+    task: &Task<'_>,
+    given: &[Vector3<f64>],
+) -> Result<Names, Failure> {
     let table = &task.file.vehicle;
     let stated = table.get_ref();
-    let mut names = task.names.clone();
+    let mut names = task.names.clone().designed(given);
     // A linkage without a wheel is treated as one with an unnamed wheel.
     let mut unnamed = [Wheel::default()];
     let wheels = match names.wheels.as_mut_slice() {

@@ -6,9 +6,7 @@ use suspension_listing::did_you_mean::unknown;
 
 use crate::mechanism::guide::Guide;
 use crate::mechanism::hinge::Hinge;
-use crate::mechanism::mass::Mass;
-use crate::mechanism::spring::Spring;
-use crate::mechanism::vehicle::{Coupling, Vehicle, Wheel};
+use crate::mechanism::vehicle::{Vehicle, Wheel};
 use crate::mechanism::zero_length::DrivenLength;
 
 /// The parts of a listing in lists, independent of its types.
@@ -133,17 +131,6 @@ impl Names {
         length.is_some_and(|length| !self.angled_links.contains(&length))
     }
 
-    /// Adds springs, and parts that have a mass.
-    pub(crate) fn with_springs_and_masses(
-        mut self,
-        springs: Vec<Spring>,
-        masses: Vec<Mass>,
-    ) -> Self {
-        self.vehicle.springs = springs.into();
-        self.vehicle.masses = masses.into();
-        self
-    }
-
     /// Adds the axes of the wheels and the directions of the guides at the design position, of which `points` are the
     /// local coordinates.
     pub fn designed(mut self, points: &[Vector3<f64>]) -> Self {
@@ -152,27 +139,6 @@ impl Names {
         }
         for guide in &mut self.guides {
             guide.design(points);
-        }
-        self
-    }
-
-    /// Adds whether each wheel is in the middle of the vehicle; `middle` is to be added to y to get the file's
-    /// coordinates.
-    pub(crate) fn with_middle(mut self, middle: f64) -> Self {
-        /// A fraction of the length of the spin axis.
-        const ROUNDING: f64 = 1e-6;
-        for wheel in &mut self.wheels {
-            wheel.is_in_middle = wheel.design.is_some_and(|[inner, centre]| {
-                (centre.y + middle).abs() < ROUNDING * (centre - inner).norm()
-            });
-        }
-        self
-    }
-
-    /// Adds the coupling of each wheel's travel with that of others.
-    pub fn coupled(mut self, couplings: &[Coupling]) -> Self {
-        for (wheel, coupling) in self.wheels.iter_mut().zip(couplings) {
-            wheel.coupling = *coupling;
         }
         self
     }
