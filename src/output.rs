@@ -5,6 +5,7 @@ pub mod colour;
 pub mod destinations;
 pub mod drawing;
 pub mod figures;
+pub mod notes;
 pub mod page;
 pub mod plot;
 pub mod progress;

@@ -17,6 +17,7 @@ use crate::mechanism::Description;
 use crate::option::number;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
+use crate::output::notes::noted;
 use crate::output::rows::Forms;
 use crate::output::table::Table;
 use crate::output::target::Target;
@@ -65,7 +66,7 @@ impl Arguments {
             drive: self.drive,
             at: self.at,
         };
-        let mechanism = loaded.at_first_instant()?;
+        let mechanism = noted(loaded.at_first_instant()?);
         enumerate(&*mechanism, source.name(), &wish, &forms, interrupted)
     }
 }

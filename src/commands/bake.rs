@@ -15,6 +15,7 @@ use crate::file::{Source, tell};
 use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
+use crate::output::notes::noted;
 use crate::output::progress::Busy;
 use crate::output::target::Target;
 use request::{Baking, Request, Wished, WishedMeasure};
@@ -91,9 +92,11 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
+        let mechanism = &*noted(loaded.at_first_instant()?);
+        loaded.check_driven("suspension bake", mechanism)?;
         let baking = Baking {
             file: source.name(),
-            mechanism: &*loaded.driven("suspension bake")?,
+            mechanism,
             request: &self.request()?,
             interrupted,
         };

@@ -50,7 +50,7 @@ impl Arguments {
         name: &str,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let mechanism = &*loaded.at_design_without_notes()?;
+        let mechanism = &*loaded.at_design()?;
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {

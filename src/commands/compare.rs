@@ -21,6 +21,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
 use crate::output::destinations::Destinations;
+use crate::output::notes::noted;
 use report::Report;
 use side::Side;
 
@@ -116,7 +117,7 @@ impl Arguments {
         let [(a, first), _] = files;
         let spans = [self.travel, self.steer];
         let side = |(source, loaded): (&Source, &Loaded<'_>)| {
-            let mechanism = loaded.at_design_in(first.axes())?;
+            let mechanism = noted(loaded.at_design_in(first.axes())?);
             let converted = converted([loaded, first]);
             Side::compute(
                 &*mechanism,

@@ -11,6 +11,7 @@ use crate::option::positive;
 use crate::output::beside::in_out;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
+use crate::output::notes::noted;
 use crate::output::target::Target;
 
 /// The arguments of `suspension draw`.
@@ -45,7 +46,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = loaded.within_reach()?;
+        let mechanism = noted(loaded.within_reach()?);
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
         out.write(&drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;

@@ -14,6 +14,7 @@ use crate::layouts::first_sentence;
 use crate::load::load;
 use crate::mechanism::Axes;
 use crate::output::files::print;
+use crate::output::notes::noted;
 
 /// The arguments of `suspension list`.
 #[derive(Args, Clone, Debug)]
@@ -53,7 +54,7 @@ impl Arguments {
 fn flat(path: &Path) -> Result<String, Failure> {
     let source = Source::read(path)?;
     let loaded = load(&source)?;
-    let mechanism = loaded.at_design()?;
+    let mechanism = noted(loaded.at_design()?);
     let listing = loaded.flat_listing(&*mechanism)?;
     let (name, unit, axes) = (source.name(), loaded.unit().length, loaded.axes());
     let foreign = match axes {

@@ -23,6 +23,7 @@ use crate::load::load;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
 use crate::output::beside::{in_out, name_of};
+use crate::output::notes::noted;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
 use run::Run;
@@ -72,11 +73,11 @@ impl Arguments {
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = if self.motion {
-            loaded.at_first_instant()?
+            loaded.at_first_instant()
         } else {
-            loaded.at_design()?
+            loaded.at_design()
         };
-        let mechanism = &*mechanism;
+        let mechanism = &*noted(mechanism?);
         let cases = loaded.load_cases(mechanism)?;
         let structure = Structure::new(loaded.listing());
         if cases.is_empty() {

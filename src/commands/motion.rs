@@ -15,6 +15,7 @@ use crate::load::load;
 use crate::output::beside::name_of;
 use crate::output::figures::{draw, height_and_angles, path};
 use crate::output::files::{announce, print, refuse_plot};
+use crate::output::notes::noted;
 use crate::output::record::record;
 use crate::output::rows::Forms;
 use crate::output::summary;
@@ -64,7 +65,7 @@ impl Arguments {
         };
         let loaded = load(&source)?;
         forms.check()?;
-        let mechanism = loaded.at_first_instant()?;
+        let mechanism = noted(loaded.at_first_instant()?);
         self.solve(&*mechanism, source.name(), &forms, interrupted)
     }
 

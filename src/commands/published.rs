@@ -14,6 +14,7 @@ use crate::file::Source;
 use crate::load::load;
 use crate::output::figures::draw;
 use crate::output::files::{announce, print};
+use crate::output::notes::noted;
 use crate::output::record::record;
 use crate::output::rows::Forms;
 use crate::output::summary;
@@ -39,7 +40,7 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let (name, text) = BUILT_IN;
     let source = Source::new(name, text);
     let loaded = load(&source)?;
-    let mechanism = &*loaded.at_first_instant()?;
+    let mechanism = &*noted(loaded.at_first_instant()?);
     let (folder, stem) = WRITTEN;
     let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
     let forms = Forms {

@@ -18,6 +18,7 @@ use crate::output::beside::name_of;
 use crate::output::figures::path;
 use crate::output::files::{announce, print, refuse_plot, write_file};
 use crate::output::heading::Header;
+use crate::output::notes::noted;
 use crate::output::progress::Busy;
 use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
@@ -58,7 +59,7 @@ impl Arguments {
         };
         let loaded = load(&source)?;
         forms.check()?;
-        let mechanism = &*loaded.within_reach()?;
+        let mechanism = &*noted(loaded.within_reach()?);
         let chosen = self.chosen(&mechanism.names);
         let chosen =
             chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;

@@ -17,6 +17,7 @@ use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
+use crate::output::notes::noted;
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::sensitivities::{Sensitivities, sensitivities};
@@ -67,7 +68,7 @@ impl Arguments {
         if let Some(csv) = &csv {
             csv.refuse_input("--csv")?;
         }
-        let mechanism = &*loaded.at_design()?;
+        let mechanism = &*noted(loaded.at_design()?);
         if !mechanism.is_determined() {
             return Err(Failure::Solver(format!(
                 "{}: the design position is singular, where quantities have no derivatives; {}",

@@ -13,8 +13,7 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Rise, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, unmet_range,
-    ways,
+    Along, Rise, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
@@ -24,6 +23,7 @@ use crate::mechanism::State;
 use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
+use crate::output::notes::{noted, noted_unmet_range, print_notes};
 use crate::output::target::Target;
 use page::Page;
 
@@ -60,7 +60,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = loaded.at_design()?;
+        let mechanism = noted(loaded.at_design()?);
         let motion_ends = loaded.own_motion_ends(interrupted)?;
         if let Some(why) = &motion_ends {
             tell(format_args!("note: {why}"));
@@ -89,7 +89,7 @@ impl Arguments {
             return Err(no_steering(name));
         }
         let spans = [self.travel, self.steer];
-        check_spans(mechanism, name, spans, unit)?;
+        print_notes(check_spans(mechanism, name, spans, unit)?);
         let ways = ways(mechanism, spans, unit, interrupted);
         let shorter_roll = shorter_roll(mechanism, self.travel);
         if let Some(note) = &shorter_roll {
@@ -113,7 +113,7 @@ impl Arguments {
             parameters,
             rises,
         };
-        Ok((page.html(), unmet_range(&ways, name)))
+        Ok((page.html(), noted_unmet_range(&ways, name)))
     }
 }
 

@@ -16,6 +16,7 @@ use crate::option::derivatives;
 use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
+use crate::output::notes::noted;
 use crate::output::progress::Progress;
 use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
@@ -78,7 +79,8 @@ impl Arguments {
         };
         let loaded = load(&source)?;
         forms.check()?;
-        self.sweep(&*loaded.at_design()?, source.name(), &forms, interrupted)
+        let mechanism = &*noted(loaded.at_design()?);
+        self.sweep(mechanism, source.name(), &forms, interrupted)
     }
 
     fn sweep(

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::characteristics::{Does, Span, check_spans, unmet_range, ways};
+use crate::characteristics::{Does, Span, check_spans, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -19,6 +19,7 @@ use crate::load::load;
 use crate::mechanism::{Pair, report_of_singular};
 use crate::output::beside::in_out;
 use crate::output::files::announce;
+use crate::output::notes::{noted, noted_unmet_range, print_notes};
 use crate::output::target::Target;
 use wheel::Wheel;
 
@@ -76,7 +77,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         target.refuse_input("--out")?;
-        let mechanism = loaded.at_design()?;
+        let mechanism = noted(loaded.at_design()?);
         let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
         target.write(&text)?;
         announce(target.path());
@@ -92,7 +93,7 @@ impl Arguments {
     ) -> Result<(String, Option<Failure>), Failure> {
         let number = self.number(mechanism, file)?;
         let spans = [self.travel, None];
-        check_spans(mechanism, file, spans, mechanism.unit)?;
+        print_notes(check_spans(mechanism, file, spans, mechanism.unit)?);
         let ways = ways(mechanism, spans, mechanism.unit, interrupted);
         let drive = mechanism.names.wheels[number].travel;
         let mut of_wheel = ways
@@ -123,7 +124,7 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => unmet_range(slice::from_ref(&travel), file),
+            Program::Carsim => noted_unmet_range(slice::from_ref(&travel), file),
             Program::Carmaker => None,
         };
         Ok((text, missing))

@@ -17,6 +17,7 @@ use crate::mechanism::{Axis, CountedFrom, Description};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing};
+use crate::output::notes::noted;
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
@@ -51,7 +52,7 @@ impl Arguments {
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
-        let mechanism = &*loaded.at_design()?;
+        let mechanism = &*noted(loaded.at_design()?);
         let (moves, targets) = loaded.tuning(mechanism)?;
         out.refuse_input("--out")?;
         if let Some(path) = out.path() {
@@ -169,7 +170,7 @@ fn refuse_rough_points(source: &Source, file: &MotionFile) -> Result<(), Failure
 fn check(at: &Path, text: &str, (mechanism, tuned): (&Description, &Tuned)) -> Result<(), Failure> {
     let source = Source::new(at.display().to_string(), text);
     let loaded = load(&source)?;
-    let points = loaded.at_design_without_notes()?.points();
+    let points = loaded.at_design()?.points();
     let is_near = |[a, b]: [&nalgebra::Vector3<f64>; 2]| {
         let size = 1.0 + a.amax().max(b.amax());
         (a - b).amax() <= rewritten::ROUNDING * size

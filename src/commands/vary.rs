@@ -16,6 +16,7 @@ use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::{describe_one_sided, load};
 use crate::output::destinations::Destinations;
+use crate::output::notes::noted;
 use crate::quantities::is_first_in_curves;
 use report::Report;
 use study::{Spans, Study};
@@ -79,7 +80,7 @@ impl Arguments {
         let file = source.name();
         let loaded = load(&source)?;
         let to = Destinations::new([&self.csv, &self.json, &self.html])?;
-        let mechanism = &*loaded.at_design()?;
+        let mechanism = &*noted(loaded.at_design()?);
         if self.steer.is_some() && mechanism.names.vehicle.steer.is_empty() {
             return Err(no_steering(file));
         }

@@ -22,6 +22,7 @@ use crate::file::Source;
 use crate::load::Loaded;
 use crate::measured_table::MeasuredTable;
 use crate::number::counted;
+use crate::output::notes::noted;
 use columns::{Known, tell_doubts};
 use course::{Course, followed};
 use leads::divide;
@@ -46,7 +47,7 @@ pub(super) fn compare(
     absolute: bool,
     interrupted: &AtomicBool,
 ) -> Result<Report, Failure> {
-    let mechanism = &*loaded.at_design()?;
+    let mechanism = &*noted(loaded.at_design()?);
     let mut table = MeasuredTable::new(measured)?;
     let known = Known::all(&mut table, mechanism, absolute)?;
     let [leads, compared] = divide(&table, mechanism, known)?;

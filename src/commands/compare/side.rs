@@ -5,12 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
     Curves, Does, Parameter, Rise, Rises, Span, Way, check_spans, curves, parameters, shorter_roll,
-    unmet_range, ways,
+    ways,
 };
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel, listed};
+use crate::output::notes::{noted_unmet_range, print_notes};
 use crate::quantities::{Axis, CENTRE, TOE};
 
 /// The compared results of a suspension, with lengths in the unit of the first.
@@ -56,7 +57,7 @@ impl Side {
         interrupted: &AtomicBool,
     ) -> Result<Self, Failure> {
         let file = source.name();
-        check_spans(mechanism, file, spans, unit)?;
+        print_notes(check_spans(mechanism, file, spans, unit)?);
         let along = ways(mechanism, spans, unit, interrupted);
         let missing = along.iter().filter_map(|along| along.visited.failure(file));
         let missing = missing.map(|failure| failure.to_string());
@@ -85,7 +86,7 @@ impl Side {
             lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
             shorter_roll: shorter_roll(mechanism, spans[0]),
             missing: missing.collect(),
-            failure: unmet_range(&along, file),
+            failure: noted_unmet_range(&along, file),
             rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),

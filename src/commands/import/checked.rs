@@ -7,6 +7,7 @@ use super::draft::Draft;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
+use crate::output::notes::noted;
 
 /// Returns the text of the motion file at the path `out`.
 pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
@@ -16,12 +17,11 @@ pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Fail
     let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
     // The drives' values at the design position come from the mechanism, so it is built first.
     let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
-    let moved =
-        load(&unmoved).and_then(|loaded| Ok(draft.text(&loaded.at_design_without_notes()?.design)));
+    let moved = load(&unmoved).and_then(|loaded| Ok(draft.text(&loaded.at_design()?.design)));
     let text = moved.map_err(|failure| with_line(failure, &unmoved))?;
     let written = file(&text);
     let loaded = load(&written)?;
-    loaded.at_design()?;
+    noted(loaded.at_design()?);
     if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
         tell(format_args!(
             "note: {why}; state a shorter motion under [drives]"

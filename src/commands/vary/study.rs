@@ -3,14 +3,14 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::characteristics::{
-    Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, parameters, unmet_range,
-    ways,
+    Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, parameters, ways,
 };
 use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
 use crate::kinematics::{Kinematics, Unbuilt};
 use crate::mechanism::listed;
 use crate::number::without_rounding;
+use crate::output::notes::{noted_unmet_range, print_notes};
 use crate::output::progress::Progress;
 use crate::quantities::Column;
 use crate::sensitivities::read;
@@ -71,7 +71,8 @@ impl Study {
             left_out: 0,
         };
         if let Some(spans) = spans {
-            check_spans(varied.mechanism, varied.file, spans, varied.mechanism.unit)?;
+            let unit = varied.mechanism.unit;
+            print_notes(check_spans(varied.mechanism, varied.file, spans, unit)?);
         }
         let mut progress = Progress::new(values.len(), "values");
         for (done, value) in values.iter().enumerate() {
@@ -125,7 +126,7 @@ impl Study {
             let cut_short: Vec<String> = failures.collect();
             // That a usual range is longer than the reach is stated once, not for each value.
             ways.retain(|along| self.cut_short.is_empty() || !along.is_usual);
-            let locked = || unmet_range(&ways, varied.file);
+            let locked = || noted_unmet_range(&ways, varied.file);
             let locked = || locked().map(|failure| varied.with_value(value, failure));
             self.locked = self.locked.take().or_else(locked);
             self.cut_short.extend(cut_short);

@@ -9,7 +9,6 @@ use crate::characteristics::places::through_design;
 use crate::characteristics::span::Span;
 use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
-use crate::file::tell;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
     Axis, CountedFrom, DerivativeOrder, Grid, Names, Place, State, Unit, Visited,
@@ -96,25 +95,28 @@ pub fn usual_change(does: Does, kind: DriveKind, unit: Unit) -> f64 {
     }
 }
 
-/// Returns the first failure if places of a range are missing. A lock within a range that the user does not state is no failure:
-/// a note on standard error says that the curves end there.
-pub fn unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
-    ways.iter().find_map(|along| {
-        let failure = along.visited.failure(file)?;
+/// Returns the first failure if places of a range are missing, and notes on the ways before it. A lock within a range that
+/// the user does not state is no failure: a note says that the curves end there.
+pub fn unmet_range(ways: &[Along], file: &str) -> (Vec<String>, Option<Failure>) {
+    let mut notes = Vec::new();
+    for along in ways {
+        let Some(failure) = along.visited.failure(file) else {
+            continue;
+        };
         let has_places = along.visited.places.iter().any(Option::is_some);
         if !along.is_usual || !has_places || !matches!(failure, Failure::Solver(_)) {
-            return Some(failure);
+            return (notes, Some(failure));
         }
         let title = &along.title;
         let option = match along.way.does {
             Does::Steer => "--steer",
             _ => "--travel",
         };
-        tell(format_args!(
-            "note: the usual range of {title} is longer than its reach, where its curves end; {option} sets another range. {failure}"
+        notes.push(format!(
+            "the usual range of {title} is longer than its reach, where its curves end; {option} sets another range. {failure}"
         ));
-        None
-    })
+    }
+    (notes, None)
 }
 
 /// The remedy if no drive is known to move the wheel up and down.
@@ -151,7 +153,7 @@ fn option_of(course: &Course) -> usize {
     usize::from(course.does == Does::Steer)
 }
 
-/// Prints notes on spans that seem to be in another unit.
+/// Returns notes on spans that seem to be in another unit.
 ///
 /// # Errors
 ///
@@ -161,29 +163,27 @@ pub fn check_spans(
     file: &str,
     spans: [Option<Span>; 2],
     unit: Unit,
-) -> Result<(), Failure> {
+) -> Result<Vec<String>, Failure> {
     let names = &mechanism.names;
     if names.vehicle.travel.is_empty() {
         return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
     }
-    for course in Course::all(mechanism) {
+    let notes = Course::all(mechanism).into_iter().filter_map(|course| {
         let kind = names.drives[course.drives[0].0].kind;
-        if let (Some(span), DriveKind::Coordinate) = (spans[option_of(&course)], kind) {
-            note_length(file, &course.title, span, unit);
-        }
-    }
-    Ok(())
+        let span = spans[option_of(&course)].filter(|_| kind == DriveKind::Coordinate)?;
+        note_on_length(file, &course.title, span, unit)
+    });
+    Ok(notes.collect())
 }
 
-/// Prints a note if a span seems to be in another unit.
-fn note_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) {
-    if !(SHORTEST..=LONGEST).contains(&((to - from) / unit.metre())) {
+/// A note if a span seems to be in another unit.
+fn note_on_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) -> Option<String> {
+    let is_usual = (SHORTEST..=LONGEST).contains(&((to - from) / unit.metre()));
+    (!is_usual).then(|| {
         let symbol = unit.symbol();
         let [from, to] = [from, to].map(number);
-        tell(format_args!(
-            "note: {file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?"
-        ));
-    }
+        format!("{file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?")
+    })
 }
 
 /// The part of a span that a course moves through: in roll, where one wheel moves down as far as the other moves up, the

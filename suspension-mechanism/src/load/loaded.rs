@@ -4,7 +4,7 @@ use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Position, Source, check, tell};
+use crate::file::{MotionFile, Position, Source, check};
 use crate::kinematics::Kinematics;
 use crate::load::listing::Chosen;
 use crate::load::prepare::prepare;
@@ -91,13 +91,13 @@ impl Loaded<'_> {
         )
     }
 
-    /// The mechanism at the first instant. Notes on the file go to standard error.
+    /// The mechanism at the first instant. It has [`notes`](Description::notes) on the file.
     ///
     /// # Errors
     ///
     /// As [`mechanism`](Self::mechanism).
     pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(self.request(Start::FirstInstant))
+        self.kinematics(self.request(Start::FirstInstant))
     }
 
     /// As [`at_first_instant`](Self::at_first_instant), for a command that also has an answer if the first instant is
@@ -107,7 +107,7 @@ impl Loaded<'_> {
     ///
     /// As [`at_first_instant`](Self::at_first_instant), except for the way there.
     pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(self.request(Start::WithinReach))
+        self.kinematics(self.request(Start::WithinReach))
     }
 
     /// As [`within_reach`](Self::within_reach), for a command that works from the design position, whatever the
@@ -117,27 +117,7 @@ impl Loaded<'_> {
     ///
     /// As [`within_reach`](Self::within_reach).
     pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.noted(self.request(Start::Design))
-    }
-
-    /// As [`at_design`](Self::at_design), for a command that reports the mechanism's notes itself.
-    ///
-    /// # Errors
-    ///
-    /// As [`at_design`](Self::at_design).
-    pub fn at_design_without_notes(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
         self.kinematics(self.request(Start::Design))
-    }
-
-    /// The mechanism at the first instant, for a command whose motion drives must lead.
-    ///
-    /// # Errors
-    ///
-    /// As [`at_first_instant`](Self::at_first_instant), and [`Failure::Input`] if a measure stands in for a drive.
-    pub fn driven(&self, command: &str) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let mechanism = self.at_first_instant()?;
-        self.check_driven(command, &mechanism)?;
-        Ok(mechanism)
     }
 
     /// Checks that drives lead the motion, which a command requires.
@@ -158,14 +138,6 @@ impl Loaded<'_> {
             "`{measure}` is a measure that prescribes the motion; {command} needs a motion that is prescribed by drives alone"
         );
         Err(self.source.refuse(&place, message))
-    }
-
-    pub(super) fn noted(&self, request: Request<'_>) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        let mechanism = self.kinematics(request)?;
-        for note in &mechanism.notes {
-            tell(format_args!("note: {note}"));
-        }
-        Ok(mechanism)
     }
 
     pub(super) fn kinematics(

@@ -64,7 +64,7 @@ fn assert_same(printed: &str, file: &Path) {
     let listing = Listing::parse(printed).unwrap_or_else(|mistakes| panic!("{mistakes}"));
     assert_eq!(contents(&listing), contents(loaded.listing()), "{printed}");
     let design = listing.design().expect("all positions");
-    let mechanism = loaded.at_design_without_notes().expect("assembled");
+    let mechanism = loaded.at_design().expect("assembled");
     let names = suspension::load::points(&listing);
     for ((name, at), assembled) in names.zip(design).zip(mechanism.points()) {
         assert!(

@@ -1,0 +1,28 @@
+//! Notes on standard error.
+
+use std::fmt::Display;
+
+use crate::characteristics::{Along, unmet_range};
+use crate::failure::Failure;
+use crate::file::tell;
+use crate::kinematics::Kinematics;
+
+/// Prints notes.
+pub fn print_notes(notes: impl IntoIterator<Item = impl Display>) {
+    for note in notes {
+        tell(format_args!("note: {note}"));
+    }
+}
+
+/// Prints the notes on the file of a mechanism, and returns the mechanism.
+pub fn noted<'a>(mechanism: Box<dyn Kinematics + 'a>) -> Box<dyn Kinematics + 'a> {
+    print_notes(&mechanism.notes);
+    mechanism
+}
+
+/// Returns the failure of [`unmet_range`], and prints its notes.
+pub fn noted_unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
+    let (notes, failure) = unmet_range(ways, file);
+    print_notes(notes);
+    failure
+}
