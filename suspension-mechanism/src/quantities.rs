@@ -1,6 +1,7 @@
 //! The quantities of a mechanism: one catalogue, from which tables, plots, summaries and help are made.
 
 mod axis;
+mod beside;
 mod brake_and_drive;
 mod catalogue;
 mod formulas;

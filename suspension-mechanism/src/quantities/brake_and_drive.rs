@@ -4,10 +4,9 @@ use crate::file::Dimension;
 use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::side_view;
 use crate::quantities::on_ground::{moving, of_moving};
 use crate::quantities::readings::of_each_wheel;
-use crate::quantities::wheel::Moving;
+use crate::quantities::wheel::{Along, Moving};
 
 /// How far the point at which the force of a torque acts moves forward and upwards in bump, in whichever direction
 /// the drives move the wheel. The point is the contact point, taken as a point of the carrier that bears the torque,
@@ -29,7 +28,7 @@ pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
     let on_ground = torque == Torque::Carrier;
     of_moving(
         names,
-        |rolling| side_view(names, rolling),
+        Along::SideView,
         Dimension::Angle,
         on_ground,
         move |moving: &Moving<N>| {
@@ -78,10 +77,9 @@ pub(super) fn of_support<N: Number>(
         let share = share.filter(|_| wheel.axle == Some(axle))?;
         let factor = N::still(100.0 * towards * share * wheelbase / cg_height);
         let on_ground = torque == Torque::Carrier;
-        let along = side_view(names, rolling);
         moving(
             rolling,
-            along,
+            Along::SideView,
             Dimension::Percent,
             on_ground,
             move |moving: &Moving<N>| {

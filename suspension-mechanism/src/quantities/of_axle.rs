@@ -11,7 +11,7 @@ use crate::quantities::in_roll::PerRoll;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, reading, spin_axis};
-use crate::quantities::wheel::{Along, Rolling, Wheel};
+use crate::quantities::wheel::{Rolling, Wheel};
 
 /// A steer angle of a degree. If a wheel is steered by less, toe, and not the steering, determines the difference
 /// between the wheels of an axle.
@@ -59,32 +59,6 @@ impl Axle {
     fn is_steered(&self) -> bool {
         self.wheels.iter().all(|wheel| wheel.steer.is_some())
     }
-}
-
-/// The motion of a wheel in the side view of its axle: in travel, or in heave if one wheel of the axle moves the
-/// other.
-pub(super) fn side_view(names: &Names, rolling: Rolling) -> Along {
-    if !rolling.coupling(names).is_coupled() && !rolling.shares_its_carrier(names) {
-        return travel(names, rolling);
-    }
-    opposite_wheel(names, rolling).map_or(Along::Travel, Along::Heave)
-}
-
-/// The motion of a wheel in travel, with the other wheel of its axle held at its height.
-pub(super) fn travel(names: &Names, rolling: Rolling) -> Along {
-    let takes_both = rolling.coupling(names).takes_both_drives;
-    let other = opposite_wheel(names, rolling).filter(|_| takes_both);
-    other.map_or(Along::Travel, Along::Held)
-}
-
-/// The other wheel of an axle, if each of its wheels has a drive of travel.
-fn opposite_wheel(names: &Names, rolling: Rolling) -> Option<Rolling> {
-    let mut axles = Axle::all(names).into_iter().filter(Axle::has_travel);
-    axles.find_map(|Axle { wheels: [a, b], .. }| match rolling.number {
-        number if number == a.number => Some(b),
-        number if number == b.number => Some(a),
-        _ => None,
-    })
 }
 
 /// The readings of each requested axle, under its name. (`dyn`, so that this is not compiled for each quantity.)

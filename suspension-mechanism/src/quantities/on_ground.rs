@@ -8,7 +8,6 @@ use crate::mechanism::Names;
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::travel;
 use crate::quantities::reader::Reader;
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
 use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
@@ -57,13 +56,13 @@ fn of_kingpin_at<N: Number>(
 /// A number of each carrier in motion; `on_ground` if the wheel radius is needed.
 pub(super) fn of_moving<N: Number>(
     names: &Names,
-    along: impl Fn(Rolling) -> Along,
+    along: Along,
     dimension: Dimension,
     on_ground: bool,
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        moving(rolling, along(rolling), dimension, on_ground, value.clone())
+        moving(rolling, along, dimension, on_ground, value.clone())
     })
 }
 
@@ -76,9 +75,11 @@ pub(super) fn of_independent<N: Number>(
     value: impl Fn(&Moving<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        let is_moved = rolling.coupling(names).is_moved || rolling.shares_its_carrier(names);
-        let along = (!is_moved && is_wanted(rolling)).then(|| travel(names, rolling))?;
-        moving(rolling, along, dimension, true, value.clone())
+        let is_moved = rolling.coupling.is_moved || rolling.shares_its_carrier;
+        if is_moved || !is_wanted(rolling) {
+            return None;
+        }
+        moving(rolling, Along::Travel, dimension, true, value.clone())
     })
 }
 
@@ -100,12 +101,11 @@ pub(super) fn moving<N: Number>(
 /// Coordinates of a place that follows from the carrier's motion.
 pub(super) fn of_moving_place<N: Number>(
     names: &Names,
-    along: impl Fn(Rolling) -> Along,
+    along: Along,
     axes: &[Axis],
     place: fn(&Moving<N>) -> Vector3<N>,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        let along = along(rolling);
         if !is_moved(&rolling, along, false) {
             return Vec::new();
         }

@@ -7,11 +7,12 @@ use suspension_core::Signal;
 use suspension_core::wheel::SteeringAxis;
 
 use crate::mechanism::{Positions, State};
+use crate::quantities::beside::Beside;
 use crate::quantities::in_roll::InRoll;
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
 use crate::quantities::two_drives::{combined, rates};
-use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
+use crate::quantities::wheel::{Along, Moving, Rolling, Wheel, carrier};
 
 /// Reads quantities of one state of a mechanism. Values that several of them need are computed once. It can be read
 /// as the [`State`].
@@ -90,31 +91,27 @@ impl<'a, N: Number> Reader<'a, N> {
     /// Its carrier in motion.
     pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
         let cells = self.cells(rolling);
-        let cell = match along {
-            Along::Travel | Along::Held(_) => &cells.travel,
-            Along::Heave(_) => &cells.heave,
-            Along::Steer => &cells.steer,
+        let (cell, both) = match (along, rolling.heaved()) {
+            (Along::Steer, _) => (&cells.steer, None),
+            (Along::SideView, Some(heaved)) => (&cells.heave, Some((heaved, [1.0, 1.0]))),
+            _ => (&cells.travel, rolling.held().map(|held| (held, [1.0, 0.0]))),
         };
-        let moving = || match along {
-            Along::Travel | Along::Steer => self.moved_by(rolling.drive(along)?, rolling),
-            Along::Held(other) => self.moved_by_both([rolling, other], [1.0, 0.0]),
-            Along::Heave(other) => self.moved_by_both([rolling, other], [1.0, 1.0]),
+        let moving = || match both {
+            Some((beside, at)) => self.moved_by_both(rolling, beside, at),
+            None => self.moved_by(rolling.drive(along)?, rolling),
         };
         cell.get_or_init(moving).as_ref()
     }
 
-    /// The first wheel of an axle when the drives of both wheels move it, so that their centres rise at the rates
-    /// `at`.
-    fn moved_by_both(&self, [rolling, other]: [Rolling; 2], at: [f64; 2]) -> Option<Moving<N>> {
-        let drives = [rolling.travel?, other.travel?];
-        let by_drives = |wheel| {
-            Some([
-                self.moved_by(drives[0], wheel)?,
-                self.moved_by(drives[1], wheel)?,
-            ])
-        };
-        let (own, of_other) = (by_drives(rolling)?, by_drives(other)?);
-        let rises = [&own, &of_other].map(|wheel| wheel.each_ref().map(|by| by.carrier.velocity.z));
+    /// A wheel when its drive and that of the wheel beside it move it, so that their centres rise at the rates `at`.
+    fn moved_by_both(&self, rolling: Rolling, beside: &Beside, at: [f64; 2]) -> Option<Moving<N>> {
+        let [one, other] = [rolling.travel?, beside.travel];
+        let own = [self.moved_by(one, rolling)?, self.moved_by(other, rolling)?];
+        let carrier_beside = |drive| carrier(&self.places, drive, beside.points);
+        let rises = [
+            own.each_ref().map(|by| by.carrier.velocity.z),
+            [carrier_beside(one)?, carrier_beside(other)?].map(|by| by.velocity.z),
+        ];
         let carrier = combined(&own, rates(rises, at));
         let [moving, _] = own;
         Some(moving.with(carrier))

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Coupling, Names, WheelPoints};
+use crate::mechanism::{Coupling, Names, Pair, WheelPoints};
+use crate::quantities::beside::{Beside, shares_its_carrier};
 use crate::quantities::number::Number;
 use crate::quantities::places::Places;
 
@@ -20,6 +21,11 @@ pub(super) struct Rolling {
     pub(super) radius: f64,
     pub(super) travel: Option<usize>,
     pub(super) steer: Option<usize>,
+    /// The coupling of its travel with that of other wheels.
+    pub(super) coupling: Coupling,
+    /// Whether the body that carries it carries another wheel on the other side of the vehicle.
+    pub(super) shares_its_carrier: bool,
+    beside: Option<Beside>,
     /// Its axis at the design position, in local coordinates.
     design: Option<[Vector3<f64>; 2]>,
 }
@@ -27,36 +33,38 @@ pub(super) struct Rolling {
 impl Rolling {
     /// The wheels of a linkage, with their names.
     pub(super) fn each(names: &Names) -> impl Iterator<Item = (&str, Self)> {
-        let wheels = names.wheels.iter().enumerate();
-        wheels.map(|(number, wheel)| {
+        let (wheels, pairs) = (&names.wheels, Pair::all(&names.wheels));
+        wheels.iter().enumerate().map(move |(number, wheel)| {
             let rolling = Self {
                 number,
                 points: wheel.points,
                 radius: wheel.radius.unwrap_or(f64::NAN),
                 travel: wheel.travel,
                 steer: wheel.steer,
+                coupling: wheel.coupling,
+                shares_its_carrier: shares_its_carrier(wheels, number),
+                beside: Beside::find(wheels, &pairs, number),
                 design: wheel.design,
             };
             (wheel.name.as_str(), rolling)
         })
     }
 
-    /// Whether the body that carries it carries another wheel on the other side of the vehicle.
-    pub(super) fn shares_its_carrier(&self, names: &Names) -> bool {
-        let own = &names.wheels[self.number];
-        let others = names.wheels.iter().enumerate();
-        let mut others = others.filter(|(number, _)| *number != self.number);
-        others.any(|(_, other)| other.is_across_on_one_body(own))
+    /// The wheel that is held at its height in travel, if travel takes the drives of both.
+    pub(super) fn held(&self) -> Option<&Beside> {
+        let is_held = self.coupling.takes_both_drives;
+        self.beside.as_ref().filter(|_| is_held)
+    }
+
+    /// The wheel that rises as far in the side view, if one of the two moves the other.
+    pub(super) fn heaved(&self) -> Option<&Beside> {
+        let is_heaved = self.coupling.is_coupled() || self.shares_its_carrier;
+        self.beside.as_ref().filter(|_| is_heaved)
     }
 
     /// Whether it stands in the middle of the vehicle at the design position.
     pub(super) fn is_in_middle(&self, names: &Names) -> bool {
         names.wheels[self.number].is_in_middle
-    }
-
-    /// The coupling of its travel with that of other wheels.
-    pub(super) fn coupling(&self, names: &Names) -> Coupling {
-        names.wheels[self.number].coupling
     }
 
     /// All wheels with the same drive of travel, including this one.
@@ -68,7 +76,7 @@ impl Rolling {
     /// The drive that moves it, if the file names one.
     pub(super) fn drive(&self, along: Along) -> Option<usize> {
         match along {
-            Along::Travel | Along::Held(_) | Along::Heave(_) => self.travel,
+            Along::Travel | Along::SideView => self.travel,
             Along::Steer => self.steer,
         }
     }
@@ -117,17 +125,14 @@ impl<N: Number> Wheel<N> {
     }
 }
 
-/// The drives that move a wheel's carrier, with all others held.
+/// The motion of a wheel's carrier, with all drives held that have no part in it.
 #[derive(Clone, Copy)]
 pub(super) enum Along {
-    /// The wheel's drive of travel.
+    /// Up or down, with the other wheel of its axle held at its height.
     Travel,
-    /// The drives of travel of both wheels of its axle, the given one being the other wheel, whose centre keeps its
-    /// height.
-    Held(Rolling),
-    /// The same drives, with both centres rising by the same amount.
-    Heave(Rolling),
-    /// The wheel's drive of steering.
+    /// The same, or heave if one wheel of the axle moves the other: both centres then rise by the same amount.
+    SideView,
+    /// By the drive of steering.
     Steer,
 }
 
@@ -141,6 +146,24 @@ pub(super) struct Moving<N> {
     screw: OnceCell<SteeringAxis<N>>,
 }
 
+/// The carrier of a wheel when a drive moves it, in local coordinates; `None` if the mechanism locks.
+pub(super) fn carrier<N: Number>(
+    places: &Places<'_, N>,
+    drive: usize,
+    points: WheelPoints,
+) -> Option<Carrier<N>> {
+    let at = points.carrier.map(|point| places.at(point));
+    let [first, second, third] = points.carrier.map(|point| places.velocity(point, drive));
+    let rates = [first?, second?, third?];
+    let omega = angular_velocity_of(&at, &rates);
+    let [_, centre] = points.axis.map(|end| places.at(end));
+    Some(Carrier {
+        centre,
+        velocity: rates[0] + omega.cross(&(centre - at[0])),
+        omega,
+    })
+}
+
 impl<N: Number> Moving<N> {
     /// `None` if the mechanism locks.
     pub(super) fn compute(
@@ -149,12 +172,7 @@ impl<N: Number> Moving<N> {
         points: WheelPoints,
         wheel: &Wheel<N>,
     ) -> Option<Self> {
-        let velocity = |point: usize| places.velocity(point, drive);
-        let [first, second, third] = points.carrier;
-        let at = points.carrier.map(|point| places.at(point));
-        let rates = [velocity(first)?, velocity(second)?, velocity(third)?];
-        let omega = angular_velocity_of(&at, &rates);
-        let to_centre = wheel.centre - at[0];
+        let carrier = carrier(places, drive, points)?;
         let origin = places.origin();
         Some(Self {
             contact: wheel.contact + origin,
@@ -162,9 +180,8 @@ impl<N: Number> Moving<N> {
             heading: wheel.heading,
             screw: OnceCell::new(),
             carrier: Carrier {
-                centre: wheel.centre + origin,
-                velocity: rates[0] + omega.cross(&to_centre),
-                omega,
+                centre: carrier.centre + origin,
+                ..carrier
             },
         })
     }

@@ -8,9 +8,9 @@ use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
 use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::{side_view, travel};
 use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::wheel::Along;
 
 catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {
@@ -47,7 +47,7 @@ catalogue! {
                      not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, |rolling| travel(names, rolling), &[Axis::Y, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.front_view();
             Vector3::new(Number::unknown(), across, z)
         }),
@@ -58,7 +58,7 @@ catalogue! {
         definition: "the distance from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, |rolling| travel(names, rolling), Dimension::Length, false, |moving| {
+        read: |names| of_moving(names, Along::Travel, Dimension::Length, false, |moving| {
             moving.front_view().arm
         }),
     }
@@ -70,7 +70,7 @@ catalogue! {
                      other, on one body or a twist beam, the motion is heave: both wheel centres rise alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, |rolling| side_view(names, rolling), &[Axis::X, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, Along::SideView, &[Axis::X, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.side_view();
             Vector3::new(across, Number::unknown(), z)
         }),
@@ -81,7 +81,7 @@ catalogue! {
         definition: "the distance from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, |rolling| side_view(names, rolling), Dimension::Length, false, |moving| {
+        read: |names| of_moving(names, Along::SideView, Dimension::Length, false, |moving| {
             moving.side_view().arm
         }),
     }
