@@ -16,6 +16,8 @@ tr.first td { border-top: 1px solid #ddd; }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 0.2em; }
 td.unit { white-space: nowrap; color: #555; padding-left: 0.2em; }
 table.wide { font-size: 70%; }
+table.wide.wider { font-size: 62%; }
+.scrolled { overflow-x: auto; }
 table.wide th, table.wide td { padding-left: 0.3em; padding-right: 0.3em; }
 tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; padding: 0 0.7em 0.3em 2em; }
 .drawings { display: grid; grid-template-columns: 1fr 1fr; gap: 0.6em; }
@@ -26,6 +28,7 @@ tr.definition td, table.wide tr.definition td { color: #555; font-size: 85%; pad
 .legend > span { margin-right: 1.6em; white-space: nowrap; }
 .legend .line { display: inline-block; width: 2em; border-top: 3px solid; margin-right: 0.4em; vertical-align: middle; }
 @media print {
+  .scrolled { overflow-x: visible; }
   body { font-size: 8.5pt; margin: 0; padding: 0; max-width: none; }
   th, td { padding: 0.05em 0.4em; }
   .charts { grid-template-columns: repeat(4, 1fr); gap: 0.2em; }

@@ -72,9 +72,10 @@ impl Chart {
         const BESIDE_NUMBERS: u32 = 32;
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
+        let title_size = fitting(&self.title, 22, width - 2 * MARGIN[0]);
         let width = width - beside - MARGIN[0] - MARGIN[1];
         let mut plane = ChartBuilder::on(area)
-            .caption(&self.title, font(22))
+            .caption(&self.title, font(title_size))
             .margin(MARGIN[0] * FINE)
             .margin_right(MARGIN[1] * FINE)
             .x_label_area_size(48 * FINE)

@@ -63,7 +63,7 @@ impl Page<'_> {
                 p { strong { "The curves are cut short: " } (missing) }
             }
             h2 { "At the design position: " (self.drives) }
-            (self.table())
+            div.scrolled { (self.table()) }
             (self.quantities_with_curves_only())
             @for curves in &self.curves {
                 (over(curves, &self.parameters, *unit))
@@ -76,8 +76,8 @@ impl Page<'_> {
 
     /// Returns the table of all parameters, the wheels below each other and under each quantity its definition.
     fn table(&self) -> Markup {
-        /// With derivatives with respect to more drives the columns are narrower.
-        const MOST_ROOMY: usize = 3;
+        /// With derivatives with respect to more drives the columns are narrower, and with more still narrower.
+        const MOST: [usize; 2] = [3, 4];
         let derivatives = Derivatives::collect(self.mechanism, &self.rises);
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
         let cells = self.cells(&groups, &derivatives);
@@ -88,7 +88,7 @@ impl Page<'_> {
         let columns = 2 * (1 + derivatives.len()) + 1 + usize::from(has_names);
         let mut cells = cells.into_iter();
         html! {
-            table.wide[derivatives.len() > MOST_ROOMY] {
+            table.wide[derivatives.len() > MOST[0]].wider[derivatives.len() > MOST[1]] {
                 thead {
                     tr {
                         th { "quantity" }
