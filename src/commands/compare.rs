@@ -34,7 +34,8 @@ pub struct Arguments {
     /// Another motion file; numbers in another unit or other axes are converted to those of A. Or a table of measured numbers,
     /// whose name ends in .csv, .tsv or .txt, see below.
     b: PathBuf,
-    /// How far the drives that move the wheels up and down change from the design positions, in the unit of A. If the
+    /// How far the drives that move the wheels up and down change from the design positions, in the unit of A; a positive
+    /// change raises the wheel, also where the drive itself becomes less. If the
     /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
     /// where a mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]

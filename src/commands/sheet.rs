@@ -33,7 +33,8 @@ use page::Page;
 pub struct Arguments {
     /// The motion file (TOML), see suspension motion --help.
     file: PathBuf,
-    /// How far the drive that moves the wheel up and down changes from the design position, in the file's unit. If the
+    /// How far the drive that moves the wheel up and down changes from the design position, in the file's unit, upwards: a
+    /// positive change raises the wheel, also where the drive itself becomes less, as the length of a damper. If the
     /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
     /// where the mechanism locks before. Roll, one wheel up and the other down, goes as far as both FROM and TO allow.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]

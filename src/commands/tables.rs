@@ -35,8 +35,8 @@ pub struct Arguments {
     /// The wheel, if the listing names several. Without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit.
-    /// If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
+    /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit; a
+    /// positive change raises the wheel, also where the drive itself becomes less, as the length of a damper. If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
     /// where the mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
@@ -166,8 +166,9 @@ where the top leans outboard, toe where the front points inboard, dive where the
 The form is that of the library files of CarSim 2021; check the signs of toe and dive against your version.
 
 CarMaker: a suspension of Kind = Linear2D. Each row has a value at the design position, from which movements and lengths
-count (they are 0 there; angles are the static ones), and its derivatives with respect to compression and to the rack, which
-is positive where it turns the wheel to the left, in m and rad. tx, ty, tz are the movement of the wheel centre; rx, ry, rz
+count (they are 0 there; angles are the static ones), and its derivatives with respect to compression and to the drive that
+steers, in m and rad: per m of a rack, but per rad of the angle of a steering arm, as the file's second line says. The drive
+is positive where it turns the wheel to the left. tx, ty, tz are the movement of the wheel centre; rx, ry, rz
 are rotations about z, then x, then y, with the signs of rotations: rz is toe, and rx is camber as seen along the wheel.
 They are the angles of Rz(rz) Rx(rx) Ry(ry), which turns the y axis into the spin axis: at the design position rx and rz are
 static camber and toe, and ry is 0. Measured lengths with spring, damper or bar (also stabi or arb) in their names are

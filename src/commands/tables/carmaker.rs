@@ -38,11 +38,12 @@ pub(super) fn text(
     let valid = if is_mirrored { "left+right" } else { side };
     let mut text = format!(
         "## Kinematics of {}, {side} wheel, of {file}, by suspension {}\n\
-         ## Each row: at the design position, per compression, per steering to the left; m and rad\n\
+         ## Each row: at the design position, per m of compression, {}; in m and rad\n\
          {assumed}{axle}.Kin.N = 1\n{axle}.Kin.0.Kind = Linear2D 1\n{axle}.Kin.0.ValidSide = {valid}\n\
          {axle}.Kin.0.InputSide = {side}\n",
         mechanism.linkage,
         env!("CARGO_PKG_VERSION"),
+        per_steer(mechanism, wheel),
     );
     let (lengths, angles) = force_elements(mechanism, wheel);
     // Writing into a string cannot fail.
@@ -61,6 +62,17 @@ pub(super) fn text(
         );
     }
     text
+}
+
+/// Says per what the last number of a row is: a rack is driven in metres, a steering arm in radians.
+fn per_steer(mechanism: &Description, wheel: &Wheel) -> String {
+    match wheel.steer.map(|drive| &mechanism.names.drives[drive]) {
+        Some(drive) if drive.kind.is_angle() => {
+            format!("per rad of `{}` that steers to the left", drive.name)
+        }
+        Some(drive) => format!("per m of `{}` that steers to the left", drive.name),
+        None => "no steering".to_owned(),
+    }
 }
 
 /// A name with the value at the design position and the derivatives with respect to compression and steering.

@@ -26,6 +26,8 @@ pub(super) struct Wheel {
     pub(super) per_compression: Rates,
     /// The axle of the wheel, if the file or the wheel's name states it.
     pub(super) axle: Option<Axle>,
+    /// The drive that steers the wheel, if one does.
+    pub(super) steer: Option<usize>,
     /// If a drive steers the wheel: derivatives per metre or radian of it towards the left, the wheel held at its height.
     pub(super) per_steer: Option<Rates>,
 }
@@ -168,6 +170,7 @@ impl Wheel {
             about_x: without_rounding(about_x(&design.axis)),
             toe: without_rounding(toe(&design.axis)),
             changes,
+            steer: wheel.steer,
             per_steer: of_steer.map(at_height).map(to_the_left),
             axle: wheel.axle.or(Axle::from_wheel_name(&wheel.name)),
             per_compression,

@@ -184,3 +184,25 @@ fn an_invalid_steering_box_ratio_is_refused() {
         check_refused(on_a_steering_box(vehicle), expected);
     }
 }
+
+/// CarMaker's rows are per radian of the arm, where those of a rack are per metre.
+#[test]
+fn the_table_for_carmaker_says_in_which_unit_the_steering_is() {
+    let folder = folder();
+    let file = on_an_arm_that_passes_the_axis("steering_box_ratio = 16.0");
+    std::fs::write(folder.path().join("box.toml"), file).expect("written");
+    std::fs::write(
+        folder.path().join("rack.toml"),
+        super::super::program::CORNER,
+    )
+    .expect("written");
+    for (file, unit) in [("box.toml", "rad"), ("rack.toml", "m")] {
+        let output = run(
+            folder.path(),
+            &["tables", file, "--as", "carmaker", "-o", "-"],
+        );
+        let expected =
+            format!("per m of compression, per {unit} of `steer` that steers to the left");
+        assert!(text(&output.stdout).contains(&expected), "{output:?}");
+    }
+}
