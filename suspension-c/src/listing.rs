@@ -43,7 +43,7 @@ const HANDLES: &[Structure] = &[
 ];
 
 /// The description from which the header is written.
-pub(crate) const INTERFACE: Interface = Interface {
+pub const INTERFACE: Interface = Interface {
     prefix: "susp",
     number: "f64",
     docs: &[

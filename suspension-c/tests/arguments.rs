@@ -153,7 +153,15 @@ fn cases(function: &Function) -> Vec<Case> {
                 cases.push(case(Some((index, "NULL")), null, None));
                 let odd = format!("(void *)((char *)&a{index} + 1)");
                 cases.push(case(Some((index, &odd)), "SUSP_ERROR_MISALIGNED", None));
-                if ["Model", "Motion"].contains(of) && *kind != "Out" {
+                let is_object = ["Model", "Motion"].contains(of);
+                // Only sub-steps need the inputs from which a step starts.
+                let is_needed = *kind == "In" && *name != "from";
+                if !is_object && is_needed && is_solving(function) {
+                    // Every byte of a NaN.
+                    let nan = format!("&a{index}");
+                    cases.push(case(Some((index, &nan)), "-1", Some(0xff)));
+                }
+                if is_object && *kind != "Out" {
                     let object = format!("&a{index}");
                     for fill in [0, 1, 0xa5, 0xff] {
                         cases.push(case(
@@ -183,6 +191,12 @@ fn cases(function: &Function) -> Vec<Case> {
         }
     }
     cases
+}
+
+/// Whether a function makes a model or solves, and does not only read, transform or evaluate.
+fn is_solving(function: &Function) -> bool {
+    let mut arguments = function.arguments.iter();
+    arguments.any(|[name, ..]| OPTIONAL.contains(name))
 }
 
 impl Case {

@@ -64,6 +64,7 @@ pub(crate) fn compile(source: &str, options: &[&str], library: &Path, program: &
 pub(crate) fn run(command: &mut Command) -> String {
     let output = command.output().expect("a program that can be started");
     let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}: {complaint}");
-    String::from_utf8(output.stdout).expect("text")
+    let printed = String::from_utf8(output.stdout).expect("text");
+    assert!(output.status.success(), "{command:?}: {printed}{complaint}");
+    printed
 }
