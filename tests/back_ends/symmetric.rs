@@ -120,7 +120,7 @@ fn attempts(model: &Model<'_, f64, 30>, points: &Points) -> usize {
 }
 
 /// The results of many designs.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 struct Found {
     /// The number of regular designs.
     designs: usize,
@@ -151,18 +151,22 @@ fn found(name: &str) -> Found {
             Err(error) => panic!("{error}"),
         }
     }
-    println!("{name}: {found:?}");
-    assert!(found.designs > 800, "{found:?}");
-    assert!(
-        found.steps > 19 * (found.designs - found.refused),
-        "{found:?}"
-    );
     found
 }
 
 #[test]
 fn symmetric_designs_of_listings_without_positions_are_accepted() {
-    assert_eq!(found("double_wishbone").refused, 0);
-    let found = found("double_wishbone_pushrod");
-    assert!(found.refused <= found.designs / 50, "{found:?}");
+    let all = Found {
+        designs: 990,
+        refused: 0,
+        steps: 20 * 990,
+    };
+    assert_eq!(found("double_wishbone"), all);
+    // 23 steps are refused, not for their pivots.
+    let nearly_all = Found {
+        designs: 972,
+        refused: 10,
+        steps: 20 * 962 - 23,
+    };
+    assert_eq!(found("double_wishbone_pushrod"), nearly_all);
 }
