@@ -5,10 +5,12 @@
 //! and directions. The copies have the places of their originals.
 
 mod image;
+mod no_image;
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{Error, Ident, Token};
 
+use self::no_image::without_image;
 use super::include::WORDS;
 use super::operands::arrow;
 use super::points::{FIXED, FREE};
@@ -121,14 +123,14 @@ impl Mirror {
     ///
     /// # Errors
     ///
-    /// At a sum of y with other coordinates, because exchanging names does not make its image.
+    /// At a quantity of which exchanging names does not make the image.
     pub(crate) fn statement(&self, tokens: &[TokenTree]) -> Option<syn::Result<TokenStream>> {
         let [_, name] = word_and_name(tokens)?;
         if !self.is_named(name) {
             return None;
         }
-        Some(match y_beside_others(tokens) {
-            Some(y) => Err(mixed(y)),
+        Some(match without_image(tokens) {
+            Some(error) => Err(error),
             None => Ok(self.tokens(tokens.iter().cloned())),
         })
     }
@@ -201,26 +203,6 @@ fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
 /// Whether the names of such statements are their own, and not those of wheels.
 fn has_own_name(word: &Ident) -> bool {
     ![WHEEL.word, KINGPIN.word].iter().any(|of| word == of)
-}
-
-/// The y in a sum that also has other coordinates.
-fn y_beside_others(tokens: &[TokenTree]) -> Option<&Ident> {
-    let is_dot =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '.');
-    let axes = tokens.windows(2).filter_map(|pair| match pair {
-        [dot, TokenTree::Ident(axis)] if is_dot(dot) => Some(axis),
-        _ => None,
-    });
-    let (y, others): (Vec<&Ident>, Vec<&Ident>) = axes.partition(|axis| *axis == "y");
-    y.first().copied().filter(|_| !others.is_empty())
-}
-
-fn mixed(y: &Ident) -> Error {
-    errors::at(
-        y,
-        "`mirror` makes no image of a sum of y with x or z, whose y would change its sign; state it for each side, under \
-         names without the words that are exchanged",
-    )
 }
 
 fn stated_twice(word: &Ident) -> Error {

@@ -112,6 +112,28 @@ fn a_sum_of_y_with_other_coordinates_has_no_image() {
     }
 }
 
+/// Its image would be pi minus the angle, with the opposite derivatives.
+#[test]
+fn an_angle_from_y_has_no_image() {
+    let of_drive = HALF.replace(
+        "left_bump: left along [0.0, 0.6, 0.8]",
+        "left_bump: angle(left_front -> left, y)",
+    );
+    let of_measure = HALF.replace("length(middle -> left_hub)", "angle(middle -> left_hub, y)");
+    for (text, line) in [(of_drive, 8), (of_measure, 11)] {
+        let mistake = only_mistake(&text);
+        let expected = "`mirror` makes no image of an angle from y, which would become pi minus the angle; state it for each side, ";
+        assert!(mistake.message.starts_with(expected), "{}", mistake.message);
+        assert_eq!(mistake.line, line);
+    }
+    let stated = HALF.replace(
+        "measure left_spring: length(middle -> left_hub);",
+        "measure lean: angle(middle -> left_hub, y);\nmeasure other_lean: angle(right_hub -> middle, y);\n\
+         measure left_turn: angle(middle -> left_hub, z);",
+    );
+    text::parse(&stated, "axle", &NoIncludes).expect("an image of the angle from z alone");
+}
+
 /// Statements that name other images are not blamed for these being missing.
 #[test]
 fn a_statement_that_repeats_an_image_is_the_only_mistake() {
