@@ -6,6 +6,7 @@ use syn::Ident;
 use super::{Listing, Rigid};
 use crate::kind::Kind;
 use crate::name::Name;
+use crate::sides::Sides;
 use crate::system::{System, distance_between};
 use crate::vector::{Vector, are_in_line};
 
@@ -170,5 +171,15 @@ impl Listing {
         let ordered = [[a, b], [b, a]].into_iter();
         let mut carried = ordered.filter_map(|[one, other]| Some([body_of(one)?, one, other]));
         carried.next()
+    }
+
+    /// The word of the side that is stated for a mirror, if all of these points have it in their names.
+    pub(crate) fn stated_side(&self, points: &[Ident]) -> Option<&str> {
+        let are_stated = |sides: &&Sides| {
+            let mut names = points.iter().map(ToString::to_string);
+            names.all(|name| sides.is_stated(&name))
+        };
+        let Sides([stated, _]) = self.sides.iter().find(are_stated)?;
+        Some(stated)
     }
 }

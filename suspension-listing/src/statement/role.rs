@@ -136,9 +136,12 @@ impl Axis {
         claim(&self.word.to_string(), self.wheel.as_ref())
     }
 
-    /// Checks a wheel against the earlier ones: if there are several all must have names, and there must not be too
-    /// many.
+    /// Checks a wheel against the earlier ones: if there are several, also by a `mirror`, all must have names, and there
+    /// must not be too many.
     fn check_beside(&self, check: &mut Check<'_>, earlier: &[Box<dyn Statement>]) {
+        if let (None, Some(side)) = (&self.wheel, check.listing.stated_side(&self.ends)) {
+            check.report(wheel_without_image(&self.word, side));
+        }
         let unnamed = claim(WHEEL.word, None);
         let wheels = claims(earlier).filter(|claim| claim.starts_with(&unnamed));
         let wheels: Vec<String> = wheels.collect();
@@ -207,6 +210,15 @@ fn named_and_unnamed(word: &Ident) -> Error {
     errors::at(
         word,
         "one wheel has a name and another has none; give each of several wheels a name, `wheel left: ...`",
+    )
+}
+
+fn wheel_without_image(word: &Ident, side: &str) -> Error {
+    errors::at(
+        word,
+        format!(
+            "`{word}` has no name, and `mirror` makes no image of it: name it, and its kingpin, `{side}`, as in `{word} {side}: ...`"
+        ),
     )
 }
 

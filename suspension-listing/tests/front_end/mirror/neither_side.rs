@@ -70,6 +70,17 @@ fn a_statement_without_an_image_is_named_as_the_cause() {
     }
 }
 
+/// It would be the only wheel of the axle.
+#[test]
+fn a_wheel_of_the_mirrored_side_without_a_name_is_refused() {
+    let mistake = only_mistake(&CORNER.replace("wheel left:", "wheel:"));
+    assert_eq!(
+        mistake.message,
+        "`wheel` has no name, and `mirror` makes no image of it: name it, and its kingpin, `left`, as in `wheel left: ...`"
+    );
+    assert_eq!([mistake.line, mistake.column], [10, 1]);
+}
+
 /// An image of the same points repeats the statement.
 #[test]
 fn a_statement_that_is_its_own_image_names_points_of_neither_side() {
