@@ -297,7 +297,7 @@ susp_status susp_attia2003_f64_read_points(
         susp_attia2003_f64_point_rates *points);
 
 /** The measures of the listing, with rates. A rate is NaN where a measured length is zero, or a
- * measured angle is 0 or pi. */
+ * measured angle without `about` is 0 or pi. */
 susp_status susp_attia2003_f64_read_measures(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_point_rates *points,

@@ -135,7 +135,7 @@ susp_status susp_corner_read_points(
         size_t count);
 
 /** The measures of the listing, `measures[3][MEASURES]`. A rate is NaN where a measured length is zero,
- * or a measured angle is 0 or pi. */
+ * or a measured angle without `about` is 0 or pi. */
 susp_status susp_corner_read_measures(
         const susp_corner *corner,
         double *measures,

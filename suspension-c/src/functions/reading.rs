@@ -12,7 +12,7 @@ macro_rules! functions_of_reading {
         }
 
         /// The measures of the listing, with rates. A rate is NaN where a measured length is zero, or a
-        /// measured angle is 0 or pi.
+        /// measured angle without `about` is 0 or pi.
         fn read_measures(model: In<Model>, points: In<PointRates>, measures: Out<MeasureRates>) -> Status {
             answer(|| {
                 let (model, points) = (model.object()?, points.get()?);

@@ -139,7 +139,7 @@ crate::functions! { "susp":
     }
 
     /// The measures of the listing, `measures[3][MEASURES]`. A rate is NaN where a measured length is zero,
-    /// or a measured angle is 0 or pi.
+    /// or a measured angle without `about` is 0 or pi.
     fn corner_read_measures(corner: In<Corner>, measures: Out<Number>, count: usize) -> Status {
         answer(|| {
             let (corner, measures) = (corner.object()?, measures.many(count)?);
