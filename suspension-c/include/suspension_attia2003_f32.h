@@ -336,7 +336,8 @@ susp_status susp_attia2003_f32_read_loads(
 /** Adds weight and inertia of masses to `forces`, for `read_loads`. `points` come from
  * `read_points` with their accelerations; `design` are the points at which the masses are stated.
  * A mass may refer to any points; SUSP_ERROR_ABSENT for a number without a point,
- * SUSP_ERROR_NO_DIRECTION if the three points of a body are in line. */
+ * SUSP_ERROR_NO_DIRECTION if the three points of a body are in line, SUSP_ERROR_OVERFLOW if a
+ * force is not finite. */
 susp_status susp_attia2003_f32_add_masses(
         const susp_f32_masses *masses,
         const susp_attia2003_f32_points *design,

@@ -158,7 +158,8 @@ susp_status susp_corner_read_derivatives(
 /** Adds weight and inertia of masses in the present motion of the suspension to `forces[POINTS][3]`,
  * for `susp_corner_read_loads`. `design[POINTS][3]` are the points at which the masses are stated. A
  * mass may refer to any points; SUSP_ERROR_ABSENT for a number without a point,
- * SUSP_ERROR_NO_DIRECTION if the three points of a body are in line. */
+ * SUSP_ERROR_NO_DIRECTION if the three points of a body are in line, SUSP_ERROR_OVERFLOW if a
+ * force is not finite. */
 susp_status susp_corner_add_masses(
         const susp_corner *corner,
         const susp_f64_masses *masses,

@@ -1,5 +1,6 @@
 //! Weight and inertia of parts, as forces at their points.
 
+use suspension_core::body::pose;
 use suspension_core::inertia::{RigidBody, rod};
 use suspension_core::nalgebra::{Matrix3, Vector3};
 use suspension_core::{Real, Signal};
@@ -111,6 +112,11 @@ impl<T: Real> Mass<T> {
             rate: held.map(|(_, at)| at.rate),
             second_rate: held.map(|(_, at)| at.second_rate),
         };
-        body.forces(&at, gravity).ok_or(Status::NoDirection)
+        let is_located = pose(&body.points, &at.value).is_some();
+        body.forces(&at, gravity).ok_or(if is_located {
+            Status::Overflow
+        } else {
+            Status::NoDirection
+        })
     }
 }

@@ -173,10 +173,13 @@ fn a_wrong_mass_of_a_listing_is_refused_and_adds_no_force() {
         let masses = in_field(&masses, GRAVITY);
         assert_eq!(add((&masses).into(), whole), *expected, "{mass:?}");
     }
-    let good = [mass(&[12], 1.0)];
-    let infinite = in_field(&good, [f64::INFINITY; 3]);
-    assert_eq!(add((&infinite).into(), whole), Status::Overflow);
-    let good = in_field(&good, GRAVITY);
+    for points in [&[12][..], &[12, 13], &[12, 13, 14]] {
+        for (mass, gravity) in [(1.0, [f64::INFINITY; 3]), (f64::MAX, GRAVITY)] {
+            let too_large = in_field(&[self::mass(points, mass)], gravity);
+            assert_eq!(add((&too_large).into(), whole), Status::Overflow);
+        }
+    }
+    let good = in_field(&[mass(&[12], 1.0)], GRAVITY);
     for counts in [[count - 1, count], [count, count + 3]] {
         assert_eq!(add((&good).into(), counts), Status::Size);
     }
@@ -241,6 +244,10 @@ fn a_wrong_mass_of_a_linkage_is_refused_and_adds_no_force() {
     };
     for (mass, expected) in wrong(5, 11) {
         assert_eq!(add(rounded(&mass)), (expected, false), "{mass:?}");
+    }
+    for points in [&[5][..], &[5, 6], &[5, 6, 7]] {
+        let too_large = rounded(&mass(points, f64::from(f32::MAX)));
+        assert_eq!(add(too_large), (Status::Overflow, false), "{points:?}");
     }
     for point in [9, 10] {
         assert_eq!(add(rounded(&mass(&[point], 1.0))), (Status::Ok, true));

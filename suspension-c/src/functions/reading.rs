@@ -64,7 +64,8 @@ macro_rules! functions_of_reading {
         /// Adds weight and inertia of masses to `forces`, for `read_loads`. `points` come from
         /// `read_points` with their accelerations; `design` are the points at which the masses are stated.
         /// A mass may refer to any points; SUSP_ERROR_ABSENT for a number without a point,
-        /// SUSP_ERROR_NO_DIRECTION if the three points of a body are in line.
+        /// SUSP_ERROR_NO_DIRECTION if the three points of a body are in line, SUSP_ERROR_OVERFLOW if a
+        /// force is not finite.
         fn add_masses(masses: In<Masses>, design: In<Points>, points: In<PointRates>, forces: InOut<Points>) -> Status {
             answer(|| {
                 let (masses, design, points) = (masses.get()?, design.get()?, points.get()?);
