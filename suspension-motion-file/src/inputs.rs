@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 
 static READ: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Records that a file was read: a motion file, its listing, or a file that the listing includes.
+/// Records an input file: a motion file, its listing, a file that the listing includes, or a file of measurements that the
+/// motion file names, whether the command reads it or not.
 pub fn note(path: &Path) {
     if let Ok(path) = path.canonicalize() {
         let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
@@ -13,7 +14,7 @@ pub fn note(path: &Path) {
     }
 }
 
-/// Returns whether a file was read.
+/// Returns whether a file is an input file.
 pub fn has(path: &Path) -> bool {
     let read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     path.canonicalize().is_ok_and(|path| read.contains(&path))

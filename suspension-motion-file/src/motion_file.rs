@@ -7,6 +7,7 @@ use toml::Spanned;
 use crate::coefficients::Coefficients;
 use crate::explain::explained;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::load::LoadCase;
 use crate::mass::MassTable;
 use crate::position::{Offset, Position};
@@ -63,17 +64,22 @@ pub struct MotionFile {
 }
 
 impl MotionFile {
-    /// Reads the text of a motion file.
+    /// Reads the text of a motion file, and protects the files of measurements that it names from being overwritten.
     ///
     /// # Errors
     ///
     /// [`Failure::Input`] with the place of the first mistake.
     pub fn parse(source: &Source) -> Result<Self, Failure> {
-        toml::from_str(source.text()).map_err(|error| {
+        let file: Self = toml::from_str(source.text()).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             let message = explained(error.message(), source, span.start);
             source.refuse(&span, message)
-        })
+        })?;
+        let tune = file.tune.iter().map(Spanned::get_ref);
+        for measured in tune.flat_map(TuneTable::measured) {
+            inputs::note(&source.beside(measured.csv.get_ref()));
+        }
+        Ok(file)
     }
 
     /// Returns the units of the file.

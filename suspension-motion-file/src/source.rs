@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::encoding::in_utf8;
 use crate::failure::Failure;
@@ -84,6 +84,11 @@ impl Source {
     /// The file's name.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The path of a file that this one names: it counts from the folder of this one.
+    pub fn beside(&self, named: &str) -> PathBuf {
+        Path::new(&self.name).with_file_name(named)
     }
 
     /// The text.

@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::number_list::{NumberList, number_list};
 use crate::table::{Table, UnderName, read_named_tables};
-use crate::wanted::Wanted;
+use crate::wanted::{CsvTable, Wanted};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
@@ -17,6 +17,20 @@ pub struct TuneTable {
     /// The targets by name.
     #[serde(deserialize_with = "read_named_tables")]
     pub targets: Table<TargetTable>,
+}
+
+impl TuneTable {
+    /// The files of measurements that the targets name.
+    pub(crate) fn measured(&self) -> impl Iterator<Item = &CsvTable> {
+        let targets = self.targets.get_ref().values().map(Spanned::get_ref);
+        let wanted = targets.flat_map(|target| [&target.value, &target.change]);
+        wanted
+            .flatten()
+            .filter_map(|wanted| match wanted.get_ref() {
+                Wanted::Csv(table) => Some(table),
+                _ => None,
+            })
+    }
 }
 
 /// A move of points that move together, or a change of a length.

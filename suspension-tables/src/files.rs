@@ -192,8 +192,7 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
     found
 }
 
-/// Refuses to overwrite a file that was read with a result: the motion file, its listing, or a file that the listing
-/// includes. `option` is the option that names the result.
+/// Refuses to overwrite an input file ([`inputs::note`]) with a result. `option` is the option that names the result.
 ///
 /// # Errors
 ///

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::program::{example, folder, run, text};
+use super::program::{CORNER, example, folder, run, text};
 
 fn folder_with_input() -> tempfile::TempDir {
     let folder = folder();
@@ -44,6 +44,52 @@ fn results_do_not_overwrite_the_input() {
         );
         let kept = std::fs::read_to_string(folder.path().join("a.toml")).expect("the input");
         assert_eq!(kept, example("attia2003.toml"));
+    }
+}
+
+/// A file of measurements is an input also of commands that do not read it.
+#[test]
+fn results_do_not_overwrite_measurements_of_a_target() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    let tune = "\n[tune.moves.ball]\npoints = ['tie_ball']\nalong = 'z'\nby = [-0.01, 0.01]\n\
+                [tune.targets.toe]\nof = 'toe'\nover = { bump = [-0.06, 0.06] }\n\
+                change = { csv = '../m.csv', columns = ['travel', 'toe'] }\nwithin = 0.05\n\
+                [loads.q]\nwheel_centre = { force = [1.0, 2.0, 3.0] }\n";
+    std::fs::create_dir(at("sub")).expect("a folder");
+    std::fs::write(at("sub/a.toml"), CORNER.to_owned() + tune).expect("written");
+    let measured = "travel,toe\n-0.05,0.1\n0.05,-0.1\n";
+    std::fs::write(at("m.csv"), measured).expect("written");
+    for (command, option) in [
+        ("motion", "--csv"),
+        ("motion", "--json"),
+        ("sweep", "--csv"),
+        ("loads", "--csv"),
+        ("loads", "--json"),
+        ("range", "--csv"),
+        ("assemblies", "--csv"),
+        ("sensitivities", "--csv"),
+        ("tables", "-o"),
+        ("bake", "-o"),
+        ("draw", "-o"),
+        ("sheet", "-o"),
+    ] {
+        let drive: &[&str] = match command {
+            "bake" => &["--drive", "bump=0.28:0.32"],
+            "sweep" => &["--drive", "bump=0.28:0.32:3"],
+            "tables" => &["--as", "carsim"],
+            _ => &[],
+        };
+        let output = run(
+            folder.path(),
+            &[&[command, "sub/a.toml", option, "m.csv"], drive].concat(),
+        );
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{command}: {message}");
+        let expected = "m.csv: this is the file that is read, which --";
+        assert!(message.contains(expected), "{command}: {message}");
+        let kept = std::fs::read_to_string(at("m.csv")).expect("the measurements");
+        assert_eq!(kept, measured, "{command}");
     }
 }
 

@@ -1,7 +1,5 @@
 //! Files that a motion file names.
 
-use std::path::Path;
-
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -13,8 +11,7 @@ use crate::file::Source;
 ///
 /// [`Failure::Input`] at the path if there is no such text.
 pub(super) fn read_beside(source: &Source, path: &Spanned<String>) -> Result<Source, Failure> {
-    let folder = Path::new(source.name()).parent().unwrap_or(Path::new(""));
-    Source::read(&folder.join(path.get_ref())).map_err(|failure| match failure {
+    Source::read(&source.beside(path.get_ref())).map_err(|failure| match failure {
         Failure::Input(message) => source.refuse(&path.span(), message),
         other => other,
     })
