@@ -13,7 +13,7 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Rise, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, ways,
+    Along, Rise, Rises, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, ways,
 };
 use crate::failure::Failure;
 use crate::file::{Source, tell};
@@ -111,8 +111,8 @@ impl Arguments {
             shorter_roll,
             missing: missing.map(|failure| failure.to_string()).collect(),
             curves: all_curves(mechanism, &ways, &rises),
+            rises: Rises::compute(mechanism, &parameters),
             parameters,
-            rises,
         };
         Ok((page.html(), noted_unmet_range(&ways, name)))
     }
@@ -145,7 +145,7 @@ file's points) and faintly at both ends of the travel; all quantities at the des
 derivatives with respect to the drives of travel and steering, among them bump camber, bump steer and motion ratios; curves
 over travel, or over heave and roll of an axle, and over steering; and all points. Where a drive of travel is not a height
 but, for example, a damper's length or an angle, the page also has derivatives `per wheel travel`, per rise of the wheel
-centre, and curves over wheel travel. The curve of an instant centre, a swing arm or a roll centre that passes through
+centre with the other wheels held at their heights, and curves over wheel travel. The curve of an instant centre, a swing arm or a roll centre that passes through
 infinity within the travel, or comes near it, is cut there or left out, and so is one that is constant throughout and the
 Ackermann percentage at small steer angles. The page says which; suspension sweep writes all values. Where the coordinates of
 several wheels are far apart, as those of y on both sides, a chart shows their change from the design position. The [vehicle]

@@ -1,44 +1,45 @@
 //! The derivatives on the page.
 
-use crate::characteristics::{Derivative, Parameter, Rise, Way};
+use crate::characteristics::{Derivative, Parameter, Rises, Way};
 use crate::mechanism::{Description, Unit};
 
 /// The derivatives of all quantities with respect to a drive, or to the height of the wheel that it moves.
-pub(super) struct Derivatives {
+pub(super) struct Derivatives<'a> {
     /// The drive or the height, in words.
     pub(super) heading: String,
     way: usize,
-    /// For derivatives with respect to the height of the wheel: the rise of the wheel per drive.
-    rise: Option<Rise>,
+    /// For derivatives with respect to the height of the wheel: the rises of the wheels per drive.
+    rises: Option<&'a Rises>,
 }
 
-impl Derivatives {
+impl<'a> Derivatives<'a> {
     /// Returns the derivatives with respect to the drives of travel and steering. If a drive of travel is not the height of
-    /// its wheel, those with respect to this height follow.
-    pub(super) fn collect(mechanism: &Description, rises: &[Option<Rise>]) -> Vec<Self> {
+    /// its wheel with the other wheels held, those with respect to this height follow.
+    pub(super) fn collect(mechanism: &Description, rises: Option<&'a Rises>) -> Vec<Self> {
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
-        let both = ways.zip(rises).flat_map(|((way, (_, drive)), rise)| {
+        let both = ways.flat_map(|(way, (_, drive))| {
             let name = &mechanism.names.drives[drive].name;
             let per_drive = Self {
                 heading: format!("per {name}"),
                 way,
-                rise: None,
+                rises: None,
             };
-            let rise = rise.as_ref().filter(|rise| !rise.is_height);
-            let per_rise = rise.map(|rise| Self {
+            let is_other =
+                |rises: &&Rises| way < rises.count() && !rises.is_height(way, mechanism.unit);
+            let per_wheel = rises.filter(is_other).map(|rises| Self {
                 heading: format!("per wheel travel ({name})"),
                 way,
-                rise: Some(rise.clone()),
+                rises: Some(rises),
             });
-            [Some(per_drive), per_rise].into_iter().flatten()
+            [Some(per_drive), per_wheel].into_iter().flatten()
         });
         both.collect()
     }
 
     /// Returns the derivative of a quantity, with lengths in `unit`.
     pub(super) fn derivative(&self, parameter: &Parameter, unit: Unit) -> Option<Derivative> {
-        match &self.rise {
-            Some(rise) => parameter.per_rise(self.way, rise, unit),
+        match self.rises {
+            Some(rises) => parameter.per_wheel(self.way, rises, unit),
             None => parameter.per[self.way].clone(),
         }
     }

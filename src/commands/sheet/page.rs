@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
-use crate::characteristics::{Curves, Derivative, Parameter, Rise};
+use crate::characteristics::{Curves, Derivative, Parameter, Rises};
 use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::commands::sheet::grouped::grouped;
@@ -27,8 +27,8 @@ pub(super) struct Page<'a> {
     /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
-    /// How far wheels rise per unit of the drives of the derivatives.
-    pub(super) rises: Vec<Option<Rise>>,
+    /// How far wheels rise per unit of the drives of travel; `None` if the drives do not move the wheels independently.
+    pub(super) rises: Option<Rises>,
     pub(super) curves: Vec<Curves>,
 }
 
@@ -78,7 +78,7 @@ impl Page<'_> {
     fn table(&self) -> Markup {
         /// With derivatives with respect to more drives the columns are narrower, and with more still narrower.
         const MOST: [usize; 2] = [3, 4];
-        let derivatives = Derivatives::collect(self.mechanism, &self.rises);
+        let derivatives = Derivatives::collect(self.mechanism, self.rises.as_ref());
         let groups = grouped(&self.parameters, |parameter| &parameter.title.of_wheel);
         let cells = self.cells(&groups, &derivatives);
         let has_names = self
@@ -166,7 +166,11 @@ impl Page<'_> {
     }
 
     /// Returns the numbers of each row with their units.
-    fn cells(&self, groups: &[Vec<&Parameter>], derivatives: &[Derivatives]) -> Vec<Vec<Markup>> {
+    fn cells(
+        &self,
+        groups: &[Vec<&Parameter>],
+        derivatives: &[Derivatives<'_>],
+    ) -> Vec<Vec<Markup>> {
         let parameters: Vec<&Parameter> = groups.iter().flatten().copied().collect();
         let with_units = |numbers: Vec<Markup>, units: Vec<String>| {
             let cells = numbers.into_iter().zip(units);

@@ -120,6 +120,11 @@ fn parameter(
     }
 }
 
+/// Whether a unit is that of a height per height.
+pub(super) fn is_height_per_height(symbol: &str, unit: Unit) -> bool {
+    symbol == symbol_per(unit.symbol(), Dimension::Length, unit)
+}
+
 /// The unit of a derivative with respect to a drive.
 pub(super) fn symbol_per(symbol: &str, of_drive: Dimension, unit: Unit) -> String {
     format!("{symbol}/{}", of_drive.symbol(unit))

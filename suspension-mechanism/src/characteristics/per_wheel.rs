@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::characteristics::parameters::{Derivative, Parameter, symbol_per};
+use crate::characteristics::parameters::{Derivative, Parameter, is_height_per_height, symbol_per};
 use crate::characteristics::rise::height_of;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
@@ -51,6 +51,19 @@ impl Rises {
     /// The rise of the wheel of one drive per unit of another drive.
     pub fn rise(&self, wheel: usize, way: usize) -> f64 {
         self.heights[(wheel, way)]
+    }
+
+    /// Whether a drive is itself the height of its wheel, upwards or downwards, and no other drive has to change for the
+    /// other wheels to be held.
+    pub fn is_height(&self, way: usize, unit: Unit) -> bool {
+        const ROUNDING: f64 = 1e-9;
+        let changes = self.drives.column(way);
+        let mut changes = changes.iter().enumerate();
+        is_height_per_height(&self.symbols[way], unit)
+            && changes.all(|(drive, change)| {
+                let wanted = f64::from(u8::from(drive == way));
+                (change.abs() - wanted).abs() < ROUNDING
+            })
     }
 
     /// The unit of rises per unit of a drive.

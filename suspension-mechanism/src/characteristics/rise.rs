@@ -1,20 +1,15 @@
-//! Derivatives with respect to the travel of the wheel, for any drives.
+//! Drives of travel that are heights of wheels, and others.
 
-use crate::characteristics::parameters::{Derivative, Parameter, symbol_per};
+use crate::characteristics::parameters::{Derivative, Parameter, is_height_per_height};
 use crate::characteristics::way::Way;
-use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
 use crate::quantities::{Axis, CENTRE};
 
-/// The rise of the wheel of a drive of travel per unit of the drive, at the design position.
-#[derive(Clone, Debug)]
+/// The rise of the wheel of a drive of travel, at the design position.
+#[derive(Clone, Copy, Debug)]
 pub struct Rise {
     /// The number of the drive.
     pub drive: usize,
-    /// The height, upwards.
-    pub value: f64,
-    /// Its unit.
-    pub symbol: String,
     /// Whether the drive is itself a height of the wheel, upwards or downwards.
     pub is_height: bool,
 }
@@ -27,25 +22,21 @@ impl Rise {
         parameters: &[Parameter],
         unit: Unit,
     ) -> Vec<Option<Self>> {
-        let [.., up] = mechanism.axes.signs();
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let rise = |(way, (_, drive)): (usize, (Way, usize))| {
             let height = height_of(mechanism, parameters, drive)?;
             let per = height.per[way].as_ref()?;
-            Some(Self::new(per, drive, up, unit))
+            Some(Self::new(per, drive, unit))
         };
         ways.map(rise).collect()
     }
 
-    fn new(height: &Derivative, drive: usize, up: f64, unit: Unit) -> Self {
+    fn new(height: &Derivative, drive: usize, unit: Unit) -> Self {
         const ROUNDING: f64 = 1e-9;
         let Derivative { value, symbol } = height;
-        let is_length = *symbol == symbol_per(unit.symbol(), Dimension::Length, unit);
         Self {
             drive,
-            value: up * value,
-            symbol: symbol.clone(),
-            is_height: is_length && (value.abs() - 1.0).abs() < ROUNDING,
+            is_height: is_height_per_height(symbol, unit) && (value.abs() - 1.0).abs() < ROUNDING,
         }
     }
 }
@@ -63,14 +54,4 @@ pub(super) fn height_of<'a>(
         parameter.is(&CENTRE, Axis::Z) && wheel_name == wheel.name
     };
     parameters.iter().find(is_height)
-}
-
-impl Parameter {
-    /// The derivative along a drive of travel with respect to the height of the wheel that it moves.
-    pub fn per_rise(&self, way: usize, rise: &Rise, unit: Unit) -> Option<Derivative> {
-        Some(Derivative {
-            value: self.per[way].as_ref()?.value / rise.value,
-            symbol: symbol_per(&self.symbol, Dimension::Length, unit),
-        })
-    }
 }
