@@ -70,7 +70,7 @@ fn linkage<L>(
         bake(&wanted, &path).expect("within the tolerance")
     };
     let id = |function: &str| format!("{function}/{name}/f64");
-    let baked = to(1e-6, Wish::Wheel);
+    let baked = to(1e-6, Wish::Wheel(0));
     let [rate, second_rate] = [1.5, -0.7];
     time(criterion, id("position"), &baked, |place: Wheel<'_>| {
         place.position()
@@ -84,7 +84,7 @@ fn linkage<L>(
     for tolerance in [1e-4, 1e-8] {
         let (id, baked) = (
             id(&format!("velocity_{tolerance:e}")),
-            to(tolerance, Wish::Wheel),
+            to(tolerance, Wish::Wheel(0)),
         );
         time(criterion, id, &baked, |place: Wheel<'_>| {
             place.velocity(black_box(rate))

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
-use suspension::detail::{Detail, Method, Need, Outputs, choose};
+use suspension::detail::{self, Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
 
@@ -161,7 +161,14 @@ impl Scene {
             metre: 1.0,
             continuity: Continuity::Velocity,
         };
-        let path = Path::new(&self.model, &self.start(), straight, 0, range, Wish::Wheel)?;
+        let path = Path::new(
+            &self.model,
+            &self.start(),
+            straight,
+            0,
+            range,
+            Wish::Wheel(0),
+        )?;
         Ok(bake(&wanted, &path)?)
     }
 }
@@ -171,7 +178,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let need = Need {
         tolerance: 1e-4,
         outputs: Outputs::Velocity,
-        points: Wish::Wheel,
+        points: detail::Points::Wheel,
         step: STEP,
     };
     let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;

@@ -178,7 +178,7 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
             }]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
-            wish: Wish::Wheel,
+            wish: Wish::Wheel(0),
         };
         let baking = Baking {
             interrupted: &AtomicBool::new(false),

@@ -129,7 +129,7 @@ fn bakes_points_alone(mechanism: &dyn Kinematics) {
     };
     let points = baked(Wish::AllPoints).expect("a curve");
     assert_eq!(points.subject(), "points_by_height");
-    let refused = baked(Wish::Wheel).expect_err("no wheel").to_string();
+    let refused = baked(Wish::Wheel(0)).expect_err("no wheel").to_string();
     assert_eq!(
         refused,
         "a.toml: the linkage has no wheel to bake; --points all bakes its points"

@@ -1,6 +1,7 @@
 //! `suspension bake`: a motion along drives, or along a measure, as a source file.
 
 pub mod request;
+mod wheel;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -12,6 +13,7 @@ use crate::bake::source::Language;
 use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
+use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
@@ -56,11 +58,15 @@ pub struct Arguments {
     /// What to bake.
     #[arg(long, value_enum, default_value_t = Points::Wheel)]
     points: Points,
+    /// The wheel, if the listing names several. Without it the one that the drive moves up and down, or else the first that it
+    /// moves.
+    #[arg(long, value_name = "NAME")]
+    wheel: Option<String>,
     /// The language of the file.
     #[arg(long = "as", value_enum, default_value_t = Form::Rust)]
     language: Form,
     /// Write to PATH, or to standard output for `-`. Without it the file is out/NAME_WHAT_by_DRIVE.rs, or _by_MEASURE.rs,
-    /// .h or .toml, where NAME is the motion file's name.
+    /// .h or .toml, where NAME is the motion file's name, followed by that of the wheel if --wheel is given.
     #[arg(short, long, alias = "output", value_name = "PATH")]
     out: Option<PathBuf>,
 }
@@ -69,7 +75,7 @@ pub struct Arguments {
 enum Points {
     /// Every free point and marker: three outputs each.
     All,
-    /// The wheel, or the first of several: centre and spin axis, six outputs.
+    /// The wheel, of several the one of --wheel: centre and spin axis, six outputs.
     Wheel,
 }
 
@@ -97,7 +103,7 @@ impl Arguments {
         let baking = Baking {
             file: source.name(),
             mechanism,
-            request: &self.request()?,
+            request: &self.request(source.name(), mechanism)?,
             interrupted,
         };
         let sheet = {
@@ -105,7 +111,9 @@ impl Arguments {
             baking.execute()?
         };
         let language = Language::from(self.language);
-        let ending = format!("_{}.{}", sheet.subject(), language.extension());
+        let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
+        let of_wheel: String = of_wheel.collect();
+        let ending = format!("{of_wheel}_{}.{}", sheet.subject(), language.extension());
         let own = in_out(&self.file, &ending);
         let target = Target::from(self.out.clone().unwrap_or_else(|| own.clone()));
         target.refuse_input("--out")?;
@@ -159,18 +167,25 @@ impl Arguments {
         }))
     }
 
-    fn request(&self) -> Result<Request, Failure> {
+    fn request(&self, file: &str, mechanism: &dyn Kinematics) -> Result<Request, Failure> {
+        let along = self.variables()?;
+        let wheel = wheel::chosen(mechanism, &along, self.wheel.as_deref());
+        let wheel = wheel.map_err(|message| Failure::input(file, message))?;
         Ok(Request {
-            along: self.variables()?,
+            along,
             tolerance: self.tolerance,
             continuity: match self.continuity {
                 0 => Continuity::Position,
                 1 => Continuity::Velocity,
                 _ => Continuity::Acceleration,
             },
-            wish: match self.points {
-                Points::All => Wish::AllPoints,
-                Points::Wheel => Wish::Wheel,
+            wish: match (self.points, &self.wheel) {
+                (Points::Wheel, _) => Wish::Wheel(wheel),
+                (Points::All, None) => Wish::AllPoints,
+                (Points::All, Some(_)) => {
+                    let message = "--points all bakes the points of all wheels; leave --wheel out";
+                    return Err(Failure::Input(message.to_owned()));
+                }
             },
         })
     }

@@ -9,7 +9,6 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
-use suspension_listing::did_you_mean::unknown;
 
 use crate::characteristics::{Does, Span, check_spans, ways};
 use crate::failure::Failure;
@@ -131,26 +130,13 @@ impl Arguments {
     }
 
     fn number(&self, mechanism: &dyn Kinematics, file: &str) -> Result<usize, Failure> {
-        let wheels = &mechanism.names.wheels;
-        if wheels.is_empty() {
+        if mechanism.names.wheels.is_empty() {
             let message = "the listing states no wheel; write `wheel: inner -> centre;`";
             return Err(Failure::input(file, message));
         }
-        let Some(name) = &self.wheel else {
-            return Ok(0);
-        };
-        wheels
-            .iter()
-            .position(|wheel| wheel.name == *name)
-            .ok_or_else(|| {
-                let known: Vec<&str> = wheels.iter().map(|wheel| wheel.name.as_str()).collect();
-                let message = match known.as_slice() {
-                    [""] => "--wheel: the listing has one wheel, without a name; leave it out"
-                        .to_owned(),
-                    known => unknown("wheel", name, known),
-                };
-                Failure::input(file, message)
-            })
+        let wanted = self.wheel.as_deref();
+        let chosen = wanted.map_or(Ok(0), |wanted| mechanism.names.chosen_wheel(wanted));
+        chosen.map_err(|message| Failure::input(file, message))
     }
 }
 

@@ -1,13 +1,13 @@
 //! Levels of detail: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
-//! use suspension_mechanism::detail::{Method, Need, Outputs, Wish, choose};
+//! use suspension_mechanism::detail::{Method, Need, Outputs, Points, choose};
 //!
 //! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
 //! let need = Need {
 //!     tolerance: 1e-4,
 //!     outputs: Outputs::Velocity,
-//!     points: Wish::Wheel,
+//!     points: Points::Wheel,
 //!     step: 1e-3,
 //! };
 //! let detail = choose(&need).expect("met by a method that was measured");
@@ -20,9 +20,18 @@ mod row;
 pub use method::{Method, NotAMethod};
 pub use suspension_core::step::bounded::Outputs;
 
-pub use crate::bake::Wish;
 use crate::failure::Failure;
 use row::Row;
+
+/// The points that are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Points {
+    /// Every free point and marker.
+    All,
+    /// The centre and the spin axis of the wheel.
+    Wheel,
+}
 
 /// The need of a part of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +41,7 @@ pub struct Need {
     /// The outputs that are read.
     pub outputs: Outputs,
     /// The points at which they are read.
-    pub points: Wish,
+    pub points: Points,
     /// The time from one instant to the next, s.
     pub step: f64,
 }
@@ -45,7 +54,7 @@ pub struct Detail {
     /// The outputs that it computes.
     pub outputs: Outputs,
     /// The points for which it computes them.
-    pub points: Wish,
+    pub points: Points,
     /// The time per step and suspension, ns.
     pub nanoseconds: f64,
     /// The largest error of a position, m.
@@ -90,7 +99,7 @@ impl Figures {
         let meets = |(step, detail): &&(f64, Detail)| {
             *step >= need.step
                 && detail.outputs >= need.outputs
-                && (detail.points == Wish::AllPoints || need.points == Wish::Wheel)
+                && (detail.points == Points::All || need.points == Points::Wheel)
                 && detail.error <= need.tolerance
         };
         let cheapest = self
@@ -134,14 +143,14 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
     #[test]
     fn choose_picks_the_cheapest_method_that_meets_the_need() {
         use Outputs::{Acceleration, Position, Velocity};
-        use Wish::{AllPoints, Wheel};
+        use Points::{All, Wheel};
         for (tolerance, outputs, points, step, expected) in [
             (1e-4, Position, Wheel, 1e-3, Some("baked_1e-4")),
             (1e-4, Velocity, Wheel, 1e-3, Some("baked_1e-4")),
-            (1e-7, Velocity, AllPoints, 1e-3, Some("generated")),
-            (1e-7, Position, AllPoints, 1e-3, Some("bounded_1")),
+            (1e-7, Velocity, All, 1e-3, Some("generated")),
+            (1e-7, Position, All, 1e-3, Some("bounded_1")),
             (1e-5, Velocity, Wheel, 1e-3, Some("baked_1e-6")),
-            (1e-5, Velocity, AllPoints, 1e-3, Some("baked_1e-6")),
+            (1e-5, Velocity, All, 1e-3, Some("baked_1e-6")),
             (1e-9, Position, Wheel, 1e-3, Some("bounded_1")),
             (1e-9, Velocity, Wheel, 1e-3, Some("generated")),
             (1e-9, Position, Wheel, 2e-3, None),
@@ -176,7 +185,7 @@ baked_1e-6,f64,1,0.02,velocity,27,1,9e-7,1e-4,,all
             let need = Need {
                 tolerance: 1e-14,
                 outputs,
-                points: Wish::AllPoints,
+                points: Points::All,
                 step: 1e-3,
             };
             let method = choose(&need).map(|detail| detail.method);

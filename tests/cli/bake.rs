@@ -7,6 +7,7 @@ mod kept;
 mod languages;
 mod orders;
 mod surfaces;
+mod wheels;
 
 use std::path::Path;
 

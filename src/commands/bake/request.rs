@@ -49,6 +49,19 @@ pub enum Variables {
     Measure(WishedMeasure),
 }
 
+impl Variables {
+    /// The names of the drives that move, also in place of which a measure leads; `None` where there is only one.
+    pub fn drives(&self) -> Vec<Option<&str>> {
+        match self {
+            Self::Drives(drives) => drives
+                .iter()
+                .map(|wished| wished.drive.as_deref())
+                .collect(),
+            Self::Measure(wished) => vec![wished.drive.as_deref()],
+        }
+    }
+}
+
 /// An order with the mechanism and the name of its file.
 pub struct Baking<'a> {
     /// The file's name.
@@ -90,7 +103,10 @@ impl Baking<'_> {
             }
         };
         let arguments = along.iter().map(|along| self.ranged(along, inside));
-        let wheel = names.wheels.first();
+        let wheel = match self.request.wish {
+            Wish::Wheel(number) => names.wheels.get(number),
+            Wish::AllPoints => None,
+        };
         let wheel = wheel.map(|wheel| wheel.title("wheel"));
         let sheet = Sheet {
             about: About {
@@ -118,7 +134,7 @@ impl Baking<'_> {
                 format!("--tolerance {tolerance} is not a positive number of metres, as 1e-6");
             return Err(self.refuse(&message));
         }
-        if self.request.wish == Wish::Wheel && self.mechanism.names.wheels.is_empty() {
+        if self.request.wish != Wish::AllPoints && self.mechanism.names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );

@@ -12,8 +12,8 @@ use crate::mechanism::{Names, Suspension, tracker};
 pub enum Wish {
     /// Every free point and marker.
     AllPoints,
-    /// The wheel: its centre and its spin axis. A linkage without a wheel has no outputs.
-    Wheel,
+    /// The wheel of this number: its centre and its spin axis. A linkage without this wheel has no outputs.
+    Wheel(usize),
 }
 
 /// Three coordinates of a curve.
@@ -68,12 +68,12 @@ enum Reading {
 
 impl Reading {
     fn new(names: &Names, wish: Wish) -> Self {
-        match (wish, names.wheels.first()) {
-            (Wish::AllPoints, _) => {
-                Self::From(names.chassis, names.points[names.chassis..].to_vec())
-            }
-            (Wish::Wheel, Some(wheel)) => Self::Axis(wheel.points.axis),
-            (Wish::Wheel, None) => Self::From(names.points.len(), Vec::new()),
+        match wish {
+            Wish::AllPoints => Self::From(names.chassis, names.points[names.chassis..].to_vec()),
+            Wish::Wheel(number) => match names.wheels.get(number) {
+                Some(wheel) => Self::Axis(wheel.points.axis),
+                None => Self::From(names.points.len(), Vec::new()),
+            },
         }
     }
 }

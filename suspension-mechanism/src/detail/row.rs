@@ -4,8 +4,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 use suspension_core::step::bounded::Outputs;
 
-use crate::bake::Wish;
-use crate::detail::Detail;
+use crate::detail::{Detail, Points};
 
 /// One measurement of a table, without the columns that are not needed here.
 #[derive(Clone, Debug, serde::Deserialize)]
@@ -18,29 +17,18 @@ pub(super) struct Row {
     outputs: Outputs,
     nanoseconds: f64,
     error_position_m: f64,
+    /// The points whose position it is.
     points: Points,
-}
-
-/// The points whose position it is.
-#[derive(Clone, Copy, Debug, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Points {
-    All,
-    Wheel,
 }
 
 impl Row {
     /// `None` if it is not for one suspension in `f64`, or is there for comparison only.
     pub(super) fn detail(&self) -> Option<Detail> {
         let method = self.method.parse().ok()?;
-        let points = match self.points {
-            Points::Wheel => Wish::Wheel,
-            Points::All => Wish::AllPoints,
-        };
         (self.scalar == "f64" && self.lanes == 1).then_some(Detail {
             method,
             outputs: self.outputs,
-            points,
+            points: self.points,
             nanoseconds: self.nanoseconds,
             error: self.error_position_m,
         })

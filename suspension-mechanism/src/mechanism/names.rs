@@ -180,6 +180,24 @@ impl Names {
             }
         }
     }
+
+    /// The number of the wheel that `--wheel` names, of a mechanism with wheels.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says what is wrong.
+    pub fn chosen_wheel(&self, wanted: &str) -> Result<usize, String> {
+        let names: Vec<&str> = self
+            .wheels
+            .iter()
+            .map(|wheel| wheel.name.as_str())
+            .collect();
+        let found = names.iter().position(|name| *name == wanted);
+        found.ok_or_else(|| match names.as_slice() {
+            [""] => "--wheel: the listing has one wheel, without a name; leave it out".to_owned(),
+            known => unknown("wheel", wanted, known),
+        })
+    }
 }
 
 impl Parts for Names {

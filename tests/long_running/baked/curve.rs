@@ -102,7 +102,7 @@ fn a_baked_wheel_is_within_its_stated_errors() {
                 &support::five_link_model(),
                 &support::five_link_rough(),
                 support::five_link_inputs,
-                Wish::Wheel,
+                Wish::Wheel(0),
                 &wanted,
                 check_against_the_solver,
             );
@@ -110,7 +110,7 @@ fn a_baked_wheel_is_within_its_stated_errors() {
                 &support::attia_model(),
                 &support::attia_rough(),
                 support::attia_inputs,
-                Wish::Wheel,
+                Wish::Wheel(0),
                 &wanted,
                 check_against_the_solver,
             );
@@ -181,7 +181,7 @@ fn segments_of_a_curve_join_with_the_requested_continuity() {
             &support::five_link_model(),
             &support::five_link_rough(),
             support::five_link_inputs,
-            Wish::Wheel,
+            Wish::Wheel(0),
             &wanted(1e-4, continuity),
             check,
         );
@@ -266,7 +266,7 @@ fn a_curve_in_f32_loses_only_rounding() {
         &support::five_link_model(),
         &support::five_link_rough(),
         support::five_link_inputs,
-        Wish::Wheel,
+        Wish::Wheel(0),
         &wanted(1e-5, Continuity::Velocity),
         check,
     );

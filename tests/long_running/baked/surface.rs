@@ -36,7 +36,7 @@ fn wanted(held: Drives<f64>, travel: f64, (tolerance, smooth): (f64, bool)) -> W
         tolerance,
         metre: 1.0,
         smooth,
-        wish: Wish::Wheel,
+        wish: Wish::Wheel(0),
     }
 }
 

@@ -12,7 +12,7 @@ pub struct About {
     pub file: String,
     /// The linkage's name.
     pub linkage: String,
-    /// The name of its wheel; if there are several, of the first.
+    /// The name of the wheel.
     pub wheel: String,
     /// The drives, or the measure, of which the outputs are functions.
     pub arguments: Vec<Ranged>,
