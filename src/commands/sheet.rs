@@ -145,9 +145,10 @@ file's points) and faintly at both ends of the travel; all quantities at the des
 derivatives with respect to the drives of travel and steering, among them bump camber, bump steer and motion ratios; curves
 over travel, or over heave and roll of an axle, and over steering; and all points. Where a drive of travel is not a height
 but, for example, a damper's length or an angle, the page also has derivatives `per wheel travel`, per rise of the wheel
-centre with the other wheels held at their heights, and curves over wheel travel. The curve of an instant centre, a swing arm or a roll centre that passes through
-infinity within the travel, or comes near it, is cut there or left out, and so is one that is constant throughout and the
-Ackermann percentage at small steer angles. The page says which; suspension sweep writes all values. Where the coordinates of
+centre with the other wheels held at their heights, and curves over wheel travel. The curve of an instant centre, a swing arm
+or a roll centre that passes through infinity within the travel, or comes near it, is cut there or left out, and so is one
+that is constant throughout and the Ackermann percentage at small steer angles. The page says which; suspension sweep writes
+all values. Where the coordinates of
 several wheels are far apart, as those of y on both sides, a chart shows their change from the design position. The [vehicle]
 table of the file (suspension motion --help) names the drives of travel and steering; it gives the wheel radius, which all
 quantities at the ground need, and the car's data for anti-dive.
