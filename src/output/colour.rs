@@ -8,6 +8,8 @@ pub enum Colour {
     /// One of its own, by its place among the curves of a plot.
     #[default]
     OfPlace,
+    /// That of a place, in plots that lack some of the curves.
+    Own(usize),
     /// One of a scale from blue, at 0, to red, at 1, for curves of increasing numbers.
     OfScale(f64),
     /// Black, for the curve with which others are compared.
@@ -40,6 +42,7 @@ impl Colour {
     pub(super) fn of_curve(self, place: usize) -> RGBColor {
         match self {
             Self::OfPlace => OWN[place % OWN.len()],
+            Self::Own(place) => OWN[place % OWN.len()],
             Self::OfScale(part) => on_scale(part),
             Self::Black => RGBColor(0, 0, 0),
         }

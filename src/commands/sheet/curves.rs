@@ -5,18 +5,19 @@ use maud::{Markup, html};
 use crate::characteristics::{Curves, Does, Line, Parameter, Title};
 use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
 use crate::commands::sheet::grouped::grouped;
-use crate::mechanism::Unit;
+use crate::mechanism::{Description, Wheel};
+use crate::output::colour::Colour;
 use crate::output::page::charts;
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{CAMBER, TOE};
 
 /// The charts along what moves, under their heading. The parameters have the values at the design position.
-pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Markup {
+pub(super) fn over(curves: &Curves, parameters: &[Parameter], of: &Description) -> Markup {
     let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
     let varies = |lines: &Vec<&Line>| lines.iter().any(|line| line.varies());
     let (drawn, flat): (Vec<_>, Vec<_>) = groups.into_iter().partition(varies);
     let (zero, constant): (Vec<_>, Vec<_>) = flat.into_iter().partition(|lines| are_zero(lines));
-    let chart = |lines: Vec<&Line>| chart(curves, parameters, (lines, unit));
+    let chart = |lines: Vec<&Line>| chart(curves, parameters, (lines, of));
     let drawn: Vec<Chart> = drawn.into_iter().map(chart).collect();
     html! {
         h2 { "Over " (curves.title) }
@@ -30,7 +31,11 @@ pub(super) fn over(curves: &Curves, parameters: &[Parameter], unit: Unit) -> Mar
 }
 
 /// The chart of a quantity, with the curves of all wheels.
-fn chart(curves: &Curves, parameters: &[Parameter], (lines, unit): (Vec<&Line>, Unit)) -> Chart {
+fn chart(
+    curves: &Curves,
+    parameters: &[Parameter],
+    (lines, of): (Vec<&Line>, &Description),
+) -> Chart {
     let title = title_over(curves.way.does, &lines[0].title.of_wheel);
     let points: Vec<_> = lines.iter().map(|line| curves.points(line)).collect();
     let designs = are_far_apart(&points).then(|| designs(&lines, parameters));
@@ -44,14 +49,22 @@ fn chart(curves: &Curves, parameters: &[Parameter], (lines, unit): (Vec<&Line>, 
     let curve = |(line, points): (&&Line, _)| Curve {
         name: line.title.wheel.clone().unwrap_or_default(),
         line: points,
+        colour: colour(line.title.wheel.as_deref(), &of.names.wheels),
         ..Curve::default()
     };
     Chart {
         title,
-        across: curves.axis_label(unit),
+        across: curves.axis_label(of.unit),
         quantity: lines[0].symbol.clone(),
         curves: lines.iter().zip(points).map(curve).collect(),
     }
+}
+
+/// The colour of a wheel, the same in each chart; another curve has that of its place.
+fn colour(wheel: Option<&str>, wheels: &[Wheel]) -> Colour {
+    let mut names = wheels.iter().map(|wheel| wheel.name.as_str());
+    let number = wheel.and_then(|wheel| names.position(|name| name == wheel));
+    number.map_or(Colour::OfPlace, Colour::Own)
 }
 
 /// The coordinates of lines at the design position; `None` if one is unknown, or for other quantities, whose values matter.
@@ -123,4 +136,20 @@ fn of_wheels(some: &[&&Title], all: &[&Title]) -> Vec<String> {
 fn names(groups: &[Vec<&Line>]) -> String {
     let names = groups.iter().map(|group| group[0].title.of_wheel.as_str());
     names.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wheel_keeps_its_colour_in_charts_without_the_other() {
+        let wheels = ["left", "right"].map(|name| Wheel {
+            name: name.to_owned(),
+            ..Wheel::default()
+        });
+        assert_eq!(colour(Some("right"), &wheels), Colour::Own(1));
+        assert_eq!(colour(Some("rear"), &wheels), Colour::OfPlace);
+        assert_eq!(colour(None, &wheels), Colour::OfPlace);
+    }
 }

@@ -66,7 +66,7 @@ impl Page<'_> {
             div.scrolled { (self.table()) }
             (self.quantities_with_curves_only())
             @for curves in &self.curves {
-                (over(curves, &self.parameters, *unit))
+                (over(curves, &self.parameters, self.mechanism))
             }
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())

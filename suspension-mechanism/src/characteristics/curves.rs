@@ -3,7 +3,7 @@
 use crate::characteristics::along::Along;
 use crate::characteristics::line::{Line, Sort};
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
-use crate::characteristics::poles::{has_poles, jumps, remove_far};
+use crate::characteristics::poles::{cut_at_jumps, has_poles, remove_far};
 use crate::characteristics::small_steer::{LEAST_STEER, leave_out};
 use crate::characteristics::title::Title;
 use crate::characteristics::way::{Does, Way};
@@ -79,7 +79,7 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(column)).collect();
     let is_without_small_steer = leave_out(&mut lines);
     let is_short = |line: &Line| line.values.iter().flatten().count() < 2;
-    let is_left_out = |line: &mut Line| line.is_cut && (is_short(line) || jumps(&line.values));
+    let is_left_out = |line: &mut Line| line.is_cut && is_short(line);
     let left_out = lines.extract_if(.., is_left_out);
     let left_out = left_out.map(|line| line.title).collect();
     lines.retain(|line| !is_short(line));
@@ -161,14 +161,14 @@ impl Read<'_> {
         let values = self.values(&|state, _| Some(column.value(state) * scale));
         let may_be_far = has_poles(column);
         let drawn = match may_be_far {
-            true => remove_far(&values, self.unit.metre()),
+            true => cut_at_jumps(&remove_far(&values, self.unit.metre())),
             false => values.clone(),
         };
         let curve = Line {
             title,
             quantity: column.title(),
             symbol,
-            is_cut: may_be_far && (drawn != values || jumps(&values)),
+            is_cut: drawn != values,
             values: drawn,
             rates,
             sort: if is_measure {
