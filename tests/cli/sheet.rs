@@ -1,6 +1,7 @@
 //! The page of a suspension.
 
 mod axle;
+mod held;
 
 use super::program::{CORNER, folder, run, text};
 
