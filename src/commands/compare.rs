@@ -35,9 +35,8 @@ pub struct Arguments {
     /// whose name ends in .csv, .tsv or .txt, see below.
     b: PathBuf,
     /// How far the drives that move the wheels up and down change from the design positions, in the unit of A; a positive
-    /// change raises the wheel, also where the drive itself becomes less. If the
-    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
-    /// where a mechanism locks before.
+    /// change raises the wheel, also where the drive itself becomes less. If the drive is a height, this is the wheel
+    /// travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less where a mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,
     /// The same for the drive that steers. Without it 30 mm to either side; 0.2 rad if the drive is an angle.

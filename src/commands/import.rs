@@ -93,8 +93,8 @@ pub struct Arguments {
     #[arg(long)]
     end: Option<End>,
     /// Write the motion file to PATH, replacing a file of that name. For an axle, NAME_corner.linkage goes beside it; a
-    /// different file of that name is never replaced. Without it the motion file is FILE with the ending .toml, or with _front.toml or _rear.toml for --end; it must not exist
-    /// yet.
+    /// different file of that name is never replaced. Without it the motion file is FILE with the ending .toml, or with
+    /// _front.toml or _rear.toml for --end; it must not exist yet.
     #[arg(short, long, value_name = "PATH")]
     out: Option<PathBuf>,
 }

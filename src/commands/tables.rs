@@ -34,8 +34,9 @@ pub struct Arguments {
     /// The wheel, if the listing names several. Without it the first.
     #[arg(long, value_name = "NAME")]
     wheel: Option<String>,
-    /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit; a
-    /// positive change raises the wheel, also where the drive itself becomes less, as the length of a damper. If the drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
+    /// For CarSim: how far the drive that moves the wheel up and down changes from the design position, in the file's unit;
+    /// a positive change raises the wheel, also where the drive itself becomes less, as the length of a damper. If the
+    /// drive is a height, this is the wheel travel. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less
     /// where the mechanism locks before.
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     travel: Option<Span>,

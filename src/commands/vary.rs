@@ -39,8 +39,9 @@ pub struct Arguments {
     /// are not zero throughout, and all quantities are written and drawn.
     #[arg(long = "of", value_name = "NAME")]
     of: Vec<String>,
-    /// How far the drives that move the wheels up and down change from the design position on the page of --html, in the file's
-    /// unit; a positive change raises the wheel, also where the drive itself becomes less. Without it 60 mm down and up; 0.2 rad if the drive is an angle; less where the mechanism locks before.
+    /// How far the drives that move the wheels up and down change from the design position on the page of --html, in the
+    /// file's unit; a positive change raises the wheel, also where the drive itself becomes less. Without it 60 mm down and
+    /// up; 0.2 rad if the drive is an angle; less where the mechanism locks before.
     #[arg(
         long,
         value_name = "FROM:TO",

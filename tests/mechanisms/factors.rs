@@ -4,7 +4,8 @@
 use suspension_core::step::bounded::Outputs;
 use suspension_core::{Bounded, Inputs, Signal, Still};
 
-/// Two arms that rise alike, the right one 20 mm above the left, by a drive that is `per` times their mean height, which is followed up and down by 0.1 m.
+/// Two arms that rise alike, the right one 20 mm above the left, by a drive that is `per` times their mean height, which is
+/// followed up and down by 0.1 m.
 macro_rules! arms {
     ($name:ident, $half:tt, $per:tt) => {
         mod $name {
