@@ -19,7 +19,8 @@ pub struct Linear {
 impl Linear {
     /// A sum with the factors of the listing.
     pub(crate) fn sum(mut terms: Vec<Term>, prescribed: Prescribed) -> Self {
-        let scale = scale(&terms);
+        let factors = terms.iter().map(|term| term.factor.abs());
+        let scale = scale(factors.fold(0.0, f64::max));
         for term in &mut terms {
             term.factor /= scale;
         }
@@ -43,15 +44,13 @@ impl Linear {
 }
 
 /// The power of two by which the largest factor is divided to become one from 1 to 2. From a half to 2 it is fine as it is.
-fn scale(terms: &[Term]) -> f64 {
-    let factors = terms.iter().map(|term| term.factor.abs());
-    let largest = factors.fold(0.0, f64::max);
+fn scale(largest: f64) -> f64 {
     if largest == 0.0 || (0.5..=2.0).contains(&largest) {
         return 1.0;
     }
-    // Beyond, powers of two are not normal numbers.
-    const MOST: f64 = 1000.0;
-    largest.log2().floor().clamp(-MOST, MOST).exp2()
+    // Without the fraction a number is its power of two, and no logarithm is needed, which programs in C would have to link.
+    const EXPONENT: u64 = !0 << (f64::MANTISSA_DIGITS - 1);
+    f64::from_bits(largest.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
 }
 
 /// The source of the value of a sum.
@@ -108,6 +107,33 @@ impl Equations for Linear {
         match &self.prescribed {
             Prescribed::Drive(drive) => Some(drive),
             Prescribed::Design => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_is_the_power_of_two_below_a_factor_far_from_1() {
+        for (largest, expected) in [
+            (0.0, 1.0),
+            (0.5, 1.0),
+            (2.0, 1.0),
+            (4.0, 4.0),
+            (57.3, 32.0),
+            (1000.0, 512.0),
+            (0.001, 0.000_976_562_5),
+        ] {
+            assert_eq!(scale(largest), expected, "{largest}");
+        }
+        for largest in [f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1)] {
+            let scale = scale(largest);
+            assert!(
+                scale.recip().recip() == scale && (largest / scale).is_finite(),
+                "{largest}"
+            );
         }
     }
 }
