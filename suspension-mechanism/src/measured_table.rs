@@ -232,27 +232,13 @@ fn has_several<'a>(fields: impl Iterator<Item = &'a str>) -> bool {
     fields.filter(|field| !field.trim().is_empty()).count() > 1
 }
 
-/// What is between the fields of the first line that has several.
+/// What is between the fields of the last line: titles above the table may have commas.
 fn separator(text: &str) -> u8 {
-    let of_line = |line: &str| {
-        let has = |separator: &u8| unquoted(line).any(|(_, byte)| byte == *separator);
-        [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
-    };
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let headings = lines.find(|line| has_several(fields(line, of_line(line))));
-    headings.map_or(b',', of_line)
-}
-
-/// The fields of a line.
-fn fields(line: &str, separator: u8) -> impl Iterator<Item = &str> {
-    let ends = unquoted(line).filter(move |(_, byte)| *byte == separator);
-    let ends = ends.map(|(end, _)| end).chain([line.len()]);
-    let mut start = 0;
-    ends.map(move |end| {
-        let field = &line[start..end];
-        start = end + 1;
-        field
-    })
+    let mut lines = text.lines().rev();
+    let last = lines.find(|line| !line.starts_with('#') && !line.trim().is_empty());
+    let has =
+        |separator: &u8| unquoted(last.unwrap_or_default()).any(|(_, byte)| byte == *separator);
+    [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
 }
 
 /// Returns what the numbers of all lines show of their commas and points.

@@ -119,7 +119,7 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
         )
     } else {
         format!(
-            "point `{name}` needs three numbers in a row: x, y, z, with decimal points and no sign for thousands"
+            "point `{name}` needs three numbers in a row: x, y, z; between thousands only a comma or a point may stand"
         )
     };
     stated.source.refuse(&row.place, message)

@@ -100,7 +100,8 @@ pub(super) fn check_angle(
         .chain(in_parentheses(line));
     let is_understood = |words: &str| is_understood(words, is_toe, names);
     let unknown = beside.find(|words| !is_understood(words));
-    let Some(said) = other_angle(line, is_toe).or(unknown.map(str::to_owned)) else {
+    let said = other_angle(line, is_toe).or(unknown.map(str::to_owned));
+    let Some(said) = said.or_else(|| beyond_a_right_angle(row)) else {
         return Ok(());
     };
     let or_limit = if said == "min" {
@@ -112,6 +113,13 @@ pub(super) fn check_angle(
         "`{name}` says `{said}`{or_limit}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
     );
     Err(stated.source.refuse(&row.place, &message))
+}
+
+/// Returns a number that is no toe or camber in degrees, such as `1,250` between decimals with a point.
+fn beyond_a_right_angle(row: &Row<'_>) -> Option<String> {
+    let numbers = row.numbers_behind_name().into_iter();
+    let mut beyond = numbers.filter(|number| number.abs() > 90.0);
+    beyond.next().map(|number| number.to_string())
 }
 
 /// Returns the words of a line that are those of another angle or sign.

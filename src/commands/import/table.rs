@@ -38,7 +38,7 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         heading: String::new(),
         columns: None,
         groups: Vec::new(),
-        thousands: Thousands::of(lines.iter().map(|(_, line)| &**line)),
+        thousands: Thousands::of(lines.iter().map(|(_, line)| &**line), names),
     };
     for (place, line) in lines {
         table.read_line(place, &line)?;

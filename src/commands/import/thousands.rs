@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
+use super::names::Names;
 use super::row::Row;
+use super::spelling::key_of;
 use crate::decimals::Decimals;
 use crate::failure::Failure;
 use crate::file::Source;
@@ -19,11 +21,13 @@ pub(super) struct Thousands {
 }
 
 impl Thousands {
-    /// Takes what the coordinates in the lines of a table show.
-    pub(super) fn of<'a>(lines: impl Iterator<Item = &'a str>) -> Self {
+    /// Takes what the coordinates and other known numbers in the lines of a table show.
+    pub(super) fn of<'a>(lines: impl Iterator<Item = &'a str>, names: &Names) -> Self {
         let mut decimals = Decimals::with_thousands_behind(LONGEST);
         let rows = lines.map(|line| Row::parse(0..0, line));
-        for row in rows.filter(|row| row.found().is_some()) {
+        let has_numbers =
+            |row: &Row<'_>| row.found().is_some() || names.is_number(&key_of(&row.name()).0);
+        for row in rows.filter(has_numbers) {
             row.written_numbers()
                 .for_each(|number| decimals.add(number));
         }

@@ -117,6 +117,7 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
         "Toe, total, 0.4",
         "Camber [rad], -0.02",
         "Toe, 12'",
+        "Toe, 1250",
         "Toe [° out], 0.2",
         "Toe (in), 0.2",
         "Vorspur (Achse), 0.4",

@@ -15,7 +15,7 @@ fn a_point_row_without_three_numbers_is_refused() {
         ["lca_rear, 150, -175, 120", "lca_rear 150,0 -175,0 120,0"],
     ] {
         let message = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);
-        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z, with decimal points and no sign for thousands";
+        let expected = "a.csv:2:1: point `lca_rear` needs three numbers in a row: x, y, z; between thousands only a comma or a point may stand";
         assert!(message.starts_with(expected), "{other}: {message}");
     }
 }

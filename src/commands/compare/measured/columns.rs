@@ -1,19 +1,20 @@
 //! The columns of a measured table: what each one states, with its numbers.
 
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 use suspension_core::listing::DriveKind;
 
 use super::heading::Stated;
 use crate::characteristics::{Does, usual_change};
 use crate::failure::Failure;
-use crate::file::tell;
+use crate::file::{Dimension, tell};
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends};
 use crate::number::without_rounding;
-use crate::quantities::{Column, WHEEL_TRAVEL};
+use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
 /// A column that the model knows.
 pub(super) struct Known {
@@ -63,11 +64,22 @@ impl Known {
         (column, stated): (usize, Stated),
         absolute: bool,
     ) -> Result<Self, Failure> {
-        if stated.named.quantity.is_some() {
+        if let Some(quantity) = &stated.named.quantity {
+            let numbers = table.numbers_or_nan(column)?;
+            let is_of_wheel =
+                quantity.dimension == Dimension::Angle && !quantity.is(&STEERING_WHEEL_ANGLE);
+            let mut angles = numbers.iter().map(|number| number / stated.scale);
+            if let Some(line) = angles.position(|angle| is_of_wheel && angle.abs() > PI) {
+                let message = format!(
+                    "{} {} is more than half a turn; write all decimals of the table behind the same sign, a comma or a point",
+                    numbers[line], stated.symbol
+                );
+                return Err(table.refuse_number(line, column, message));
+            }
             return Ok(Self {
                 column,
                 stated,
-                numbers: table.numbers_or_nan(column)?,
+                numbers,
                 doubt: None,
             });
         }

@@ -87,6 +87,16 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
             "m.csv:2:5: `1,750` may be 1750, or a number with decimals: write 1750, or 1,7500 for decimals, here or in another line",
         ),
         (
+            "bump [mm];toe [deg];camber [deg]\n-20;1,125;1.5\n",
+            &[],
+            "m.csv:2:5: 1125 deg is more than half a turn; write all decimals of the table behind the same sign, a comma or a point",
+        ),
+        (
+            "Rig 17, front axle\nbump [mm];toe [deg]\n0;zero\n",
+            &[],
+            "m.csv:3:3: `zero` in column `toe [deg]` is not a finite number",
+        ),
+        (
             "bump [mm];wheel_centre_y [mm]\n-20;1.750\n",
             &[],
             "m.csv:2:5: `1.750` may be 1750, or",
