@@ -232,13 +232,14 @@ fn has_several<'a>(fields: impl Iterator<Item = &'a str>) -> bool {
     fields.filter(|field| !field.trim().is_empty()).count() > 1
 }
 
-/// What is between the fields of the last line: titles above the table may have commas.
+/// What is between the fields of the last line that has several: titles above the table may have commas.
 fn separator(text: &str) -> u8 {
-    let mut lines = text.lines().rev();
-    let last = lines.find(|line| !line.starts_with('#') && !line.trim().is_empty());
-    let has =
-        |separator: &u8| unquoted(last.unwrap_or_default()).any(|(_, byte)| byte == *separator);
-    [b';', b'\t'].into_iter().find(has).unwrap_or(b',')
+    let of_line = |line: &str| {
+        let has = |separator: &u8| unquoted(line).any(|(_, byte)| byte == *separator);
+        [b';', b'\t', b','].into_iter().find(has)
+    };
+    let mut lines = text.lines().rev().filter(|line| !line.starts_with('#'));
+    lines.find_map(of_line).unwrap_or(b',')
 }
 
 /// Returns what the numbers of all lines show of their commas and points.

@@ -97,6 +97,11 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
             "m.csv:3:3: `zero` in column `toe [deg]` is not a finite number",
         ),
         (
+            "bump [mm];toe [deg]\n0;0\nend\n",
+            &[],
+            "m.csv:3:1: `end` in column `bump [mm]` is not a finite number",
+        ),
+        (
             "bump [mm];wheel_centre_y [mm]\n-20;1.750\n",
             &[],
             "m.csv:2:5: `1.750` may be 1750, or",
