@@ -21,7 +21,7 @@ impl Default for Decimals {
 }
 
 impl Decimals {
-    /// Behind more digits than these a sign is taken as that before decimals.
+    /// Nothing is shown yet; a sign behind more digits than `longest` stands before decimals.
     pub fn with_thousands_behind(longest: usize) -> Self {
         Self {
             longest,

@@ -31,8 +31,8 @@ impl Arguments {
             .of_end(self.end)
     }
 
-    /// Returns how much the nearest layout lacks in a reading, of which corner ever its points are: first whether it has none of
-    /// its points, then how many are missing, then how many there are.
+    /// Returns how much the nearest layout lacks in a reading, whichever corner the points are of: first whether none of its points
+    /// is there, then how many are missing, then how many there are.
     fn lacking(
         &self,
         reading: &Hardpoints<'_>,
