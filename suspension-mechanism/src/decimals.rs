@@ -2,6 +2,9 @@
 
 const SIGNS: [char; 2] = ['.', ','];
 
+/// The characters that tables have for a minus: a hyphen, and in typeset ones and in some languages a minus or an en dash.
+pub const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
+
 /// What the numbers of a text show of their commas and points.
 #[derive(Clone, Copy, Debug)]
 pub struct Decimals {
@@ -61,6 +64,7 @@ impl Decimals {
             Some(thousands) => without_thousands(written, thousands)?,
             None => written.replace(',', "."),
         };
+        let plain = plain.replacen(MINUS, "-", 1);
         plain.parse().ok().filter(|number: &f64| number.is_finite())
     }
 
@@ -137,7 +141,8 @@ mod tests {
         for (written, others, expected) in [
             ("2,140", vec!["-170.5", "1,300"], 2140.0),
             ("-2.140", vec!["170,5"], -2140.0),
-            ("\u{2212}2.140", vec!["170,5"], f64::NAN),
+            ("\u{2212}2.140", vec!["170,5"], -2140.0),
+            ("\u{2013}12,5", vec![], -12.5),
             ("2,140", vec!["1,640.25"], 2140.0),
             ("2.140", vec!["-170.5"], 2.14),
             ("2,140", vec!["-170,5"], 2.14),
@@ -169,6 +174,8 @@ mod tests {
             ",250.5",
             "",
             "-",
+            "\u{2013}-1",
+            "5\u{2013}1",
             "nan",
             "inf",
         ] {

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::encoding::in_utf8;
+use crate::encoding;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::counted;
@@ -46,12 +46,11 @@ impl Source {
         }
     }
 
-    /// Reads a file.
+    /// Reads a file in UTF-8, or in UTF-16 with a byte order mark; a table may be in Windows-1252 too.
     ///
     /// # Errors
     ///
-    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook, or is neither UTF-8 nor
-    /// UTF-16.
+    /// [`Failure::Input`] if the file cannot be read, is larger than 4 MiB, is a workbook, or is in another encoding.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = fit_for_terminal(&path.display().to_string());
         let refuse = |why: String| Err(Failure::Input(format!("{name}: {why}")));
@@ -70,7 +69,10 @@ impl Source {
         if WORKBOOKS.iter().any(|start| bytes.starts_with(start)) {
             return refuse("is a workbook, not text; save the sheet as CSV in UTF-8".to_owned());
         }
-        String::from_utf8(in_utf8(bytes)).map_or_else(
+        // TOML is in UTF-8 by definition, and listings are read by the macro too.
+        let mut extension = path.extension().into_iter();
+        let is_table = !extension.any(|it| it == "toml" || it == "linkage");
+        encoding::text(bytes, is_table).map_or_else(
             |error| {
                 let valid = error.utf8_error().valid_up_to();
                 let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);

@@ -3,16 +3,13 @@
 use super::heading::is_unit;
 use crate::decimals::Decimals;
 
-/// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
-pub(super) const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
-
 /// Returns the number in a field; `inf` and `nan` are none.
 pub(super) fn number(field: &str, with_comma: bool, decimals: Decimals) -> Option<f64> {
-    let field = field.trim().replacen(MINUS, "-", 1);
+    let field = field.trim();
     if field.contains(',') && !with_comma {
         return None;
     }
-    decimals.number(&field)
+    decimals.number(field)
 }
 
 /// Returns whether a cell between commas or other separators has a number, with a unit or without.

@@ -3,12 +3,11 @@
 use std::ops::Range;
 
 use super::fields::{
-    MINUS, fields, has_empty_coordinate, has_number_in_parentheses, number, without_axes,
-    without_units,
+    fields, has_empty_coordinate, has_number_in_parentheses, number, without_axes, without_units,
 };
 use super::heading::unit;
 use super::spelling::spelled;
-use crate::decimals::Decimals;
+use crate::decimals::{Decimals, MINUS};
 use crate::side::sides_of;
 
 /// The beginnings of a remark, and the end of a row in LaTeX.

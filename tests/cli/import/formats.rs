@@ -159,14 +159,36 @@ fn the_unit_of_lengths_is_stated_or_inferred_from_their_size() {
 
 #[test]
 fn a_table_in_utf_16_is_read() {
-    let folder = folder();
     let file = format!("\u{feff}{}", table(&CORNER).replace(", ", "\t"));
-    let bytes: Vec<u8> = file.encode_utf16().flat_map(u16::to_le_bytes).collect();
-    std::fs::write(folder.path().join("a.txt"), bytes).expect("written");
-    let output = run(folder.path(), &["import", "a.txt", "--out", "wide.toml"]);
+    reads_as_in_utf_8(
+        &file
+            .encode_utf16()
+            .flat_map(u16::to_le_bytes)
+            .collect::<Vec<u8>>(),
+    );
+}
+
+/// A spreadsheet program in western Europe saves it so; a minus is typeset as a dash.
+#[test]
+fn a_table_in_windows_1252_is_read() {
+    let numbers = table(&CORNER).replace(", -", ", \u{2013}");
+    assert!(numbers.contains('\u{2013}'));
+    let file = format!("# Stra\u{df}e, 20 \u{b0}C\n{numbers}");
+    let byte = |c: char| match c {
+        '\u{2013}' => 0x96,
+        _ => u8::try_from(c).expect("a character of Latin-1"),
+    };
+    reads_as_in_utf_8(&file.chars().map(byte).collect::<Vec<u8>>());
+}
+
+/// Imports a corner from a file in another encoding, and the same in UTF-8.
+fn reads_as_in_utf_8(encoded: &[u8]) {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.txt"), encoded).expect("written");
+    let output = run(folder.path(), &["import", "a.txt", "--out", "a.toml"]);
     assert_eq!(output.status.code(), Some(0), "{output:?}");
-    let wide = std::fs::read_to_string(folder.path().join("wide.toml")).expect("a motion file");
-    let wide: toml::Table = wide.parse().expect("TOML");
-    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
-    assert_eq!(wide, plain.motion);
+    let other = std::fs::read_to_string(folder.path().join("a.toml")).expect("a motion file");
+    let other: toml::Table = other.parse().expect("TOML");
+    let plain = import(folder.path(), "b.csv", &table(&CORNER), &[]);
+    assert_eq!(other, plain.motion);
 }
