@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::forces::Here;
-use super::{By, Case, Outcome, Structure};
+use crate::loads::forces::Here;
+use crate::loads::{By, Case, Outcome, Structure};
 use crate::mechanism::State;
 
 impl Structure<'_> {

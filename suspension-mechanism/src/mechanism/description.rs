@@ -2,11 +2,11 @@
 
 use nalgebra::Vector3;
 
-use crate::mechanism::drives::DriveLaws;
-use crate::mechanism::end_of_angle::EndOfAngle;
-use crate::mechanism::locking::Lock;
+use crate::mechanism::lock::Lock;
+use crate::mechanism::lock::end_of_angle::EndOfAngle;
 use crate::mechanism::measure::nearest;
-use crate::mechanism::names::Names;
+use crate::mechanism::motion::drive_laws::DriveLaws;
+use crate::mechanism::parts::names::Names;
 use suspension_motion_file::Axes;
 use suspension_motion_file::Instants;
 use suspension_motion_file::Unit;

@@ -4,9 +4,9 @@ use std::ops::Deref;
 
 use suspension_core::{Motion, Values};
 
-use crate::mechanism::changing::Changing;
+use crate::mechanism::derivatives::design_derivatives::Changing;
 use crate::mechanism::description::Description;
-use crate::mechanism::lead::Lead;
+use crate::mechanism::motion::lead::Lead;
 use crate::mechanism::suspension::Suspension;
 
 /// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.

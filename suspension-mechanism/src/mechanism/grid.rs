@@ -1,5 +1,9 @@
 //! The places of a grid of drives.
 
+pub(super) mod place;
+pub(super) mod visited;
+mod visitor;
+
 use crate::file::Dimension;
 use crate::mechanism::description::Description;
 use crate::number::unsigned_zero;

@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::mass::Mass;
+use crate::mechanism::parts::mass::Mass;
+use crate::mechanism::parts::spring::Spring;
 use crate::mechanism::points::Points;
-use crate::mechanism::spring::Spring;
 use crate::mechanism::suspension::Suspension;
 use suspension_motion_file::Axes;
 

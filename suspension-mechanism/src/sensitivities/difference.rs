@@ -3,11 +3,11 @@
 
 use nalgebra::DMatrix;
 
-use super::Change;
-use super::read::read;
 use crate::kinematics::Kinematics;
 use crate::mechanism::extent;
 use crate::quantities::Column;
+use crate::sensitivities::Change;
+use crate::sensitivities::read::read;
 
 /// The distance between neighbours, as a fraction of the suspension's size.
 const STEP: f64 = 1e-3;

@@ -2,11 +2,11 @@
 
 use nalgebra::DMatrix;
 
-use super::Change;
 use crate::characteristics::columns_in;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Changing, DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive, State};
 use crate::quantities::{Column, Reader};
+use crate::sensitivities::Change;
 
 /// Reads the effects of changes.
 pub(super) struct Exact<'a> {

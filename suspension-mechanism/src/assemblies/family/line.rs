@@ -3,8 +3,8 @@
 use nalgebra::{Complex, Vector3};
 use suspension_core::{Linkage, Listing, Values};
 
-use super::{Drives, Family, Fixed, Member, MemberOf};
 use crate::assemblies::factors::{Factors, Vector};
+use crate::assemblies::family::{Drives, Family, Fixed, Member, MemberOf};
 use crate::assemblies::tilt::Plane;
 
 impl<G: Listing<N>, const N: usize> Family<G, N> {

@@ -2,10 +2,10 @@
 
 use toml::Spanned;
 
-use super::per_wheel::{Stated, checked, for_each_wheel};
 use crate::failure::Failure;
 use crate::file::{PerWheel, VehicleTable};
 use crate::load::task::Task;
+use crate::load::vehicle::per_wheel::{Stated, checked, for_each_wheel};
 use crate::mechanism::{Axle, Torque, Wheel};
 use crate::number::number;
 

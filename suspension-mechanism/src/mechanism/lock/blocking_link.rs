@@ -5,18 +5,18 @@ use suspension_core::solve::lu::Lu;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Still, Values};
 
-use crate::mechanism::drives::DriveLaws;
-use crate::mechanism::hinge::Hinge;
-use crate::mechanism::names::Names;
+use crate::mechanism::motion::drive_laws::DriveLaws;
+use crate::mechanism::parts::hinge::Hinge;
+use crate::mechanism::parts::names::Names;
+use crate::mechanism::parts::words::listed;
 use crate::mechanism::suspension::Suspension;
-use crate::mechanism::words::listed;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
 /// A link whose length does not allow a configuration; or several links, such as the two of a wishbone, for each of
 /// which that is true.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Misfit {
+pub(crate) struct BlockingLink {
     /// The names, first that of the link whose lengths are known.
     names: Vec<String>,
     /// Its actual length.
@@ -46,7 +46,7 @@ const LEAST_SHARE: f64 = 0.1;
 /// The fraction of the named link's share from which another link is named with it.
 const BESIDE: f64 = 0.5;
 
-impl Misfit {
+impl BlockingLink {
     /// The link that ends a motion between two times, of which only the first has a configuration, `q`; `None` if no
     /// link's length is the cause.
     pub(crate) fn find<L: Suspension<N>, const N: usize>(

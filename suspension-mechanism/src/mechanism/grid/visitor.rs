@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nalgebra::SVector;
 use suspension_core::{Linkage, Motion, Values};
 
-use super::place::{OnPlace, Place, VisitEnd};
-use crate::mechanism::around::Around;
+use crate::mechanism::derivatives::gradient::Gradient;
+use crate::mechanism::derivatives::local_motion::LocalMotion;
+use crate::mechanism::derivatives::place_data::{Arrival, DerivativeOrder, PlaceData, SharedRates};
+use crate::mechanism::derivatives::positions::Positions;
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::gradient::Gradient;
+use crate::mechanism::grid::place::{OnPlace, Place, VisitEnd};
 use crate::mechanism::grid::{Grid, outwards};
-use crate::mechanism::known::{Arrival, DerivativeOrder, Known, Lists};
-use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
 
@@ -34,7 +34,7 @@ struct Visitor<'a, 'r, L: Linkage<N>, const N: usize> {
     order: DerivativeOrder,
     interrupted: &'a AtomicBool,
     on_place: &'a mut OnPlace<'r>,
-    lists: Lists,
+    rates: SharedRates,
     /// The unknowns at each place that was reached.
     positions: Vec<Option<SVector<f64, N>>>,
     end: VisitEnd,
@@ -63,7 +63,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             order,
             interrupted,
             on_place,
-            lists: Lists::new(&self.names),
+            rates: SharedRates::new(&self.names),
             positions: vec![None; grid.places().unwrap_or_default()],
             end: VisitEnd::default(),
         };
@@ -218,25 +218,25 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
         let position = &reached.motion.position;
         self.positions[reached.index] = Some(*position);
         let mechanism = self.mechanism;
-        let on_place = |around: &Around<'_, L, N>| {
+        let on_place = |motion: &LocalMotion<'_, L, N>| {
             let here = Here {
-                around,
+                motion,
                 residual: reached.residual,
             };
             (self.on_place)(reached.index, &here);
         };
-        let known = Known {
+        let given = PlaceData {
             order: self.order,
-            lists: &self.lists,
+            rates: &self.rates,
             arrival: reached.arrival.as_ref(),
         };
-        mechanism.evaluate_around(drives, position, known, on_place);
+        mechanism.read_place(drives, position, given, on_place);
     }
 }
 
 /// The results read at a place.
 struct Here<'a, L: Suspension<N>, const N: usize> {
-    around: &'a Around<'a, L, N>,
+    motion: &'a LocalMotion<'a, L, N>,
     residual: f64,
 }
 
@@ -244,18 +244,18 @@ impl<L: Suspension<N>, const N: usize> Place for Here<'_, L, N> {
     fn state(&self) -> State {
         State {
             residual: self.residual,
-            ..self.around.state()
+            ..self.motion.state()
         }
     }
 
     fn per(&self, drive: usize) -> Option<State> {
         Some(State {
             residual: self.residual,
-            ..self.around.per(drive)?
+            ..self.motion.per(drive)?
         })
     }
 
     fn gradient<'a>(&self, state: &'a State, first: usize) -> Box<dyn Positions<Gradient> + 'a> {
-        Box::new(self.around.gradient(state, first))
+        Box::new(self.motion.gradient(state, first))
     }
 }

@@ -6,7 +6,7 @@ use suspension_core::SolveError;
 use suspension_core::listing::{DriveKind, Part};
 
 use crate::file::Dimension;
-use crate::mechanism::names::Names;
+use crate::mechanism::parts::names::Names;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
@@ -16,7 +16,7 @@ const NEAR: f64 = 1e-6;
 
 /// A driven angle at the end of its range.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct EndOfAngle {
+pub(crate) struct EndOfAngle {
     drive: usize,
     /// The end in radians.
     end: f64,
@@ -24,7 +24,7 @@ pub(super) struct EndOfAngle {
 
 impl EndOfAngle {
     /// The angle at its end where a motion has stopped, with the drives at `drives` in the file's coordinates.
-    pub(super) fn find(
+    pub(crate) fn find(
         names: &Names,
         cause: Option<&SolveError<f64>>,
         drives: &[f64],
@@ -44,7 +44,7 @@ impl EndOfAngle {
         })
     }
 
-    pub(super) fn in_words(&self, names: &Names, unit: Unit) -> String {
+    pub(crate) fn in_words(&self, names: &Names, unit: Unit) -> String {
         const DIGITS: usize = 6;
         let drive = &names.drives[self.drive];
         let dimension = Dimension::from(drive.kind);

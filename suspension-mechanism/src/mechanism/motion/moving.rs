@@ -6,11 +6,11 @@ use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::drives::{DriveLaws, advance, follow};
-use crate::mechanism::end::Stop;
-use crate::mechanism::lead::Lead;
-use crate::mechanism::locking::Lock;
-use crate::mechanism::polynomial::Polynomial;
+use crate::mechanism::lock::Lock;
+use crate::mechanism::motion::drive_laws::{DriveLaws, advance, follow};
+use crate::mechanism::motion::end::Stop;
+use crate::mechanism::motion::lead::Lead;
+use crate::mechanism::motion::polynomial::Polynomial;
 use crate::mechanism::suspension::Suspension;
 
 pub(crate) enum Moving<'a, const N: usize> {

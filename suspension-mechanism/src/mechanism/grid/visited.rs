@@ -1,11 +1,7 @@
 //! The quantities read at the places of a grid.
 
-mod place;
-mod visitor;
-
 use crate::failure::Failure;
-
-pub use place::{OnPlace, Place, VisitEnd};
+use crate::mechanism::grid::place::VisitEnd;
 
 /// The results read at the places of a grid.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! The end of a motion.
 
 use crate::failure::Failure;
-use crate::mechanism::words::advice;
+use crate::mechanism::parts::words::advice;
 use crate::number::number;
 
 /// The end of a motion.

@@ -6,7 +6,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::file::Dimension;
 use crate::mechanism::grid::CountedFrom;
-use crate::mechanism::names::Drive;
+use crate::mechanism::parts::names::Drive;
 use crate::number::rounded;
 use suspension_motion_file::{Length, Unit};
 

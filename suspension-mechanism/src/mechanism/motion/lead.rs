@@ -8,9 +8,9 @@ use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::file::Dimension;
-use crate::mechanism::drives::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::measure::signal_nearest;
-use crate::mechanism::names::Names;
+use crate::mechanism::motion::drive_laws::{DriveLaws, Law, MAX_STEPS};
+use crate::mechanism::parts::names::Names;
 use crate::number::{number, without_rounding};
 use suspension_motion_file::Unit;
 

@@ -5,10 +5,10 @@ use std::array::from_fn;
 use nalgebra::Vector3;
 
 use crate::dual::Dual;
-use crate::mechanism::changing::Expansion;
-use crate::mechanism::gradient::DRIVES_AT_ONCE;
-use crate::mechanism::names::Names;
-use crate::mechanism::positions::Positions;
+use crate::mechanism::derivatives::design_derivatives::Expansion;
+use crate::mechanism::derivatives::gradient::DRIVES_AT_ONCE;
+use crate::mechanism::derivatives::positions::Positions;
+use crate::mechanism::parts::names::Names;
 
 /// The number of changes along which a [`Sensitive`] number has derivatives.
 pub const CHANGES_AT_ONCE: usize = 4;

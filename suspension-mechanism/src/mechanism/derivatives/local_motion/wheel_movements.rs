@@ -3,13 +3,13 @@
 use nalgebra::{Matrix2, Vector2};
 use suspension_core::{Signal, Values};
 
-use crate::mechanism::around::Around;
-use crate::mechanism::drives::unit_change;
-use crate::mechanism::sides::Pair;
+use crate::mechanism::derivatives::local_motion::LocalMotion;
+use crate::mechanism::motion::drive_laws::unit_change;
+use crate::mechanism::parts::sides::Pair;
 use crate::mechanism::state::{Moved, Movement};
 use crate::mechanism::suspension::Suspension;
 
-impl<L: Suspension<N>, const N: usize> Around<'_, L, N> {
+impl<L: Suspension<N>, const N: usize> LocalMotion<'_, L, N> {
     /// See [`State::moved`](crate::mechanism::State::moved).
     pub(super) fn travel_movements(&self) -> Vec<Moved> {
         let names = &self.mechanism.names;

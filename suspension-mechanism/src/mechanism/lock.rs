@@ -1,19 +1,23 @@
 //! The end of a motion that its drives lead: the drive that turns there, and the link or hinge that limits it.
 
+mod blocking_link;
+pub(super) mod end_of_angle;
+mod turning_drive;
+
 use nalgebra::SVector;
 use suspension_core::SolveError;
 use suspension_core::step::stepper::Stopped;
 
 use crate::file::Dimension;
-use crate::mechanism::drives::DriveLaws;
-use crate::mechanism::end_of_angle::EndOfAngle;
-use crate::mechanism::hinge::Hinge;
-use crate::mechanism::misfit::{Misfit, find_hinge_at_lock};
-use crate::mechanism::names::Names;
+use crate::mechanism::lock::blocking_link::{BlockingLink, find_hinge_at_lock};
+use crate::mechanism::lock::end_of_angle::EndOfAngle;
+use crate::mechanism::lock::turning_drive::{is_near, turning_drive};
+use crate::mechanism::motion::drive_laws::DriveLaws;
+use crate::mechanism::parts::driven_length::DrivenLength;
+use crate::mechanism::parts::hinge::Hinge;
+use crate::mechanism::parts::names::Names;
+use crate::mechanism::parts::words::advice;
 use crate::mechanism::suspension::Suspension;
-use crate::mechanism::turning_drive::{is_near, turning_drive};
-use crate::mechanism::words::advice;
-use crate::mechanism::zero_length::DrivenLength;
 use crate::number::rounded;
 use suspension_motion_file::Unit;
 
@@ -24,7 +28,7 @@ pub struct Lock {
     pub drives: Vec<f64>,
     /// The number of the drive that turns there, if one does: led by it, the mechanism locks.
     pub turns: Option<usize>,
-    misfit: Option<Misfit>,
+    blocking: Option<BlockingLink>,
     /// A description of the link just beyond the lock, or otherwise of the hinge with the greatest share in the lock.
     /// It is used if no link is known at the requested position, which may be far beyond.
     near: Option<String>,
@@ -55,18 +59,18 @@ impl Lock {
         let at_zero = DrivenLength::at_zero(lengths, &drives, model.size()).cloned();
         let locks = end_of_angle.is_none() && at_zero.is_none();
         let reached = stopped.reached;
-        let misfit = |asked| Misfit::find(model, names, laws, [reached, asked], q);
+        let blocking = |asked| BlockingLink::find(model, names, laws, [reached, asked], q);
         let just_beyond = || {
-            let link = misfit(reached + BEYOND * (asked - reached));
+            let link = blocking(reached + BEYOND * (asked - reached));
             let hinge = || find_hinge_at_lock(model, names, laws, reached, q).map(Hinge::fault);
             link.map(|link| link.fault()).or_else(hinge)
         };
-        let at_asked = locks.then(|| misfit(asked)).flatten();
+        let at_asked = locks.then(|| blocking(asked)).flatten();
         let near = (locks && at_asked.is_none()).then(just_beyond).flatten();
         Self {
             drives,
             turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
-            misfit: at_asked,
+            blocking: at_asked,
             near,
             end_of_angle,
             at_zero,
@@ -77,8 +81,8 @@ impl Lock {
     /// A description of what prevents going on by a little: the link and whether it is too long or too short, or
     /// otherwise the hinge.
     pub fn fault(&self) -> Option<String> {
-        let misfit = self.misfit.as_ref().map(Misfit::fault);
-        misfit.or_else(|| self.near.clone())
+        let blocking = self.blocking.as_ref().map(BlockingLink::fault);
+        blocking.or_else(|| self.near.clone())
     }
 
     /// A description of the lock; `design` are the drives at the design position.
@@ -117,8 +121,11 @@ impl Lock {
                 )
             }
         };
-        let misfit = self.misfit.as_ref().map(|misfit| misfit.in_words(unit));
-        match misfit.or_else(|| self.near.clone()) {
+        let blocking = self
+            .blocking
+            .as_ref()
+            .map(|blocking| blocking.in_words(unit));
+        match blocking.or_else(|| self.near.clone()) {
             Some(fault) => format!("{end}; {fault}"),
             None => end,
         }

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use suspension_core::listing::{DriveKind, Kind, MeasureKind, Part, Parts, WheelPlaces};
 use suspension_listing::did_you_mean::unknown;
 
-use crate::mechanism::guide::Guide;
-use crate::mechanism::hinge::Hinge;
-use crate::mechanism::vehicle::{Vehicle, Wheel};
-use crate::mechanism::zero_length::DrivenLength;
+use crate::mechanism::parts::driven_length::DrivenLength;
+use crate::mechanism::parts::guide::Guide;
+use crate::mechanism::parts::hinge::Hinge;
+use crate::mechanism::parts::vehicle::{Vehicle, Wheel};
 
 /// The parts of a listing in lists, independent of its types.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 use suspension_core::listing::WheelPlaces;
 use suspension_motion_file::{Axle, Torque};
 
-use crate::mechanism::mass::Mass;
-use crate::mechanism::spring::Spring;
+use crate::mechanism::parts::mass::Mass;
+use crate::mechanism::parts::spring::Spring;
 
 /// The data that quantities need besides the linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -155,7 +155,7 @@ impl Wheel {
         self.points.carrier == other.points.carrier && !self.is_on_the_side_of(other)
     }
 
-    pub(super) fn places(&self) -> WheelPlaces<'_> {
+    pub(crate) fn places(&self) -> WheelPlaces<'_> {
         WheelPlaces {
             name: &self.name,
             axis: self.points.axis,

@@ -3,7 +3,7 @@
 use suspension_core::SolveError;
 
 use crate::file::Dimension;
-use crate::mechanism::names::Names;
+use crate::mechanism::parts::names::Names;
 use crate::number::{number, without_rounding};
 use suspension_motion_file::Unit;
 

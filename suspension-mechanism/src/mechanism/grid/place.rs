@@ -1,7 +1,7 @@
 //! A place of a grid, and the reasons for which a visit skips some places.
 
-use crate::mechanism::gradient::Gradient;
-use crate::mechanism::positions::Positions;
+use crate::mechanism::derivatives::gradient::Gradient;
+use crate::mechanism::derivatives::positions::Positions;
 use crate::mechanism::state::State;
 
 /// The reasons why a visit did not reach some places.

@@ -1,7 +1,7 @@
 //! Suggestions for a file that does not name the drives of travel.
 
-use crate::mechanism::names::Names;
-use crate::mechanism::vehicle::Wheel;
+use crate::mechanism::parts::names::Names;
+use crate::mechanism::parts::vehicle::Wheel;
 
 impl Names {
     /// The value of `travel` under `[vehicle]` for some of the wheels: the drives that alone lift them, or `NAME` for

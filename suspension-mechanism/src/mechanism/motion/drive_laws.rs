@@ -5,7 +5,7 @@ use suspension_core::solve::report::Report;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Motion, Signal, SolveError, Still, Tracker, Values};
 
-use crate::mechanism::polynomial::Polynomial;
+use crate::mechanism::motion::polynomial::Polynomial;
 
 /// A quantity over time: a polynomial with its first and second derivative.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ impl DriveLaws {
 }
 
 /// The number of steps that the way from one instant to the next may take.
-pub(super) const MAX_STEPS: usize = 10_000;
+pub(crate) const MAX_STEPS: usize = 10_000;
 
 /// A change of one drive by one.
 pub(crate) fn unit_change<D: Values<f64>>(drive: usize) -> D {
@@ -113,7 +113,7 @@ pub fn follow<L: Linkage<N, Scalar = f64>, const N: usize>(
 
 /// The same for inputs that are a function of time. Angles that go beyond their range are refused, because the
 /// equations have the sine or cosine of other angles there.
-pub(super) fn advance<L: Linkage<N, Scalar = f64>, const N: usize>(
+pub(crate) fn advance<L: Linkage<N, Scalar = f64>, const N: usize>(
     model: &L,
     inputs: impl Fn(f64) -> Inputs<Still, L::Drives>,
     [from, to]: [f64; 2],

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::dual::Dual;
+use crate::mechanism::derivatives::positions::Positions;
 use crate::mechanism::points::Points;
-use crate::mechanism::positions::Positions;
 use crate::mechanism::state::State;
 
 /// The number of drives with respect to which a [`Gradient`] has derivatives: travel and steering.

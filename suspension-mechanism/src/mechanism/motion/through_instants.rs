@@ -7,7 +7,7 @@ use suspension_core::{Inputs, Motion, Still};
 
 use crate::failure::Failure;
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::end::End;
+use crate::mechanism::motion::end::End;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
 use suspension_motion_file::Instants;

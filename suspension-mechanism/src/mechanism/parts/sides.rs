@@ -2,7 +2,7 @@
 
 use suspension_motion_file::Axle;
 
-use crate::mechanism::vehicle::Wheel;
+use crate::mechanism::parts::vehicle::Wheel;
 
 /// The sides of a vehicle, as used in names of wheels.
 const SIDES: [&str; 2] = ["left", "right"];

@@ -1,6 +1,6 @@
-//! The mechanism about a place: its states with velocities, and with derivatives with respect to its drives.
+//! The motion of a mechanism about a place: its states with velocities, and with derivatives with respect to its drives.
 
-mod moved;
+mod wheel_movements;
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -9,10 +9,10 @@ use nalgebra::SVector;
 use suspension_core::directions::Directions;
 use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
 
-use crate::mechanism::derivatives::{Along, Derivatives};
+use crate::mechanism::derivatives::gradient::{DRIVES_AT_ONCE, Graded};
+use crate::mechanism::derivatives::place_data::{DerivativeOrder, PlaceData, SharedRates};
+use crate::mechanism::derivatives::point_derivatives::{Along, Derivatives};
 use crate::mechanism::driven_linkage::Mechanism;
-use crate::mechanism::gradient::{DRIVES_AT_ONCE, Graded};
-use crate::mechanism::known::{DerivativeOrder, Known, Lists};
 use crate::mechanism::points::Points;
 use crate::mechanism::state::{Moved, State};
 use crate::mechanism::suspension::Suspension;
@@ -25,67 +25,67 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         drives: L::Drives,
         position: &SVector<f64, N>,
     ) -> State {
-        let lists = Lists::new(&self.names);
-        let known = Known {
+        let rates = SharedRates::new(&self.names);
+        let given = PlaceData {
             order: DerivativeOrder::First,
-            lists: &lists,
+            rates: &rates,
             arrival: None,
         };
-        self.evaluate_around(drives, position, known, |around| {
-            around.with_velocities(state.clone())
+        self.read_place(drives, position, given, |here| {
+            here.with_velocities(state.clone())
         })
     }
 
-    /// Passes to `work` the mechanism about a place.
-    pub(crate) fn evaluate_around<R>(
+    /// Passes to `work` the motion of the mechanism about a place.
+    pub(crate) fn read_place<R>(
         &self,
         drives: L::Drives,
         position: &SVector<f64, N>,
-        known: Known<'_, N>,
-        mut work: impl FnMut(&Around<'_, L, N>) -> R,
+        given: PlaceData<'_, N>,
+        mut work: impl FnMut(&LocalMotion<'_, L, N>) -> R,
     ) -> R {
         let regular = Directions::at(&self.model, drives, position, |directions| {
             let places = self.listed(directions.position());
-            let around = Around::new(self, drives, places, Some(directions), known);
-            Ok::<R, SolveError<f64>>(work(&around))
+            let here = LocalMotion::new(self, drives, places, Some(directions), given);
+            Ok::<R, SolveError<f64>>(work(&here))
         });
         regular.unwrap_or_else(|_| {
             let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
             let points = Motion::at_rest(*position).points(&self.model, &inputs);
             let places = self.listed(&points.value);
-            work(&Around::new(self, drives, places, None, known))
+            work(&LocalMotion::new(self, drives, places, None, given))
         })
     }
 }
 
-/// The mechanism about a place. Data that several of its states need are computed once, on demand.
-pub(crate) struct Around<'a, L: Suspension<N>, const N: usize> {
+/// A mechanism that can move about a place. Data that several of its states need are computed once, on demand.
+pub(crate) struct LocalMotion<'a, L: Suspension<N>, const N: usize> {
     mechanism: &'a Mechanism<L, N>,
     drives: L::Drives,
     places: Points,
     /// `None` if the mechanism locks.
     directions: Option<&'a Directions<'a, L, N>>,
-    known: Known<'a, N>,
+    given: PlaceData<'a, N>,
     derivatives: Derivatives<'a, L, N>,
     /// See [`State::moved`].
     moved: OnceCell<Rc<[Moved]>>,
 }
 
-impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
+impl<'a, L: Suspension<N>, const N: usize> LocalMotion<'a, L, N> {
     fn new(
         mechanism: &'a Mechanism<L, N>,
         drives: L::Drives,
         places: Points,
         directions: Option<&'a Directions<'a, L, N>>,
-        known: Known<'a, N>,
+        given: PlaceData<'a, N>,
     ) -> Self {
         Self {
             mechanism,
             drives,
             places,
             directions,
-            known,
-            derivatives: Derivatives::new(mechanism, directions, known.arrival),
+            given,
+            derivatives: Derivatives::new(mechanism, directions, given.arrival),
             moved: OnceCell::new(),
         }
     }
@@ -95,8 +95,8 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         let places = &self.places;
         let points = Signal {
             value: places.clone(),
-            rate: self.known.lists.still.clone(),
-            second_rate: self.known.lists.still.clone(),
+            rate: self.given.rates.still.clone(),
+            second_rate: self.given.rates.still.clone(),
         };
         let measures = self.measures(|| [L::Points::from_values([]); 2]);
         self.with_velocities(self.mechanism.state_of(0.0, &self.drives, points, measures))
@@ -107,8 +107,8 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
         let velocities = |drive: usize| {
             Some(Signal {
                 value: self.derivatives.along(drive)?.points.clone(),
-                rate: self.known.lists.unknown.clone(),
-                second_rate: self.known.lists.unknown.clone(),
+                rate: self.given.rates.unknown.clone(),
+                second_rate: self.given.rates.unknown.clone(),
             })
         };
         State {
@@ -162,7 +162,7 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
     /// The [`state`](Self::state) with first derivatives with respect to the drives from `first` on.
     pub(crate) fn gradient<'s>(&self, state: &'s State, first: usize) -> Graded<'s> {
         let drives: [usize; DRIVES_AT_ONCE] = std::array::from_fn(|index| first + index);
-        let known = |points: Option<&Points>| points.unwrap_or(&self.known.lists.unknown).clone();
+        let known = |points: Option<&Points>| points.unwrap_or(&self.given.rates.unknown).clone();
         let measures = |drive: usize| {
             let rates = &self.derivatives.along(drive)?.direction.points;
             Some(self.measures(|| [*rates; 2]).rate)
@@ -193,8 +193,8 @@ impl<'a, L: Suspension<N>, const N: usize> Around<'a, L, N> {
 
     /// The velocities with respect to one drive, with their derivatives with respect to another drive or the same.
     fn velocities(&self, of: usize, per: usize) -> Option<Signal<Points>> {
-        let second_rate = match self.known.order {
-            DerivativeOrder::First => self.known.lists.unknown.clone(),
+        let second_rate = match self.given.order {
+            DerivativeOrder::First => self.given.rates.unknown.clone(),
             DerivativeOrder::Second => self.derivatives.spread(&self.derivatives.third(of, per)?),
         };
         Some(Signal {

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use suspension_core::path::{Continuation, Curve};
 use suspension_core::{Inputs, Signal, Still, Values};
 
-use crate::mechanism::misfit::Place;
+use crate::mechanism::lock::blocking_link::Place;
 use crate::mechanism::suspension::Suspension;
 
 /// The number of steps within which the turning point must lie: the motion has stopped beside it.

@@ -3,7 +3,7 @@
 use nalgebra::{SVector, Vector3};
 use suspension_core::Motion;
 
-use crate::mechanism::names::Names;
+use crate::mechanism::parts::names::Names;
 use crate::mechanism::points::Points;
 
 /// The highest order of the derivatives of quantities that are wanted.
@@ -17,9 +17,9 @@ pub enum DerivativeOrder {
 
 /// The data that are known before a place is evaluated.
 #[derive(Clone, Copy)]
-pub(crate) struct Known<'a, const N: usize> {
+pub(crate) struct PlaceData<'a, const N: usize> {
     pub(crate) order: DerivativeOrder,
-    pub(crate) lists: &'a Lists,
+    pub(crate) rates: &'a SharedRates,
     /// The motion by which the place was reached, if a single drive moved.
     pub(crate) arrival: Option<&'a Arrival<N>>,
 }
@@ -47,15 +47,15 @@ impl<const N: usize> Arrival<N> {
     }
 }
 
-/// Lists of points that all places share.
-pub(crate) struct Lists {
+/// Rates of points that all places share.
+pub(crate) struct SharedRates {
     /// Rates at rest.
     pub(crate) still: Points,
     /// Rates that are not known.
     pub(crate) unknown: Points,
 }
 
-impl Lists {
+impl SharedRates {
     pub(crate) fn new(names: &Names) -> Self {
         let all = |number: f64| -> Points {
             let each = names.points.iter();

@@ -1,0 +1,8 @@
+//! A mechanism over time: its drives, or a measure in place of one, lead it from instant to instant.
+
+pub(super) mod drive_laws;
+pub(super) mod end;
+pub(super) mod lead;
+mod moving;
+pub(super) mod polynomial;
+pub(super) mod through_instants;
