@@ -19,6 +19,6 @@ mod signals;
 
 pub use suspension_mechanism::{
     assemblies, bake, characteristics, decimals, detail, failure, file, interrupt, kinematics,
-    load, loads, measured_table, mechanism, number, quantities, reach, sensitivities, tolerances,
-    tune,
+    loads, measured_table, mechanism, number, prepare, quantities, reach, sensitivities,
+    tolerances, tune,
 };

@@ -8,12 +8,12 @@ use suspension::commands::assemblies::listed::{self, list};
 use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
-use suspension::load::load;
 use suspension::output::figures::{draw, height_and_angles};
 use suspension::output::record::record;
 use suspension::output::rows::Forms;
 use suspension::output::summary;
 use suspension::output::target::Target;
+use suspension::prepare::load;
 
 /// A point on two links, its height driven.
 const FILE: &str = "\

@@ -12,7 +12,6 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::mechanism::Description;
 use crate::option::number;
 use crate::output::files::{announce, print};
@@ -21,6 +20,7 @@ use crate::output::notes::noted;
 use crate::output::rows::Forms;
 use crate::output::table::Table;
 use crate::output::target::Target;
+use crate::prepare::load;
 use listed::{Wish, list};
 use report::Report;
 

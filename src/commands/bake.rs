@@ -14,12 +14,12 @@ use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::beside::in_out;
 use crate::output::notes::noted;
 use crate::output::progress::Busy;
 use crate::output::target::Target;
+use crate::prepare::load;
 use request::{Baking, Request, Wished, WishedMeasure};
 
 /// The arguments of `suspension bake`.

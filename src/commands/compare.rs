@@ -19,9 +19,9 @@ use clap::Args;
 use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::{Loaded, load};
 use crate::output::destinations::Destinations;
 use crate::output::notes::noted;
+use crate::prepare::{Loaded, load};
 use report::Report;
 use side::Side;
 

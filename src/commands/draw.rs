@@ -6,13 +6,13 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
 use crate::option::positive;
 use crate::output::beside::in_out;
 use crate::output::drawing::{SIZE, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::notes::noted;
 use crate::output::target::Target;
+use crate::prepare::load;
 
 /// The arguments of `suspension draw`.
 #[derive(Args, Clone, Debug)]

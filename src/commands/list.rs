@@ -11,10 +11,10 @@ use suspension_runtime::{Listing, catalogue};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::layouts::first_sentence;
-use crate::load::load;
 use crate::mechanism::Axes;
 use crate::output::files::print;
 use crate::output::notes::noted;
+use crate::prepare::load;
 
 /// The arguments of `suspension list`.
 #[derive(Args, Clone, Debug)]

@@ -19,13 +19,13 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::Swept;
-use crate::load::load;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
 use crate::output::beside::{in_out, name_of};
 use crate::output::notes::noted;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
+use crate::prepare::load;
 use run::Run;
 
 /// The arguments of `suspension loads`.

@@ -11,7 +11,6 @@ pub use help::text as help;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::output::beside::name_of;
 use crate::output::figures::{draw, height_and_angles, path};
 use crate::output::files::{announce, print, refuse_plot};
@@ -20,6 +19,7 @@ use crate::output::record::record;
 use crate::output::rows::Forms;
 use crate::output::summary;
 use crate::output::target::Target;
+use crate::prepare::load;
 
 /// The arguments of `suspension motion`.
 #[derive(Args, Clone, Debug)]

@@ -11,7 +11,6 @@ use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::load::load;
 use crate::output::figures::draw;
 use crate::output::files::{announce, print};
 use crate::output::notes::noted;
@@ -19,6 +18,7 @@ use crate::output::record::record;
 use crate::output::rows::Forms;
 use crate::output::summary;
 use crate::output::target::Target;
+use crate::prepare::load;
 use paper::Paper;
 use timing::Timing;
 

@@ -12,7 +12,6 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
 use crate::output::beside::name_of;
 use crate::output::figures::path;
@@ -23,6 +22,7 @@ use crate::output::progress::Busy;
 use crate::output::rows::Forms;
 use crate::output::table::{Column, Table};
 use crate::output::target::Target;
+use crate::prepare::load;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
 use crate::reach::{DriveRange, Station};
 

@@ -18,13 +18,13 @@ use crate::characteristics::{
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
-use crate::load::{Loaded, load};
 use crate::mechanism::State;
 use crate::output::beside::in_out;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
 use crate::output::notes::{noted, noted_unmet_range, print_notes};
 use crate::output::target::Target;
+use crate::prepare::{Loaded, load};
 use page::Page;
 
 /// The arguments of `suspension sheet`.

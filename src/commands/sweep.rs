@@ -10,7 +10,6 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::mechanism::{DerivativeOrder, Description};
 use crate::option::derivatives;
 use crate::output::beside::in_out;
@@ -20,6 +19,7 @@ use crate::output::notes::noted;
 use crate::output::progress::Progress;
 use crate::output::rows::{Forms, Rows};
 use crate::output::target::Target;
+use crate::prepare::load;
 
 /// The arguments of `suspension sweep`.
 #[derive(Args, Clone, Debug)]

@@ -14,12 +14,12 @@ use crate::characteristics::{Does, Span, check_spans, ways};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::load;
 use crate::mechanism::{Pair, report_of_singular};
 use crate::output::beside::in_out;
 use crate::output::files::announce;
 use crate::output::notes::{noted, noted_unmet_range, print_notes};
 use crate::output::target::Target;
+use crate::prepare::load;
 use wheel::Wheel;
 
 /// The arguments of `suspension tables`.

@@ -14,8 +14,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use suspension_mechanism::characteristics::columns;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
-use suspension_mechanism::load::load;
 use suspension_mechanism::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
+use suspension_mechanism::prepare::load;
 use suspension_mechanism::quantities::{Column, Reader};
 use suspension_mechanism::sensitivities::sensitivities;
 

@@ -16,10 +16,10 @@ use suspension_core::{Build, Linkage, Motion, Values};
 use suspension_mechanism::characteristics::GridTable;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
-use suspension_mechanism::load::load;
 use suspension_mechanism::mechanism::{
     Axis, CountedFrom, DerivativeOrder, Grid, Mechanism, evenly_spaced,
 };
+use suspension_mechanism::prepare::load;
 
 const CORNER: &str = "
     linkage = 'double_wishbone'

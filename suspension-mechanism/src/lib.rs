@@ -2,7 +2,7 @@
 //!
 //! All kinematics are those of [`suspension_core`]. From the top:
 //!
-//! - [`load`] makes the [`kinematics`] of any linkage of a [`mod@file`];
+//! - [`prepare`] makes the [`kinematics`] of any linkage of a [`mod@file`];
 //! - a [`mechanism`] moves, and [`quantities`] are read off its states.
 //!
 //! Beside them are libraries:
@@ -22,10 +22,10 @@ pub mod decimals;
 pub mod detail;
 pub mod dual;
 pub mod kinematics;
-pub mod load;
 pub mod loads;
 pub mod measured_table;
 pub mod mechanism;
+pub mod prepare;
 pub mod quantities;
 pub mod reach;
 pub mod sensitivities;

@@ -5,11 +5,11 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::coefficients::Coefficients;
-use crate::explain::explained;
 use crate::failure::Failure;
 use crate::inputs;
-use crate::load::LoadCase;
+use crate::loads::LoadCase;
 use crate::mass::MassTable;
+use crate::parse_errors::explained;
 use crate::position::{Offset, Position};
 use crate::source::Source;
 use crate::spring::SpringTable;

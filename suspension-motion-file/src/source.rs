@@ -9,7 +9,7 @@ use crate::encoding;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::counted;
-use crate::{inputs, mark};
+use crate::{inputs, marked_source};
 
 /// The first bytes of workbooks of spreadsheet programs (`.xlsx` and `.ods`, `.xls`).
 const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
@@ -114,7 +114,7 @@ impl Source {
 
     /// Returns the message of a mistake: with the marked line on a terminal, one line elsewhere.
     fn message(&self, span: &Range<usize>, what: &str) -> String {
-        mark::drawn(&self.name, &self.text, span, what)
+        marked_source::drawn(&self.name, &self.text, span, what)
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 

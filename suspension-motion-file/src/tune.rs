@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::number_list::{NumberList, number_list};
 use crate::table::{Table, UnderName, read_named_tables};
-use crate::wanted::{CsvTable, Wanted};
+use crate::target_values::{CsvTable, TargetValues};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
@@ -27,7 +27,7 @@ impl TuneTable {
         wanted
             .flatten()
             .filter_map(|wanted| match wanted.get_ref() {
-                Wanted::Csv(table) => Some(table),
+                TargetValues::Csv(table) => Some(table),
                 _ => None,
             })
     }
@@ -90,9 +90,9 @@ pub struct TargetTable {
     /// holds at the design position.
     pub over: Option<Table<NumberList<2>>>,
     /// The target value.
-    pub value: Option<Spanned<Wanted>>,
+    pub value: Option<Spanned<TargetValues>>,
     /// The target change from the design position.
-    pub change: Option<Spanned<Wanted>>,
+    pub change: Option<Spanned<TargetValues>>,
     /// The largest permitted deviation.
     pub within: Spanned<f64>,
 }

@@ -37,10 +37,10 @@ use reference::Reference;
 use survey::{Effort, MILLISECOND, Plan, Survey, nearest_to};
 use suspension::failure::Failure;
 use suspension::file::Source;
-use suspension::load::{Loaded, load};
 use suspension::mechanism::Suspension;
 use suspension::number::{number, rounded};
 use suspension::output::files::{announce, refuse_input, write_file};
+use suspension::prepare::{Loaded, load};
 use suspension_double_double::DoubleDouble;
 
 /// The contents of a chart, and where it is written.

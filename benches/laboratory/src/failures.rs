@@ -33,11 +33,11 @@ use rows::to_csv;
 use survey::{Counted, Effort, Survey};
 use suspension::failure::Failure;
 use suspension::file::Source;
-use suspension::load::{Loaded, load};
 use suspension::mechanism::{DriveLaws, Mechanism, Names, Suspension};
 use suspension::number::number;
 use suspension::output::files::{announce, refuse_input, write_file};
 use suspension::output::progress::Progress;
+use suspension::prepare::{Loaded, load};
 use truth::Truth;
 use turning::turning_points;
 

@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use super::draft::Draft;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
-use crate::load::load;
 use crate::output::notes::noted;
+use crate::prepare::load;
 
 /// Returns the text of the motion file at the path `out`.
 pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {

@@ -8,9 +8,9 @@ use super::hardpoints::{Hardpoint, Hardpoints, Number};
 use super::names::Names;
 use super::orientation::Orientation;
 use super::stand_in::{Spin, stand_in};
-use crate::load;
 use crate::mechanism::Length;
 use crate::number::rounded;
+use crate::prepare;
 use crate::side::Side;
 
 /// The data that the file has for a corner.
@@ -147,7 +147,7 @@ impl Imported<'_> {
         let (unit, _) = self.unit();
         let (side, stated_side) = (self.corner.side, self.corner.stated_side);
         let spin = Spin::new(stated, self.names, side, stated_side);
-        let names = load::points(&choice.listing).map(str::to_owned);
+        let names = prepare::point_names(&choice.listing).map(str::to_owned);
         let each = names.filter_map(|name| {
             let (position, origin) = match (self.position(&name), choice.point(&name)) {
                 (Some(at), Some(point)) => {

@@ -11,9 +11,9 @@ use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
 use super::rack::RACK;
 use crate::layouts::first_sentence;
-use crate::load::only_on_wrong_side;
 use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
+use crate::prepare::only_on_wrong_side;
 
 impl Imported<'_> {
     /// Returns the unit of lengths and the reason for it.

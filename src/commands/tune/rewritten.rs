@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 use toml::Spanned;
 
 use crate::file::{Coefficients, Dimension, MotionFile, Offset, Position, Source};
-use crate::load::Loaded;
 use crate::mechanism::Description;
 use crate::number::exact;
+use crate::prepare::Loaded;
 use crate::tune::Tuned;
 
 /// Changes of coordinates up to this size are rounding, in the unit of the file.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 use suspension::file::{Position, Source};
-use suspension::load::load;
+use suspension::prepare::load;
 use suspension_core::listing::{Kind, Part, Parts};
 use suspension_core::{Signal, Values};
 use suspension_runtime::Listing;
@@ -44,7 +44,7 @@ fn contents(listing: &Listing) -> String {
     };
     let points = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
     let counts = points.map(|kind| listing.count(kind));
-    let points: Vec<&str> = suspension::load::points(listing).collect();
+    let points: Vec<&str> = suspension::prepare::point_names(listing).collect();
     format!(
         "{counts:?} {points:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         parts(Kind::Unknown, Part::Unknown),
@@ -65,7 +65,7 @@ fn assert_same(printed: &str, file: &Path) {
     assert_eq!(contents(&listing), contents(loaded.listing()), "{printed}");
     let design = listing.design().expect("all positions");
     let mechanism = loaded.at_design().expect("assembled");
-    let names = suspension::load::points(&listing);
+    let names = suspension::prepare::point_names(&listing);
     for ((name, at), assembled) in names.zip(design).zip(mechanism.points()) {
         assert!(
             (at - assembled).amax() < 1e-12 * assembled.amax().max(1.0),

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
-use suspension::load::load;
+use suspension::prepare::load;
 use suspension::quantities::{catalogue, columns};
 
 /// Instants to ask of a motion that does begin.

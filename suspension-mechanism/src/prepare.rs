@@ -1,0 +1,23 @@
+//! From a motion file to a mechanism in the configuration of the first instant.
+
+mod analyses;
+mod assembled;
+mod column_names;
+mod design;
+mod first_instant;
+mod listing;
+mod loaded;
+mod mechanism;
+mod named_files;
+mod notes;
+mod other_axes;
+mod own_linkage;
+mod own_motion;
+mod task;
+mod vehicle;
+
+pub use analyses::combined_changes::describe_one_sided;
+pub use listing::points::point_names;
+pub use loaded::{Loaded, load};
+pub use notes::wrong_side::only_on_wrong_side;
+pub use own_linkage::load_own;

@@ -1,0 +1,54 @@
+//! Tuning as a motion file states it, with its names replaced by indices.
+
+mod measured_points;
+mod moves;
+mod named_parts;
+pub(super) mod one_sided_moves;
+mod target_values;
+mod targets;
+
+use crate::failure::Failure;
+use crate::file::{MotionFile, Source, TuneTable};
+use crate::kinematics::Kinematics;
+use crate::tune::{Move, Target};
+use moves::Moves;
+use named_parts::Naming;
+
+/// The moves and targets of a file, in its order.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first name that is not in the mechanism, at a missing entry, at a box without room, and
+/// at a mirrored point of the same side.
+pub(crate) fn tuning(
+    source: &Source,
+    file: &MotionFile,
+    mechanism: &dyn Kinematics,
+) -> Result<(Vec<Move>, Vec<Target>), Failure> {
+    let Some(table) = &file.tune else {
+        let message = "nothing to tune: write [tune.moves.NAME] and [tune.targets.NAME], see suspension tune --help";
+        return Err(source.refuse(&(0..0), message));
+    };
+    let naming = Naming { source, mechanism };
+    let of_moves = Moves {
+        naming,
+        followers: file.followers(&mechanism.names.points),
+        across: mechanism.points().iter().map(|at| at.y).collect(),
+    };
+    let TuneTable { moves, targets } = table.get_ref();
+    let moves = moves
+        .get_ref()
+        .iter()
+        .map(|(name, each)| of_moves.read_move(name, each));
+    let moves: Vec<Move> = moves.collect::<Result<_, _>>()?;
+    let targets = targets
+        .get_ref()
+        .iter()
+        .map(|(name, each)| naming.read_target(name, each));
+    let targets: Vec<Target> = targets.collect::<Result<_, _>>()?;
+    match (moves.is_empty(), targets.is_empty()) {
+        (false, false) => Ok((moves, targets)),
+        (true, _) => Err(source.refuse(&table.span(), "no moves: write [tune.moves.NAME]")),
+        (_, true) => Err(source.refuse(&table.span(), "no targets: write [tune.targets.NAME]")),
+    }
+}

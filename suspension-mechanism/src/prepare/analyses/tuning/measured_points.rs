@@ -1,0 +1,38 @@
+//! Measured points of a target in a CSV file.
+
+use suspension_listing::did_you_mean::unknown;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{CsvTable, Source};
+use crate::measured_table::MeasuredTable;
+use crate::prepare::named_files::read_beside;
+
+/// The points of the two columns that a motion file names.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the path, at a column that the file does not have, and at a line without a number in a column.
+pub(crate) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, Failure> {
+    let [drive, value] = stated.columns.get_ref().as_slice() else {
+        let message = "`columns` are two headings of the file, of the drive and of the quantity, for example [\"travel\", \"toe\"]";
+        return Err(source.refuse(&stated.columns.span(), message));
+    };
+    let table = MeasuredTable::new(&read_beside(source, &stated.csv)?)?;
+    let headings = table.headings();
+    let column = |wanted: &Spanned<String>| {
+        let mut each = headings.iter();
+        let found = each.position(|heading| heading == wanted.get_ref());
+        found.ok_or_else(|| {
+            let what = format!("column of {}:", table.name());
+            source.refuse(&wanted.span(), unknown(&what, wanted.get_ref(), &headings))
+        })
+    };
+    let (drive, value) = (column(drive)?, column(value)?);
+    let (places, values) = (table.numbers(drive)?, table.numbers(value)?);
+    Ok(places
+        .into_iter()
+        .zip(values)
+        .map(|(at, value)| [at, value])
+        .collect())
+}

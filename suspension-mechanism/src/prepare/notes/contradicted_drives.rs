@@ -1,0 +1,46 @@
+//! Statements of a file about drives that the mechanism at its design contradicts.
+
+use suspension_core::Values;
+
+use crate::file::Dimension;
+use crate::mechanism::{
+    CountedFrom, DriveAtDesign, DriveLaws, Instants, Suspension, ends, evenly_spaced, extent,
+};
+use crate::number::rounded;
+use crate::prepare::design::Design;
+use crate::prepare::task::Task;
+
+/// The number of instants at which drives are checked.
+const LOOKS: usize = 101;
+
+/// Doubts about the laws of drives, over the instants.
+pub(in crate::prepare) fn doubts<L: Suspension<N>, const N: usize>(
+    task: &Task<'_>,
+    design: &Design<L, N>,
+    laws: &DriveLaws,
+    instants: &Instants,
+) -> Vec<String> {
+    let looks = evenly_spaced(instants.ends(), LOOKS).into_iter();
+    let values = looks.map(|t| design.drives_in_file(&laws.inputs::<L::Drives>(t).drives.value));
+    let values: Vec<Vec<f64>> = values.collect();
+    let designed = design.drives_in_file(&design.drives);
+    let size = extent(design.points.values()).norm();
+    let stated = task.file.drives.get_ref();
+    let drives = task.names.drives.iter().enumerate();
+    let drives = drives.filter(|(_, drive)| stated.has(drive.name.as_str()));
+    let unit = task.file.unit();
+    let doubts = drives.filter_map(|(index, drive)| {
+        let ends = ends(values.iter().map(|values| values[index]))?;
+        let (name, design) = (&drive.name, designed[index]);
+        let in_file = design * Dimension::from(drive.kind).file_factor(unit);
+        let way = format!("; write {name} = [{}, ...]", rounded(in_file, 6));
+        let at_design = DriveAtDesign {
+            drive,
+            design,
+            size,
+            unit,
+        };
+        at_design.doubt(ends, CountedFrom::Zero, &way)
+    });
+    doubts.map(|doubt| format!("[drives]: {doubt}")).collect()
+}

@@ -1,0 +1,94 @@
+//! Notes on the points of a wheel that their author may not have meant.
+
+use nalgebra::Vector3;
+
+use crate::mechanism::{Wheel, side_of};
+use crate::number::rounded;
+use crate::prepare::task::Task;
+
+/// The angle, in degrees, by which no wheel is toed or cambered at its design position.
+const OFF_AXIS: f64 = 30.0;
+
+/// Notes on a wheel, from all points at the design position.
+pub(super) fn notes_on_wheel(
+    task: &Task<'_>,
+    wheel: &Wheel,
+    placed: &[Vector3<f64>],
+) -> impl Iterator<Item = String> {
+    let notes = [
+        kingpin(task, wheel, placed),
+        across_the_wheel(task, wheel, placed),
+        spin_axis(task, wheel, placed),
+    ];
+    notes.into_iter().flatten()
+}
+
+/// A note that the kingpin is stated from top to bottom.
+fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = &task.names;
+    let [lower, upper] = wheel.points.kingpin?;
+    let [from, to] = [lower, upper].map(|point| &names.points[point]);
+    let upwards = task.file.axes.turned(placed[upper] - placed[lower]);
+    (upwards.z < 0.0).then(|| {
+        let kingpin = wheel.stated("kingpin");
+        format!(
+            "the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle, or look at the \
+             axes and the signs of z if `{to}` is to be the upper end"
+        )
+    })
+}
+
+/// A note that the spin axis is far off the y direction at the design position: one of its two points is probably
+/// wrong.
+fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = &task.names;
+    let [inner, centre] = wheel.points.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let axis = placed[centre] - placed[inner];
+    let off = axis.xz().norm().atan2(axis.y.abs()).to_degrees();
+    (off > OFF_AXIS).then(|| {
+        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
+        format!(
+            "the spin axis of the {wheel}, from `{from}` to `{to}`, is {off} deg off the y direction at the design position: are these \
+             the two points that are meant, and their coordinates right?"
+        )
+    })
+}
+
+/// A note that the spin axis of a wheel on one side points to the other side.
+fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = &task.names;
+    let [inner, centre] = wheel.points.axis;
+    let [from, to] = [inner, centre].map(|point| &names.points[point]);
+    let outboard = placed[centre].y - placed[inner].y;
+    let side = task.y_in_file(&placed[centre]);
+    (outboard * side < 0.0).then(|| {
+        let wheel = wheel.stated("wheel");
+        format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
+    })
+}
+
+/// A note that a wheel is named for one side of the vehicle and stands on the other: the axes are probably others than stated.
+pub(super) fn named_side(
+    task: &Task<'_>,
+    wheel: &Wheel,
+    placed: &[Vector3<f64>],
+) -> Option<String> {
+    let axes = task.file.axes;
+    let named = side_of(&wheel.name)?;
+    let [_, centre] = wheel.points.axis;
+    let [_, left, _] = axes.signs();
+    let is = match task.y_in_file(&placed[centre]) * left {
+        to_left if to_left > 0.0 => "left",
+        to_left if to_left < 0.0 => "right",
+        _ => return None,
+    };
+    (named != is).then(|| {
+        format!(
+            "the wheel `{}` is on the {named} by its name, and on the {is} by the y of `{}` in axes of {}: are the axes right?",
+            wheel.name,
+            task.names.points[centre],
+            axes.in_words()
+        )
+    })
+}

@@ -1,0 +1,169 @@
+//! A file that is being prepared, and what is to be made of it.
+
+use nalgebra::Vector3;
+use suspension_core::listing::{Part, Parts};
+use suspension_core::model::local::LocalOrigin;
+use suspension_core::{GeometryError, Values};
+use suspension_runtime::Listing;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{Coefficients, Dimension, MotionFile, Source, Table};
+use crate::mechanism::{DriveLaws, Instants, Names, Polynomial};
+use crate::number::{number, rounded};
+use crate::prepare::design::unsatisfied::Unsatisfied;
+
+/// The mechanism to be prepared.
+#[derive(Clone, Copy)]
+pub(super) struct Request<'a> {
+    pub(super) source: &'a Source,
+    pub(super) file: &'a MotionFile,
+    /// Its listing, if that was read at run time.
+    pub(super) listing: Option<&'a Listing>,
+    pub(super) instants: &'a Instants,
+    pub(super) to: Start,
+}
+
+/// The place of a mechanism when work on it starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Start {
+    /// The first instant of its motion.
+    FirstInstant,
+    /// The first instant or, if that is out of reach, the design position, with a note.
+    WithinReach,
+    /// The design position, held by drives and not by a measure.
+    Design,
+}
+
+/// A file whose mechanism is being prepared.
+pub(super) struct Task<'a> {
+    pub(super) source: &'a Source,
+    /// The file as it was read: in its own coordinates and units.
+    pub(super) file: &'a MotionFile,
+    /// The first instant, s.
+    pub(super) first: f64,
+    pub(super) names: Names,
+    /// The origin of the local coordinates, in which the mechanism is computed.
+    pub(super) origin: LocalOrigin<f64>,
+}
+
+impl<'a> Task<'a> {
+    /// A file with the names of all parts.
+    pub(super) fn new(request: &Request<'a>, names: Names, origin: LocalOrigin<f64>) -> Self {
+        Self {
+            source: request.source,
+            file: request.file,
+            first: request.instants.ends()[0],
+            names,
+            origin,
+        }
+    }
+
+    /// Points out, in the file, the cause why a linkage cannot be built.
+    pub(super) fn refuse_geometry(&self, error: &GeometryError) -> Failure {
+        let Self {
+            source,
+            file,
+            names,
+            ..
+        } = self;
+        let points = file.points.get_ref();
+        let lengths = file.lengths.as_ref();
+        let name = names.name(error.part());
+        let span = match error {
+            GeometryError::NotFinite { .. }
+            | GeometryError::Collinear { .. }
+            | GeometryError::Flat { .. }
+            | GeometryError::NoLine { .. } => points.get(name).map(Spanned::span),
+            GeometryError::BadLength { .. } => lengths
+                .and_then(|lengths| lengths.get_ref().get(name))
+                .map(Spanned::span),
+            GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
+            GeometryError::SmallPivot { .. } => None,
+        };
+        source.refuse(
+            &span.unwrap_or_else(|| file.points.span()),
+            error.named(names),
+        )
+    }
+
+    /// A description of an equation that points do not satisfy, with the error.
+    pub(super) fn unsatisfied_in_words(&self, Unsatisfied { equation, by }: Unsatisfied) -> String {
+        const DIGITS: usize = 3;
+        let (by, unit) = (rounded(by, DIGITS), self.file.unit().symbol());
+        let equation = self.names.name(Part::Equation(equation));
+        format!("equation `{equation}`, by {by} {unit}")
+    }
+
+    /// Notes with the name of the file before them.
+    pub(super) fn of_file(
+        &self,
+        notes: impl IntoIterator<Item = String>,
+    ) -> impl Iterator<Item = String> {
+        let name = self.source.name();
+        notes.into_iter().map(move |note| format!("{name}: {note}"))
+    }
+
+    /// The y of a local point in the file, where the middle of the vehicle is at zero.
+    pub(super) fn y_in_file(&self, point: &Vector3<f64>) -> f64 {
+        point.y + self.origin.position().y
+    }
+
+    /// A number of the file, in radians if it is an angle.
+    pub(super) fn in_radians(&self, stated: f64, dimension: impl Into<Dimension>) -> f64 {
+        stated / dimension.into().file_factor(self.file.unit())
+    }
+
+    /// A polynomial of the file in local coordinates, which differ by `offset` from those of the file.
+    pub(super) fn local(
+        &self,
+        Coefficients(stated): &Coefficients,
+        dimension: impl Into<Dimension> + Copy,
+        offset: f64,
+    ) -> Polynomial {
+        let radians = stated
+            .iter()
+            .map(|stated| self.in_radians(*stated, dimension));
+        let mut coefficients: Vec<f64> = radians.collect();
+        if let Some(constant) = coefficients.first_mut() {
+            *constant -= offset;
+        }
+        Polynomial::new(coefficients)
+    }
+
+    /// The drives over time, which differ by `offsets` from those of the file; drives that the file does not lead keep
+    /// their values in `held`.
+    pub(super) fn drive_laws<D: Values<f64>>(&self, offsets: &D, held: &D) -> DriveLaws {
+        let table = self.file.drives.get_ref();
+        let each = self.names.drives.iter();
+        let each = each.zip(offsets.values().zip(held.values()));
+        DriveLaws::new(each.map(|(drive, (offset, held))| {
+            let stated = table.get(drive.name.as_str());
+            let stated = stated.map(|stated| self.local(stated.get_ref(), drive.kind, offset));
+            stated.unwrap_or_else(|| Polynomial::new(vec![held]))
+        }))
+    }
+
+    /// Checks that driving angles are in their ranges. `table` has the drives' places.
+    pub(super) fn check_angles<V>(
+        &self,
+        values: impl Iterator<Item = f64>,
+        table: &Table<V>,
+    ) -> Result<(), Failure> {
+        for (drive, value) in self.names.drives.iter().zip(values) {
+            let (name, angle) = (&drive.name, self.file.angle);
+            if let Some(bounds) = angle.bounds_exceeded(drive.kind, value) {
+                let place = table.get_ref().get(name.as_str()).map(Spanned::span);
+                let message = format!(
+                    "drive `{name}` begins at {} {}; {bounds}",
+                    number(value * angle.radian()),
+                    angle.symbol(),
+                );
+                return Err(self
+                    .source
+                    .refuse(&place.unwrap_or_else(|| table.span()), message));
+            }
+        }
+        Ok(())
+    }
+}
