@@ -1,7 +1,7 @@
 //! A scene of 40 cars at 1 kHz: one detail for all corners, or for each car the detail that it needs.
 //!
 //! The player's car is exact, acceleration included. The rest need 0.1 mm and no acceleration; how
-//! they are computed is chosen from measured figures (`suspension::detail`).
+//! they are computed is chosen from measured figures (`suspension::level_of_detail`).
 //!
 //! `cargo run --profile bench --example scene`
 
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
-use suspension::detail::{self, Detail, Method, Need, Outputs, choose};
+use suspension::level_of_detail::{self, Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
 
@@ -178,7 +178,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let need = Need {
         tolerance: 1e-4,
         outputs: Outputs::Velocity,
-        points: detail::Points::Wheel,
+        points: level_of_detail::Points::Wheel,
         step: STEP,
     };
     let Detail { method, .. } = choose(&need).ok_or("no method meets the need")?;

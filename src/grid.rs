@@ -6,7 +6,8 @@ use crate::failure::Failure;
 use crate::file::{Dimension, tell};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, Description, DriveAtDesign, Grid, MOST_PLACES, Unit, evenly_spaced, extent,
+    CountedFrom, Description, DriveAtDesign, Grid, GridAxis, MOST_PLACES, Unit, evenly_spaced,
+    extent,
 };
 
 /// The name of what moves, a drive for example, and its values: `bump=-0.08:0.08:161`.
@@ -115,10 +116,10 @@ pub fn grid(
     Ok(grid)
 }
 
-fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<Axis>, String> {
-    let mut axes: Vec<Axis> = Vec::new();
+fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<GridAxis>, String> {
+    let mut axes: Vec<GridAxis> = Vec::new();
     for of_one in swept {
-        let axis = Axis::named(mechanism, &of_one.name, &of_one.values(), &axes)?;
+        let axis = GridAxis::named(mechanism, &of_one.name, &of_one.values(), &axes)?;
         let opposite = axis.drives.iter().find(|(_, part)| *part < 0.0);
         if let Some((drive, _)) = opposite.filter(|_| absolute) {
             let name = &mechanism.names.drives[*drive].name;
@@ -134,10 +135,10 @@ fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<
 /// Returns sentences on doubtful values of drives in options, each with its axis.
 fn doubts(
     mechanism: &dyn Kinematics,
-    (swept, axes): (&[Swept], &[Axis]),
+    (swept, axes): (&[Swept], &[GridAxis]),
     absolute: bool,
 ) -> Vec<String> {
-    let of_one = |(of_one, axis): (&Swept, &Axis)| {
+    let of_one = |(of_one, axis): (&Swept, &GridAxis)| {
         let (drive, _) = axis.drives.first()?;
         let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
         doubt_of_option(mechanism, *drive, (ends, mechanism.unit), absolute)

@@ -18,7 +18,7 @@ mod side;
 mod signals;
 
 pub use suspension_mechanism::{
-    assemblies, bake, characteristics, decimals, detail, failure, file, interrupt, kinematics,
-    loads, measured_table, mechanism, number, prepare, quantities, reach, sensitivities,
-    tolerances, tune,
+    assemblies, bake, characteristics, decimals, failure, file, interrupt, kinematics,
+    level_of_detail, loads, measured_table, mechanism, number, prepare, quantities, reach,
+    sensitivities, tolerances, tune,
 };

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::file::{Dimension, MotionFile, Source, tell};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, CountedFrom, Description};
+use crate::mechanism::{CountedFrom, Description, GridAxis};
 use crate::number::number;
 use crate::output::beside::name_of;
 use crate::output::files::{announce, print, refuse_existing};
@@ -113,7 +113,7 @@ fn ended(report: &Report<'_>) -> Result<(), Failure> {
 
 /// Returns sentences on doubtful values of drives in the targets.
 fn doubtful_ranges(mechanism: &dyn Kinematics, targets: &[tune::Target]) -> Vec<String> {
-    let of_axis = |target: &tune::Target, axis: &Axis| {
+    let of_axis = |target: &tune::Target, axis: &GridAxis| {
         let (drive, _) = *axis.drives.iter().find(|(_, part)| *part > 0.0)?;
         let kind = mechanism.names.drives[drive].kind;
         let scale = Dimension::from(kind).file_factor(mechanism.unit);

@@ -14,7 +14,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use suspension_mechanism::characteristics::columns;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
-use suspension_mechanism::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
+use suspension_mechanism::mechanism::{CountedFrom, DerivativeOrder, Grid, GridAxis, Place};
 use suspension_mechanism::prepare::load;
 use suspension_mechanism::quantities::{Column, Reader};
 use suspension_mechanism::sensitivities::sensitivities;
@@ -62,7 +62,7 @@ fn of_linkage(criterion: &mut Criterion, linkage: &str) {
     let changes = loaded.changes(mechanism).expect("changes");
     let columns = columns(mechanism);
     let travel = mechanism.names.vehicle.travel[0];
-    let axis = Axis::for_drive(travel, vec![TRAVEL]);
+    let axis = GridAxis::for_drive(travel, vec![TRAVEL]);
     let grid = Grid::new(mechanism, vec![axis], CountedFrom::Start).expect("a grid");
     let mut group = criterion.benchmark_group(linkage);
     group.bench_function("state", |bencher| {

@@ -17,7 +17,7 @@ use suspension_mechanism::characteristics::GridTable;
 use suspension_mechanism::file::Source;
 use suspension_mechanism::kinematics::Kinematics;
 use suspension_mechanism::mechanism::{
-    Axis, CountedFrom, DerivativeOrder, Grid, Mechanism, evenly_spaced,
+    CountedFrom, DerivativeOrder, Grid, GridAxis, Mechanism, evenly_spaced,
 };
 use suspension_mechanism::prepare::load;
 
@@ -45,7 +45,7 @@ fn written(walked: &dyn Kinematics) -> Mechanism<Model<f64>, 12> {
         description: (**walked).clone(),
         model,
         lead: None,
-        changing: None,
+        design_derivatives: None,
     }
 }
 
@@ -66,7 +66,7 @@ fn sweeps(criterion: &mut Criterion) {
     let names = walked.names.drive_names();
     let axis = |name: &str, (most, count): (f64, usize)| {
         let drive = names.iter().position(|drive| *drive == name);
-        Axis::for_drive(drive.expect("a drive"), evenly_spaced([-most, most], count))
+        GridAxis::for_drive(drive.expect("a drive"), evenly_spaced([-most, most], count))
     };
     let axes = vec![axis("bump", BUMP), axis("steer", STEER)];
     let grid = Grid::new(&walked, axes, CountedFrom::Start).expect("a grid");

@@ -1,10 +1,10 @@
 //! A mechanism of any linkage, without type parameters: what commands work on.
 
-mod assembled;
+mod assemblies;
 mod changed;
-mod changing;
-mod elsewhere;
+mod design_derivatives;
 mod equations;
+mod misplaced_points;
 
 use std::ops::Deref;
 use std::sync::atomic::AtomicBool;
@@ -20,17 +20,17 @@ use crate::bake::{
 };
 use crate::failure::Failure;
 use crate::mechanism::{
-    Borne, Changing, CountedFrom, DerivativeOrder, Description, End, Grid, Instants, Lock,
+    Borne, CountedFrom, DerivativeOrder, Description, DesignDerivatives, End, Grid, Instants, Lock,
     Mechanism, OnPlace, OnState, Place, State, Suspension, VisitEnd, Visited,
 };
 use crate::reach::{self, DriveRange};
-use assembled::Enumerated;
+use assemblies::Enumerated;
 
-pub use assembled::{Assembled, Assembly};
+pub use assemblies::{Assembled, Assembly};
 pub use changed::{Changes, Unbuilt};
-pub(crate) use changing::changing;
-pub use elsewhere::elsewhere;
+pub(crate) use design_derivatives::design_derivatives;
 pub use equations::Equations;
+pub use misplaced_points::misplaced_points;
 
 /// A mechanism of any linkage at the first instant of its motion. It can be read as its [`Description`].
 pub trait Kinematics: Deref<Target = Description> {
@@ -116,7 +116,7 @@ pub trait Kinematics: Deref<Target = Description> {
 
     /// The mechanism at its start, and how it changes with its design; `None` if it locks there, and for a model that
     /// `linkage!` has written.
-    fn changing(&self) -> Option<Box<dyn Changing + '_>>;
+    fn design_derivatives(&self) -> Option<Box<dyn DesignDerivatives + '_>>;
 
     /// The time that the motion takes in steps of `dt`, without the first step, and the number of steps; `None` if it
     /// has none, or stops.
@@ -244,8 +244,8 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         Ok(Box::new(changed::changed(self, changes)?))
     }
 
-    fn changing(&self) -> Option<Box<dyn Changing + '_>> {
-        (self.changing?)(self)
+    fn design_derivatives(&self) -> Option<Box<dyn DesignDerivatives + '_>> {
+        (self.design_derivatives?)(self)
     }
 
     fn time_steps(&self, dt: f64) -> Option<(Duration, u32)> {

@@ -13,15 +13,15 @@
 //! - [`bake`]: motions as polynomials; [`reach`]: how far a drive leads the mechanism;
 //! - [`assemblies`]: all ways to put a mechanism together;
 //! - [`measured_table`]: tables of measured numbers; [`decimals`]: what their commas and points mean;
-//! - [`detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
+//! - [`level_of_detail`]: the cheapest method for a need; [`dual`]: numbers with derivatives in several directions.
 
 pub mod assemblies;
 pub mod bake;
 pub mod characteristics;
 pub mod decimals;
-pub mod detail;
 pub mod dual;
 pub mod kinematics;
+pub mod level_of_detail;
 pub mod loads;
 pub mod measured_table;
 pub mod mechanism;

@@ -1,13 +1,12 @@
 //! The effects of load cases on a mechanism: the forces on its drives, the force in each link, and the forces that
 //! bodies exert at their joints.
 
-mod bearing;
+mod chassis_forces;
 mod forces;
-mod in_measures;
+mod measure_loads;
 mod moments;
-mod on_chassis;
 mod outcome;
-mod shares;
+mod shared_joints;
 mod site;
 mod springs_left_out;
 mod unborne;
@@ -20,10 +19,9 @@ use suspension_runtime::{AngleShare, Listing, PartForces, Statement};
 
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Borne, Description, Names, State};
-use bearing::bearing;
 use forces::{Force, Here, summed};
-use in_measures::add_stated;
-use shares::Shared;
+use measure_loads::{add_stated, loads_borne_by_measures};
+use shared_joints::Shared;
 
 pub use outcome::{By, Outcome};
 pub use site::{Site, contact_of};
@@ -100,7 +98,7 @@ impl<'l> Structure<'l> {
         let of_springs = self.of_springs(case, state);
         forces.extend(here.forces_in_measures(&[case.along.as_slice(), &of_springs].concat()));
         forces.extend(here.forces_of_masses(&case.field)?);
-        let bearing = bearing(&here, &case.borne_by, &forces)?;
+        let bearing = loads_borne_by_measures(&here, &case.borne_by, &forces)?;
         forces.extend(here.forces_in_measures(&bearing));
         let Borne {
             on_drives,

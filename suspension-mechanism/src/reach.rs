@@ -1,13 +1,13 @@
 //! The range of a drive: the drive is set free, and the curve of configurations is followed both ways.
 
-mod course;
 mod drive_range;
+mod free_drive;
 mod limit;
 mod meeting;
 mod station;
 
-pub use course::range;
 pub use drive_range::{DriveRange, POOR};
+pub use free_drive::range;
 pub use limit::{Limit, RangeEnd};
 pub use meeting::{CARRIED_ON, holds, meeting, moves_alone};
 pub use station::Station;

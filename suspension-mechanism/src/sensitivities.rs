@@ -5,9 +5,9 @@
 //! changes with the drives held. The derivatives are exact, except for the effects of springs and for a model that
 //! `linkage!` has written: these are differences.
 
+mod design_values;
 mod difference;
 mod exact;
-mod read;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -17,8 +17,8 @@ use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
 use crate::mechanism::{CHANGES_AT_ONCE, Description, Names};
 use crate::quantities::{Axis, Column};
+pub use design_values::design_values;
 use exact::Exact;
-pub use read::read;
 
 /// A change of the design.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,7 @@ pub fn sensitivities(
     mut on_change: impl FnMut(),
 ) -> Option<Sensitivities> {
     let columns = columns(mechanism);
-    let design = mechanism.changing();
+    let design = mechanism.design_derivatives();
     let state = mechanism.at_start(&mut |place| place.state());
     let exact = design.as_ref().zip(state);
     let exact = exact.map(|(design, state)| Exact::new(mechanism, &**design, state));
@@ -129,7 +129,7 @@ pub fn sensitivities(
         }
     }
     Some(Sensitivities {
-        values: read(mechanism, &columns)?,
+        values: design_values(mechanism, &columns)?,
         columns,
         each,
     })

@@ -8,7 +8,7 @@ use rand_pcg::rand_core::SeedableRng;
 
 use crate::characteristics::columns;
 use crate::kinematics::{Changes, Kinematics};
-use crate::sensitivities::{Change, Sensitivities, read};
+use crate::sensitivities::{Change, Sensitivities, design_values};
 
 /// A change with a random size, independent of all others.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +81,10 @@ pub fn sampled(
         });
         let changes = Changes::sum(each);
         let changed = mechanism.changed(&changes);
-        if let Some(sample) = changed.ok().and_then(|changed| read(&*changed, &columns)) {
+        if let Some(sample) = changed
+            .ok()
+            .and_then(|changed| design_values(&*changed, &columns))
+        {
             built += 1;
             add(&mut spreads, &sample);
         }

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{DVector, Vector3};
 
 use crate::failure::Failure;
-use crate::kinematics::{Changes, Kinematics, elsewhere};
+use crate::kinematics::{Changes, Kinematics, misplaced_points};
 use fit::{Bounds, Fit, fit, start};
 
 pub use fit::MOST_STEPS;
@@ -175,7 +175,7 @@ impl Problem<'_> {
 /// The moved points that are not where they were moved to when the mechanism is assembled.
 fn held(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
     let moved: Vec<usize> = points.iter().map(|(point, _)| *point).collect();
-    let mut elsewhere = elsewhere(mechanism, points);
+    let mut elsewhere = misplaced_points(mechanism, points);
     elsewhere.retain(|point| moved.contains(point));
     elsewhere
 }

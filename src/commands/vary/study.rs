@@ -13,7 +13,7 @@ use crate::number::without_rounding;
 use crate::output::notes::{noted_unmet_range, print_notes};
 use crate::output::progress::Progress;
 use crate::quantities::Column;
-use crate::sensitivities::read;
+use crate::sensitivities::design_values;
 
 /// Smaller differences are rounding, absolute or relative to a larger number.
 pub(super) const ROUNDING: f64 = 1e-9;
@@ -112,7 +112,7 @@ impl Study {
         spans: Option<Spans>,
         interrupted: &AtomicBool,
     ) {
-        let numbers = read(mechanism, &self.columns).unwrap_or_default();
+        let numbers = design_values(mechanism, &self.columns).unwrap_or_default();
         let mut curves = Vec::new();
         if let Some(spans) = spans {
             let unit = mechanism.unit;

@@ -1,7 +1,7 @@
 //! What is varied, in words.
 
 use crate::failure::Failure;
-use crate::kinematics::{Kinematics, elsewhere};
+use crate::kinematics::{Kinematics, misplaced_points};
 use crate::mechanism::listed;
 use crate::number::{rounded, without_rounding};
 use crate::sensitivities::Change;
@@ -35,7 +35,7 @@ impl Varied<'_> {
     pub(super) fn describe_elsewhere(&self, values: &[f64]) -> Option<String> {
         let largest = values.iter().copied();
         let largest = largest.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-        let points = elsewhere(self.mechanism, self.change.per_unit.times(largest).points);
+        let points = misplaced_points(self.mechanism, self.change.per_unit.times(largest).points);
         let names = &self.mechanism.names.points;
         let points = points.iter().map(|point| format!("`{}`", names[*point]));
         let points = listed(points);

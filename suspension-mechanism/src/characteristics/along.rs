@@ -4,14 +4,14 @@ use std::sync::atomic::AtomicBool;
 
 use suspension_core::listing::DriveKind;
 
-use crate::characteristics::course::Course;
+use crate::characteristics::modes::Mode;
 use crate::characteristics::places::through_design;
 use crate::characteristics::span::Span;
 use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, DerivativeOrder, Grid, Names, Place, State, Unit, Visited,
+    CountedFrom, DerivativeOrder, Grid, GridAxis, Names, Place, State, Unit, Visited,
 };
 use crate::number::number;
 
@@ -56,9 +56,9 @@ pub fn ways(
 ) -> Vec<Along> {
     let names = &mechanism.names;
     let mut ways: Vec<Along> = Vec::new();
-    for course in Course::all(mechanism) {
-        let option = option_of(&course);
-        let kind = names.drives[course.drives[0].0].kind;
+    for mode in Mode::all(mechanism) {
+        let option = option_of(&mode);
+        let kind = names.drives[mode.drives[0].0].kind;
         let span = spans[option];
         let metre = mechanism.unit.metre();
         let span = match (span, kind) {
@@ -67,18 +67,18 @@ pub fn ways(
                 ends.map(|end| end / unit.angle.radian())
             }
             (None, kind) => {
-                let end = usual_change(course.does, kind, mechanism.unit);
+                let end = usual_change(mode.does, kind, mechanism.unit);
                 [-end, end]
             }
         };
-        let Some(span) = within_travel(course.does, span) else {
+        let Some(span) = within_travel(mode.does, span) else {
             continue;
         };
-        let is_same = |along: &&Along| along.way.does == course.does;
+        let is_same = |along: &&Along| along.way.does == mode.does;
         let number = 1 + ways.iter().filter(is_same).count();
         ways.push(compute_along(
             mechanism,
-            course,
+            mode,
             number,
             (kind, span, spans[option].is_none()),
             interrupted,
@@ -148,9 +148,9 @@ pub fn no_steering(file: &str) -> Failure {
     ))
 }
 
-/// The number of the span that a course moves through: that of travel or that of steering.
-fn option_of(course: &Course) -> usize {
-    usize::from(course.does == Does::Steer)
+/// The number of the span that a mode moves through: that of travel or that of steering.
+fn option_of(mode: &Mode) -> usize {
+    usize::from(mode.does == Does::Steer)
 }
 
 /// Returns notes on spans that seem to be in another unit.
@@ -168,10 +168,10 @@ pub fn check_spans(
     if names.vehicle.travel.is_empty() {
         return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
     }
-    let notes = Course::all(mechanism).into_iter().filter_map(|course| {
-        let kind = names.drives[course.drives[0].0].kind;
-        let span = spans[option_of(&course)].filter(|_| kind == DriveKind::Coordinate)?;
-        note_on_length(file, &course.title, span, unit)
+    let notes = Mode::all(mechanism).into_iter().filter_map(|mode| {
+        let kind = names.drives[mode.drives[0].0].kind;
+        let span = spans[option_of(&mode)].filter(|_| kind == DriveKind::Coordinate)?;
+        note_on_length(file, &mode.title, span, unit)
     });
     Ok(notes.collect())
 }
@@ -186,7 +186,7 @@ fn note_on_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) -> 
     })
 }
 
-/// The part of a span that a course moves through: in roll, where one wheel moves down as far as the other moves up, the
+/// The part of a span that a mode moves through: in roll, where one wheel moves down as far as the other moves up, the
 /// part in which neither leaves the span. `None` if there is none.
 fn within_travel(does: Does, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
     let end = to.min(-from);
@@ -199,8 +199,8 @@ fn within_travel(does: Does, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
 /// A sentence on the range of the curves over roll, if a stated travel is longer to one side than to the other.
 pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<String> {
     let Span([from, to]) = travel.filter(|Span([from, to])| *from != -to)?;
-    let mut courses = Course::all(mechanism).into_iter();
-    courses.find(|course| course.does == Does::Roll)?;
+    let mut modes = Mode::all(mechanism).into_iter();
+    modes.find(|mode| mode.does == Does::Roll)?;
     Some(match within_travel(Does::Roll, [from, to]) {
         Some(ends) => {
             let [low, high] = ends.map(number);
@@ -216,19 +216,19 @@ pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<
 
 fn compute_along(
     mechanism: &dyn Kinematics,
-    course: Course,
+    mode: Mode,
     number: usize,
     (kind, span, is_usual): (DriveKind, [f64; 2], bool),
     interrupted: &AtomicBool,
 ) -> Along {
-    let Course {
+    let Mode {
         title,
         does,
         moved,
         drives,
-    } = course;
+    } = mode;
     let changes = through_design(span, PLACES);
-    let axis = Axis {
+    let axis = GridAxis {
         drives: drives.clone(),
         values: changes.clone(),
     };

@@ -2,7 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::characteristics::instead::{
+use crate::characteristics::suggestions::{
     named_in_reports, not_of_this, suggest_for_wheels, zero_at_design,
 };
 use crate::characteristics::title::as_in_tables;

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::characteristics::parameters::{Derivative, Parameter, is_height_per_height, symbol_per};
-use crate::characteristics::rise::height_of;
+use crate::characteristics::wheel_rise::height_of;
 use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
 

@@ -155,6 +155,6 @@ fn assemble_nearest<L: Suspension<N>, const N: usize>(
         model,
         start: Motion::at_rest(position),
         lead: None,
-        changing: mechanism.changing,
+        design_derivatives: mechanism.design_derivatives,
     })
 }

@@ -4,14 +4,14 @@ use std::ops::Deref;
 
 use suspension_core::{Motion, Values};
 
-use crate::mechanism::derivatives::design_derivatives::Changing;
+use crate::mechanism::derivatives::design_derivatives::DesignDerivatives;
 use crate::mechanism::description::Description;
 use crate::mechanism::motion::lead::Lead;
 use crate::mechanism::suspension::Suspension;
 
 /// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.
-pub type WhereItStarts<L, const N: usize> =
-    for<'a> fn(&'a Mechanism<L, N>) -> Option<Box<dyn Changing + 'a>>;
+pub type FindDesignDerivatives<L, const N: usize> =
+    for<'a> fn(&'a Mechanism<L, N>) -> Option<Box<dyn DesignDerivatives + 'a>>;
 
 /// A linkage in the configuration of the first instant, with its drives over time. It can be read as its
 /// [`Description`].
@@ -26,7 +26,7 @@ pub struct Mechanism<L, const N: usize> {
     /// The measure that leads instead of a drive.
     pub lead: Option<Lead<N>>,
     /// The change of the mechanism with its design, if its model provides it.
-    pub changing: Option<WhereItStarts<L, N>>,
+    pub design_derivatives: Option<FindDesignDerivatives<L, N>>,
 }
 
 impl<L, const N: usize> Deref for Mechanism<L, N> {

@@ -40,14 +40,14 @@ pub(super) fn outwards(axis: &[AxisPlace], drives: &[f64]) -> [Vec<usize>; 2] {
 
 /// An axis of a grid.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub struct GridAxis {
     /// The drives that move together, by number, each with its change per unit along the axis.
     pub drives: Vec<(usize, f64)>,
     /// The values along the axis.
     pub values: Vec<f64>,
 }
 
-impl Axis {
+impl GridAxis {
     /// An axis of one drive.
     pub fn for_drive(drive: usize, values: Vec<f64>) -> Self {
         Self {
@@ -161,7 +161,7 @@ impl Grid {
     /// A sentence, if there are too many places.
     pub fn new(
         mechanism: &Description,
-        axes: Vec<Axis>,
+        axes: Vec<GridAxis>,
         from: CountedFrom,
     ) -> Result<Self, String> {
         let start = mechanism.first_drives();
@@ -169,7 +169,7 @@ impl Grid {
             CountedFrom::Start => start[drive],
             CountedFrom::Zero => -mechanism.drive_offsets[drive],
         };
-        let places = |Axis { drives, values }: Axis| -> Vec<AxisPlace> {
+        let places = |GridAxis { drives, values }: GridAxis| -> Vec<AxisPlace> {
             let place = |value: f64| {
                 let moved = drives.iter();
                 moved

@@ -14,7 +14,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{MotionFile, Position, Source, check};
-use crate::kinematics::{Kinematics, changing};
+use crate::kinematics::{Kinematics, design_derivatives};
 use crate::mechanism::{Axes, Length, Mechanism};
 use crate::prepare::listing::points::{point_names, stated_at};
 use crate::prepare::mechanism::prepare;
@@ -95,7 +95,7 @@ impl ChosenListing {
     {
         let mut mechanism: Mechanism<Model<'c, f64, N>, N> = prepare(request, &self.name, listing)?;
         mechanism.description.notes.extend(self.notes.clone());
-        mechanism.changing = Some(changing);
+        mechanism.design_derivatives = Some(design_derivatives);
         Ok(Box::new(mechanism))
     }
 }

@@ -67,7 +67,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
         model: assembled.design.model,
         start: begin.start,
         lead: begin.lead,
-        changing: None,
+        design_derivatives: None,
     })
 }
 

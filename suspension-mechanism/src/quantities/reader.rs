@@ -1,5 +1,11 @@
 //! The reader of the quantities of one state.
 
+pub(super) mod axle_in_roll;
+pub(super) mod iso_positions;
+pub(super) mod opposite_wheel;
+pub(super) mod two_drives;
+pub(super) mod wheel;
+
 use std::cell::OnceCell;
 use std::ops::Deref;
 
@@ -7,17 +13,17 @@ use suspension_core::Signal;
 use suspension_core::wheel::SteeringAxis;
 
 use crate::mechanism::{Positions, State};
-use crate::quantities::beside::Beside;
-use crate::quantities::in_roll::InRoll;
 use crate::quantities::number::Number;
-use crate::quantities::places::Places;
-use crate::quantities::two_drives::{combined, rates};
-use crate::quantities::wheel::{Along, Moving, Rolling, Wheel, carrier};
+use crate::quantities::reader::axle_in_roll::InRoll;
+use crate::quantities::reader::iso_positions::IsoPositions;
+use crate::quantities::reader::opposite_wheel::OppositeWheel;
+use crate::quantities::reader::two_drives::{combined, rates};
+use crate::quantities::reader::wheel::{Along, Moving, Rolling, Wheel, carrier};
 
 /// Reads quantities of one state of a mechanism. Values that several of them need are computed once. It can be read
 /// as the [`State`].
 pub struct Reader<'a, N = Signal<f64>> {
-    pub(super) places: Places<'a, N>,
+    pub(super) positions: IsoPositions<'a, N>,
     first: Cells<N>,
 }
 
@@ -61,20 +67,20 @@ impl<'a, N: Number> Reader<'a, N> {
     /// Reads a state with what its positions determine in numbers of this type.
     pub(crate) fn with_numbers(state: &'a State, numbers: &'a dyn Positions<N>) -> Self {
         Self {
-            places: Places { state, numbers },
+            positions: IsoPositions { state, numbers },
             first: Cells::default(),
         }
     }
 
     pub(super) fn wheel(&self, rolling: Rolling) -> &Wheel<N> {
         let wheel = &self.cells(rolling).wheel;
-        wheel.get_or_init(|| Wheel::read(&self.places, rolling))
+        wheel.get_or_init(|| Wheel::read(&self.positions, rolling))
     }
 
     /// The wheel at the design position, if that is known.
     pub(super) fn at_design(&self, rolling: Rolling) -> Option<&Wheel<N>> {
         let design = &self.cells(rolling).design;
-        let of_design = || Wheel::at_design(&self.places, rolling);
+        let of_design = || Wheel::at_design(&self.positions, rolling);
         design.get_or_init(of_design).as_ref()
     }
 
@@ -83,7 +89,9 @@ impl<'a, N: Number> Reader<'a, N> {
         let kingpin = &self.cells(rolling).kingpin;
         let through = || {
             let ends = rolling.points.kingpin?;
-            Some(SteeringAxis::through(ends.map(|end| self.places.at(end))))
+            Some(SteeringAxis::through(
+                ends.map(|end| self.positions.at(end)),
+            ))
         };
         kingpin.get_or_init(through).as_ref()
     }
@@ -104,10 +112,15 @@ impl<'a, N: Number> Reader<'a, N> {
     }
 
     /// A wheel when its drive and that of the wheel beside it move it, so that their centres rise at the rates `at`.
-    fn moved_by_both(&self, rolling: Rolling, beside: &Beside, at: [f64; 2]) -> Option<Moving<N>> {
+    fn moved_by_both(
+        &self,
+        rolling: Rolling,
+        beside: &OppositeWheel,
+        at: [f64; 2],
+    ) -> Option<Moving<N>> {
         let [one, other] = [rolling.travel?, beside.travel];
         let own = [self.moved_by(one, rolling)?, self.moved_by(other, rolling)?];
-        let carrier_beside = |drive| carrier(&self.places, drive, beside.points);
+        let carrier_beside = |drive| carrier(&self.positions, drive, beside.points);
         let rises = [
             own.each_ref().map(|by| by.carrier.velocity.z),
             [carrier_beside(one)?, carrier_beside(other)?].map(|by| by.velocity.z),
@@ -119,7 +132,7 @@ impl<'a, N: Number> Reader<'a, N> {
 
     /// The wheel when any drive of travel or steering moves it, computed anew.
     pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving<N>> {
-        Moving::compute(&self.places, drive, rolling.points, self.wheel(rolling))
+        Moving::compute(&self.positions, drive, rolling.points, self.wheel(rolling))
     }
 
     /// An axle in roll, from its left wheel and its right one.
@@ -143,6 +156,6 @@ impl<N> Deref for Reader<'_, N> {
     type Target = State;
 
     fn deref(&self) -> &State {
-        self.places.state
+        self.positions.state
     }
 }

@@ -1,5 +1,13 @@
 //! The computation of a quantity's numbers from a state.
 
+pub(super) mod axle;
+pub(super) mod brake_and_drive;
+pub(super) mod from_design;
+pub(super) mod ground;
+pub(super) mod masses;
+pub(super) mod springs;
+pub(super) mod steering_wheel;
+
 use nalgebra::Vector3;
 
 use crate::file::Dimension;
@@ -8,7 +16,7 @@ use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
-use crate::quantities::wheel::Rolling;
+use crate::quantities::reader::wheel::Rolling;
 
 /// One number of any state, whose derivatives are not known.
 pub(super) fn number<N: Number>(dimension: Dimension, value: fn(&State) -> f64) -> Vec<Reading<N>> {
@@ -97,7 +105,9 @@ pub(super) fn place<N: Number>(
     local: impl Fn(&Reader<'_, N>) -> Vector3<N> + Copy + 'static,
 ) -> Vec<Reading<N>> {
     components(&Axis::ALL, move |reader| {
-        reader.axes.turned(local(reader) + reader.places.origin())
+        reader
+            .axes
+            .turned(local(reader) + reader.positions.origin())
     })
 }
 
@@ -123,7 +133,7 @@ fn coordinate<N: Number>(name: Option<&str>, point: usize, axis: Axis) -> Readin
         name: name.map(str::to_owned),
         axis: Some(axis),
         ..reading(Dimension::Length, move |reader| {
-            reader.places.numbers.point(point)[component] + N::still(reader.origin[component])
+            reader.positions.numbers.point(point)[component] + N::still(reader.origin[component])
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::extent;
 use crate::quantities::Column;
 use crate::sensitivities::Change;
-use crate::sensitivities::read::read;
+use crate::sensitivities::design_values::design_values;
 
 /// The distance between neighbours, as a fraction of the suspension's size.
 const STEP: f64 = 1e-3;
@@ -54,7 +54,7 @@ pub(super) fn derivatives(
         let changed = mechanism
             .changed(&change.per_unit.times(steps * step))
             .ok()?;
-        let numbers = read(&*changed, columns)?;
+        let numbers = design_values(&*changed, columns)?;
         sum += DMatrix::from_fn(sum.nrows(), sum.ncols(), |column, number| {
             weight * numbers[column][number]
         });

@@ -4,7 +4,9 @@ use nalgebra::DMatrix;
 
 use crate::characteristics::columns_in;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Changing, DRIVES_AT_ONCE, Expansion, InDesign, Names, Sensitive, State};
+use crate::mechanism::{
+    DRIVES_AT_ONCE, DesignDerivatives, Expansion, InDesign, Names, Sensitive, State,
+};
 use crate::quantities::{Column, Reader};
 use crate::sensitivities::Change;
 
@@ -12,7 +14,7 @@ use crate::sensitivities::Change;
 pub(super) struct Exact<'a> {
     columns: Vec<Column<Sensitive>>,
     names: &'a Names,
-    design: &'a dyn Changing,
+    design: &'a dyn DesignDerivatives,
     state: State,
 }
 
@@ -20,7 +22,7 @@ impl<'a> Exact<'a> {
     /// Reads a mechanism that starts in this state.
     pub(super) fn new(
         mechanism: &'a dyn Kinematics,
-        design: &'a dyn Changing,
+        design: &'a dyn DesignDerivatives,
         state: State,
     ) -> Self {
         Self {

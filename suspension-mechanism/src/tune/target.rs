@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
-    Axis, CountedFrom, DerivativeOrder, Description, Drive, Grid, Place, Visited,
+    CountedFrom, DerivativeOrder, Description, Drive, Grid, GridAxis, Place, Visited,
 };
 use crate::quantities::{Column, Reader};
 
@@ -16,7 +16,7 @@ pub struct Target {
     /// The number that is read.
     pub reading: Reading,
     /// The drives that are moved, by distances from the design position; none to read it there.
-    pub over: Vec<Axis>,
+    pub over: Vec<GridAxis>,
     /// The wanted values, in the file's lengths and in radians.
     pub wanted: Wanted,
     /// The largest permitted deviation.
@@ -148,7 +148,7 @@ impl Target {
         format!("`{quantity}` has no value {place}; suspension motion --help says where it has one")
     }
 
-    fn visited(&self, mechanism: &dyn Kinematics, over: Vec<Axis>) -> Option<Visited<f64>> {
+    fn visited(&self, mechanism: &dyn Kinematics, over: Vec<GridAxis>) -> Option<Visited<f64>> {
         let never = AtomicBool::new(false);
         let grid = Grid::new(mechanism, over, CountedFrom::Start).ok()?;
         let mut read = |place: &dyn Place| self.reading.at(place);

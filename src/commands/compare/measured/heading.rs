@@ -9,7 +9,7 @@ use crate::characteristics::{
     Title, as_in_tables, columns_of_positions, not_of_this, suggest_for_wheels,
 };
 use crate::file::Dimension;
-use crate::mechanism::{Angle, Axis, Description, Length, Unit};
+use crate::mechanism::{Angle, Description, GridAxis, Length, Unit};
 use crate::quantities::{Column, DRIVES, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
 /// What a heading states.
@@ -106,7 +106,7 @@ impl Named {
         name: &str,
     ) -> Result<Option<Self>, String> {
         if name.contains(',') {
-            let Axis { drives, .. } = Axis::named(mechanism, name, &[], &[])?;
+            let GridAxis { drives, .. } = GridAxis::named(mechanism, name, &[], &[])?;
             return Ok(Some(Self {
                 title: name.to_owned(),
                 dimension: mechanism.names.drives[drives[0].0].kind.into(),

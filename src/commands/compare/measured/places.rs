@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::columns::Known;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
+use crate::mechanism::{CountedFrom, DerivativeOrder, Grid, GridAxis, Place};
 use crate::quantities::{Column, Reader};
 
 /// What moves the model to places, which count from the design position.
@@ -109,7 +109,7 @@ impl Places<'_> {
             let drives = lead.stated.named.drives.iter();
             drives.map(move |(drive, per)| (*drive, per * change))
         });
-        let there = Axis {
+        let there = GridAxis {
             drives: drives.collect(),
             values: vec![1.0],
         };

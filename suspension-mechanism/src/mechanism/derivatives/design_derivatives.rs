@@ -13,7 +13,7 @@ pub struct Expansion {
 }
 
 /// A mechanism at its start, and how it changes with its design.
-pub trait Changing {
+pub trait DesignDerivatives {
     /// Its points and measures, with their derivatives with respect to the drives.
     fn start(&self) -> &Expansion;
 

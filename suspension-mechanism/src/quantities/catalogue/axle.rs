@@ -4,11 +4,11 @@ use suspension_core::wheel::{steer_angle, toe};
 
 use crate::file::Dimension;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::{
+use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::axle::{
     of_both, of_both_from_design, of_roll, of_roll_centre, of_steered_wheels, of_turn, track,
 };
-use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung;
+use crate::quantities::readings::springs;
 
 catalogue! {
     TOTAL_TOE: "total toe" {
@@ -125,7 +125,7 @@ catalogue! {
                      stand alike, an anti-roll bar adds nothing to it",
         source: "virtual work",
         shown: Shown::InTables,
-        read: |names| sprung::of_heave(names, |sprung| sprung.rate),
+        read: |names| springs::of_heave(names, |sprung| sprung.rate),
     }
     ROLL_RATE: "roll rate of the axle" {
         name: "roll_rate",
@@ -135,6 +135,6 @@ catalogue! {
                      the front view",
         source: "virtual work; without the tyres",
         shown: Shown::InTables,
-        read: |names| sprung::of_roll(names, |sprung| sprung.rate),
+        read: |names| springs::of_roll(names, |sprung| sprung.rate),
     }
 }

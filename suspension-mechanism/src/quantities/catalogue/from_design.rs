@@ -4,8 +4,8 @@ use suspension_core::signal::Number as _;
 
 use crate::quantities::axis::Axis;
 use crate::quantities::catalogue::wheel::{CENTRE, CONTACT};
-use crate::quantities::from_design::{of_moved, of_moved_from_other_axle};
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::from_design::{of_moved, of_moved_from_other_axle};
 
 catalogue! {
     WHEEL_TRAVEL: "wheel travel" {

@@ -1,7 +1,7 @@
 //! Effective masses at the wheels.
 
-use crate::quantities::inert::of_wheels;
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::masses::of_wheels;
 
 catalogue! {
     EFFECTIVE_MASS: "effective mass at the wheel" {

@@ -16,7 +16,7 @@ catalogue! {
         read: |names| {
             let measures = names.measures.iter();
             let measures = measures.map(|measure| (measure.name.as_str(), measure.kind.into()));
-            each(measures, true, |reader, measure| reader.places.numbers.measure(measure))
+            each(measures, true, |reader, measure| reader.positions.numbers.measure(measure))
         },
     }
     ITERATIONS: "iterations of Newton's method" {

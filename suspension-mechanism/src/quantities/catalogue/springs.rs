@@ -2,7 +2,7 @@
 
 use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::sprung::{of_springs, of_wheels};
+use crate::quantities::readings::springs::{of_springs, of_wheels};
 
 catalogue! {
     SPRING_FORCES: "forces and moments of springs" {

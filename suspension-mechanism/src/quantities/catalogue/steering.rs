@@ -3,10 +3,10 @@
 use suspension_core::wheel::{caster, kingpin_angle};
 
 use crate::file::Dimension;
-use crate::quantities::on_ground::of_moving;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::steering_wheel;
-use crate::quantities::wheel::{Along, Moving};
+use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::readings::ground::of_moving;
+use crate::quantities::readings::steering_wheel;
 
 catalogue! {
     VIRTUAL_KINGPIN: "kingpin angle of the virtual steering axis" {

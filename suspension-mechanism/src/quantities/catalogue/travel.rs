@@ -6,11 +6,11 @@ use suspension_core::wheel::InstantCentre;
 use crate::file::Dimension;
 use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
-use crate::quantities::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::number::Number;
-use crate::quantities::on_ground::{of_independent, of_moving, of_moving_place};
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::wheel::Along;
+use crate::quantities::reader::wheel::Along;
+use crate::quantities::readings::brake_and_drive::{Force, of_support, of_support_angle};
+use crate::quantities::readings::ground::{of_independent, of_moving, of_moving_place};
 
 catalogue! {
     ROLL_CENTRE: "height of the roll centre above the ground" {

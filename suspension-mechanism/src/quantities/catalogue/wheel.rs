@@ -2,8 +2,8 @@
 
 use suspension_core::wheel::{SteeringAxis, camber, camber_to_ground, caster, kingpin_angle, toe};
 
-use crate::quantities::on_ground::{of_contact, of_kingpin_at_centre, of_kingpin_at_ground};
 use crate::quantities::quantity::{Quantity, Shown};
+use crate::quantities::readings::ground::{of_contact, of_kingpin_at_centre, of_kingpin_at_ground};
 use crate::quantities::readings::{
     of_each_wheel, of_kingpin, of_kingpin_and_spin_axis, of_spin_axis, place,
 };
@@ -17,7 +17,7 @@ catalogue! {
         shown: Shown::InSummaries,
         read: |names| of_each_wheel(names, &|rolling| {
             let [_, centre] = rolling.points.axis;
-            place(move |reader| reader.places.at(centre))
+            place(move |reader| reader.positions.at(centre))
         }),
     }
     CONTACT: "contact point" {

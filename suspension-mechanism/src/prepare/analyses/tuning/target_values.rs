@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{NumberList, TargetTable, TargetValues};
-use crate::mechanism::{Axis, CountedFrom, Grid, ends, evenly_spaced};
+use crate::mechanism::{CountedFrom, Grid, GridAxis, ends, evenly_spaced};
 use crate::number::number;
 use crate::prepare::analyses::tuning::measured_points;
 use crate::prepare::analyses::tuning::named_parts::Naming;
@@ -25,7 +25,7 @@ impl Naming<'_> {
         name: &Spanned<String>,
         table: &TargetTable,
         scale: f64,
-    ) -> Result<(Vec<Axis>, tune::Wanted), Failure> {
+    ) -> Result<(Vec<GridAxis>, tune::Wanted), Failure> {
         let refuse = |message: String| Err(self.source.refuse(&name.span(), message));
         let stated = match (&table.value, &table.change) {
             (None, Some(_)) if table.over.is_none() => {
@@ -67,7 +67,7 @@ impl Naming<'_> {
         name: &Spanned<String>,
         over: &[Over<'_>],
         stated: &Spanned<TargetValues>,
-    ) -> Result<(Vec<Axis>, Vec<f64>), Failure> {
+    ) -> Result<(Vec<GridAxis>, Vec<f64>), Failure> {
         let refuse = |message: &str| Err(self.source.refuse(&name.span(), message));
         match (stated.get_ref(), over) {
             (TargetValues::Everywhere(wanted), _) => Ok((self.axes(over, PLACES)?, vec![*wanted])),
@@ -96,7 +96,7 @@ impl Naming<'_> {
         (drives, range): Over<'_>,
         mut points: Vec<[f64; 2]>,
         place: &Range<usize>,
-    ) -> Result<(Vec<Axis>, Vec<f64>), Failure> {
+    ) -> Result<(Vec<GridAxis>, Vec<f64>), Failure> {
         let [from, to] = self.ends(range)?;
         if points.iter().any(|[at, _]| !at.is_finite()) {
             let message = "the place of a measured point is not finite";
@@ -122,7 +122,7 @@ impl Naming<'_> {
     }
 
     /// The axes of drives, with as many evenly spaced places along each.
-    fn axes(&self, drives: &[Over<'_>], places: usize) -> Result<Vec<Axis>, Failure> {
+    fn axes(&self, drives: &[Over<'_>], places: usize) -> Result<Vec<GridAxis>, Failure> {
         let mut axes = Vec::new();
         for (drives, range) in drives {
             let values = evenly_spaced(self.ends(range)?, places);
@@ -136,9 +136,9 @@ impl Naming<'_> {
         &self,
         drives: &Spanned<String>,
         values: &[f64],
-        others: &[Axis],
-    ) -> Result<Axis, Failure> {
-        Axis::named(self.mechanism, drives.get_ref(), values, others)
+        others: &[GridAxis],
+    ) -> Result<GridAxis, Failure> {
+        GridAxis::named(self.mechanism, drives.get_ref(), values, others)
             .map_err(|message| self.source.refuse(&drives.span(), message))
     }
 

@@ -1,7 +1,7 @@
 //! Levels of detail: the cheapest method that a scene's needs allow, from measured figures.
 //!
 //! ```
-//! use suspension_mechanism::detail::{Method, Need, Outputs, Points, choose};
+//! use suspension_mechanism::level_of_detail::{Method, Need, Outputs, Points, choose};
 //!
 //! // A car far away: 0.1 mm is plenty, and nobody reads accelerations.
 //! let need = Need {
@@ -74,7 +74,7 @@ impl Figures {
     ///
     /// None: the table is part of the program and tested.
     pub fn built_in() -> Result<Self, Failure> {
-        Self::parse("measured.csv", include_str!("detail/measured.csv"))
+        Self::parse("measured.csv", include_str!("level_of_detail/measured.csv"))
     }
 
     /// Reads a table as written by the laboratory's `chart --csv`, and keeps its rows in `f64` and one lane. `name`

@@ -7,30 +7,30 @@ use crate::quantities::number::Number;
 
 /// A state, and what its positions determine, in numbers of this type.
 #[derive(Clone, Copy)]
-pub(super) struct Places<'a, N> {
-    pub(super) state: &'a State,
-    pub(super) numbers: &'a dyn Positions<N>,
+pub(crate) struct IsoPositions<'a, N> {
+    pub(crate) state: &'a State,
+    pub(crate) numbers: &'a dyn Positions<N>,
 }
 
-impl<N: Number> Places<'_, N> {
+impl<N: Number> IsoPositions<'_, N> {
     /// A point in local coordinates, in the axes of ISO 8855.
-    pub(super) fn at(&self, point: usize) -> Vector3<N> {
+    pub(crate) fn at(&self, point: usize) -> Vector3<N> {
         self.state.axes.turned(self.numbers.point(point))
     }
 
     /// Its velocity when a drive moves it, in these axes, if it is known.
-    pub(super) fn velocity(&self, point: usize, drive: usize) -> Option<Vector3<N>> {
+    pub(crate) fn velocity(&self, point: usize, drive: usize) -> Option<Vector3<N>> {
         let velocity = self.numbers.velocity(point, drive)?;
         Some(self.state.axes.turned(velocity))
     }
 
     /// A fixed place in these axes.
-    pub(super) fn still(&self, place: Vector3<f64>) -> Vector3<N> {
+    pub(crate) fn still(&self, place: Vector3<f64>) -> Vector3<N> {
         self.state.axes.turned(place).map(N::still)
     }
 
     /// The origin of local coordinates, in these axes.
-    pub(super) fn origin(&self) -> Vector3<N> {
+    pub(crate) fn origin(&self) -> Vector3<N> {
         self.still(self.state.origin)
     }
 }

@@ -6,12 +6,12 @@ use crate::file::Dimension;
 use crate::mechanism::Names;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::on_ground::moving;
+use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::readings::ground::moving;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
-use crate::quantities::wheel::{Along, Moving};
 
 /// The angle by which the steering wheel is turned from the design position.
-pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let wheel = names.vehicle.steering_wheel.iter();
     let readings = wheel.cloned().map(|wheel| {
         without_derivatives(Dimension::Angle, move |state| {
@@ -22,7 +22,7 @@ pub(super) fn of_angle<N: Number>(names: &Names) -> Vec<Reading<N>> {
 }
 
 /// The steering wheel's angle per steer angle of each wheel that it steers.
-pub(super) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let wheel = names.vehicle.steering_wheel.as_ref();
         let wheel = wheel.filter(|wheel| wheel.turned.contains(&rolling.number))?;

@@ -7,7 +7,7 @@ use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, SolveError, Still, Values};
 use suspension_runtime::{AlongDrive, DesignChange, Factors, Model, Room, Size, Start, Unknowns};
 
-use crate::mechanism::{Changing, Expansion, Mechanism, unit_change};
+use crate::mechanism::{DesignDerivatives, Expansion, Mechanism, unit_change};
 
 /// The fraction of the suspension's size by which a change of lengths must also be possible: close to an impossible
 /// change, as for a body that hardly closes, derivatives mean little.
@@ -29,9 +29,9 @@ where
 }
 
 /// `None` if the mechanism locks at its start.
-pub(crate) fn changing<'a, const N: usize>(
+pub(crate) fn design_derivatives<'a, const N: usize>(
     mechanism: &'a Mechanism<Model<'_, f64, N>, N>,
-) -> Option<Box<dyn Changing + 'a>>
+) -> Option<Box<dyn DesignDerivatives + 'a>>
 where
     Room<N>: Size,
 {
@@ -206,7 +206,7 @@ where
     }
 }
 
-impl<const N: usize> Changing for AtStart<'_, '_, N>
+impl<const N: usize> DesignDerivatives for AtStart<'_, '_, N>
 where
     Room<N>: Size,
 {

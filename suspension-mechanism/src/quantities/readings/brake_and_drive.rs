@@ -4,9 +4,9 @@ use crate::file::Dimension;
 use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::on_ground::{moving, of_moving};
+use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::readings::ground::{moving, of_moving};
 use crate::quantities::readings::of_each_wheel;
-use crate::quantities::wheel::{Along, Moving};
 
 /// How far the point at which the force of a torque acts moves forward and upwards in bump, in whichever direction
 /// the drives move the wheel. The point is the contact point, taken as a point of the carrier that bears the torque,
@@ -24,7 +24,7 @@ fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
 }
 
 /// The angle from the vertical of this point's path in bump, in the side view.
-pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
+pub(crate) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<Reading<N>> {
     let on_ground = torque == Torque::Carrier;
     of_moving(
         names,
@@ -40,7 +40,7 @@ pub(super) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
 
 /// The forces of a car that its axles share.
 #[derive(Clone, Copy)]
-pub(super) enum Force {
+pub(crate) enum Force {
     Brakes,
     Drive,
 }
@@ -57,7 +57,7 @@ impl Force {
 
 /// The fraction of the car's load transfer that links bear instead of springs; `towards` is 1 if a path forward in
 /// bump bears it, -1 if a path rearward does.
-pub(super) fn of_support<N: Number>(
+pub(crate) fn of_support<N: Number>(
     names: &Names,
     axle: Axle,
     force: Force,

@@ -1,4 +1,4 @@
-//! The motions for curves: heave and roll of axles, travel of single wheels, steering.
+//! The modes in which curves move wheels: heave and roll of axles, travel of single wheels, steering.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -6,8 +6,8 @@ use crate::characteristics::way::Does;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Names, Pair, Place, Wheel};
 
-/// A course to move along.
-pub(super) struct Course {
+/// A mode in which wheels move.
+pub(super) struct Mode {
     /// Its name.
     pub(super) title: String,
     pub(super) does: Does,
@@ -17,7 +17,7 @@ pub(super) struct Course {
     pub(super) drives: Vec<(usize, f64)>,
 }
 
-impl Course {
+impl Mode {
     /// `way` is the sign of the drive's fraction.
     fn for_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
         let name = &names.drives[drive].name;
@@ -41,9 +41,9 @@ impl Course {
     /// steering.
     pub(super) fn all(mechanism: &dyn Kinematics) -> Vec<Self> {
         let names = &mechanism.names;
-        let rises = Rises::compute(mechanism);
+        let rises = RisePerDrive::compute(mechanism);
         let mut of_axles = Vec::new();
-        let mut courses = Vec::new();
+        let mut modes = Vec::new();
         for pair in Pair::all(&names.wheels) {
             let wheels = left_first(mechanism, pair.wheels);
             let [Some(a), Some(b)] = wheels.map(|wheel| names.wheels[wheel].travel) else {
@@ -56,13 +56,13 @@ impl Course {
             let [first, second] = [a, b].map(|drive| names.drives[drive].name.as_str());
             let of_axle = |what: &str| format!("{} {what}", pair.name).trim_start().to_owned();
             let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
-            courses.push(Self {
+            modes.push(Self {
                 title: of_axle("heave"),
                 does: Does::Travel,
                 moved: format!("change of {first} and {second}, both upwards"),
                 drives: drives(rises.parts(wheels, [1.0, 1.0])),
             });
-            courses.push(Self {
+            modes.push(Self {
                 title: of_axle("roll"),
                 does: Does::Roll,
                 moved: format!("change of {first} upwards and of {second} downwards"),
@@ -74,15 +74,15 @@ impl Course {
             .travel
             .iter()
             .filter(|drive| !of_axles.contains(drive));
-        courses.extend(others.map(|drive| {
+        modes.extend(others.map(|drive| {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
             Self::for_drive(names, *drive, Does::Travel, way)
         }));
         let steer = vehicle.steer.iter();
-        courses.extend(steer.map(|drive| Self::for_drive(names, *drive, Does::Steer, 1.0)));
-        courses
+        modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Does::Steer, 1.0)));
+        modes
     }
 }
 
@@ -100,9 +100,9 @@ fn left_first(mechanism: &Description, [one, other]: [usize; 2]) -> [usize; 2] {
 }
 
 /// The rise of each wheel per drive of travel of each wheel, at the design position.
-struct Rises(Vec<Vec<Option<f64>>>);
+struct RisePerDrive(Vec<Vec<Option<f64>>>);
 
-impl Rises {
+impl RisePerDrive {
     fn compute(mechanism: &dyn Kinematics) -> Self {
         let wheels = &mechanism.names.wheels;
         let mut read = |place: &dyn Place| {

@@ -7,26 +7,26 @@ use crate::file::Dimension;
 use crate::mechanism::{self, Names, Pair};
 use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
-use crate::quantities::in_roll::PerRoll;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
+use crate::quantities::reader::axle_in_roll::PerRoll;
+use crate::quantities::reader::wheel::{Rolling, Wheel};
 use crate::quantities::readings::{components, of_each_wheel, reading, spin_axis};
-use crate::quantities::wheel::{Rolling, Wheel};
 
 /// A steer angle of a degree. If a wheel is steered by less, toe, and not the steering, determines the difference
 /// between the wheels of an axle.
 const STRAIGHT: f64 = std::f64::consts::PI / 180.0;
 
 /// Two wheels opposite each other.
-pub(super) struct Axle {
+pub(crate) struct Axle {
     /// The common part of their names, if the linkage has other wheels too.
     name: Option<String>,
-    pub(super) wheels: [Rolling; 2],
+    pub(crate) wheels: [Rolling; 2],
 }
 
 impl Axle {
     /// All axles of a linkage.
-    pub(super) fn all(names: &Names) -> Vec<Self> {
+    pub(crate) fn all(names: &Names) -> Vec<Self> {
         let wheels: Vec<Rolling> = Rolling::each(names).map(|(_, rolling)| rolling).collect();
         let of_pair = |pair: Pair| Self {
             name: (!pair.name.is_empty()).then_some(pair.name),
@@ -46,7 +46,7 @@ impl Axle {
     }
 
     /// Whether each wheel has a drive of travel of its own.
-    pub(super) fn has_travel(&self) -> bool {
+    pub(crate) fn has_travel(&self) -> bool {
         let [a, b] = self.wheels.map(|wheel| wheel.travel);
         a != b && a.and(b).is_some()
     }
@@ -62,7 +62,7 @@ impl Axle {
 }
 
 /// The readings of each requested axle, under its name. (`dyn`, so that this is not compiled for each quantity.)
-pub(super) fn of_each_axle<N: Number, R: IntoIterator<Item = Reading<N>>>(
+pub(crate) fn of_each_axle<N: Number, R: IntoIterator<Item = Reading<N>>>(
     names: &Names,
     is_wanted: &dyn Fn(&Axle) -> bool,
     read: &dyn Fn([Rolling; 2]) -> R,
@@ -88,7 +88,7 @@ fn sided<N: Number>(reader: &Reader<'_, N>, [a, b]: [Rolling; 2]) -> Option<[Rol
 }
 
 /// A number of both wheels of each axle, the left one first; `on_ground` if the wheel radius is needed.
-pub(super) fn of_both<N: Number>(
+pub(crate) fn of_both<N: Number>(
     names: &Names,
     dimension: Dimension,
     on_ground: bool,
@@ -104,7 +104,7 @@ pub(super) fn of_both<N: Number>(
 type FromDesign<N> = fn([&Wheel<N>; 2], [&Wheel<N>; 2]) -> N;
 
 /// The same number for wheels on the ground, now and at the design position.
-pub(super) fn of_both_from_design<N: Number>(
+pub(crate) fn of_both_from_design<N: Number>(
     names: &Names,
     dimension: Dimension,
     value: FromDesign<N>,
@@ -137,7 +137,7 @@ fn both<N: Number>(
 }
 
 /// An angle of the spin axis of each wheel of a steered axle.
-pub(super) fn of_steered_wheels<N: Number>(
+pub(crate) fn of_steered_wheels<N: Number>(
     names: &Names,
     angle: fn(&Vector3<N>) -> N,
 ) -> Vec<Reading<N>> {
@@ -152,7 +152,7 @@ pub(super) fn of_steered_wheels<N: Number>(
 /// A number of each axle that steers a vehicle of known wheelbase, computed from the turn, the wheelbase and the
 /// track. It does not exist straight ahead, nor where toe turns a wheel the other way. The centre of the turn is on the line of
 /// the rear axle only if its wheels are not steered.
-pub(super) fn of_turn<N: Number>(
+pub(crate) fn of_turn<N: Number>(
     names: &Names,
     dimension: Dimension,
     value: fn(&Turn<N>, N, N) -> N,
@@ -179,12 +179,12 @@ pub(super) fn of_turn<N: Number>(
 }
 
 /// The distance from the right contact point to the left one, along y.
-pub(super) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
+pub(crate) fn track<N: Number>([left, right]: [&Wheel<N>; 2]) -> N {
     left.contact.y - right.contact.y
 }
 
 /// The position of each axle's roll centre, in the front view.
-pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_axle(names, &Axle::rolls, &|wheels| {
         components(&[Axis::Y, Axis::Z], move |reader| {
             let wheels = sided(reader, wheels);
@@ -196,7 +196,7 @@ pub(super) fn of_roll_centre<N: Number>(names: &Names) -> Vec<Reading<N>> {
 }
 
 /// A value of each wheel per radian of its axle's roll.
-pub(super) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
+pub(crate) fn of_roll<N: Number>(names: &Names, value: fn(PerRoll<N>) -> N) -> Vec<Reading<N>> {
     let axles: Vec<Axle> = Axle::all(names).into_iter().filter(Axle::rolls).collect();
     of_each_wheel(names, &|rolling| {
         let wheels = axles.iter().find(|axle| axle.has(rolling))?.wheels;

@@ -9,10 +9,10 @@ use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
+use crate::quantities::reader::wheel::{Along, Moving, Rolling, Wheel};
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
-use crate::quantities::wheel::{Along, Moving, Rolling, Wheel};
 
-pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         if !rolling.is_on_ground() {
             return Vec::new();
@@ -25,12 +25,12 @@ pub(super) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
 type Offset<N> = fn(&SteeringAxis<N>, &Vector3<N>, &Heading<N>) -> N;
 
 /// The position of the kingpin relative to the contact point.
-pub(super) fn of_kingpin_at_ground<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
+pub(crate) fn of_kingpin_at_ground<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, true, offset, |wheel| wheel.contact)
 }
 
 /// The position of the kingpin relative to the wheel centre.
-pub(super) fn of_kingpin_at_centre<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
+pub(crate) fn of_kingpin_at_centre<N: Number>(names: &Names, offset: Offset<N>) -> Vec<Reading<N>> {
     of_kingpin_at(names, false, offset, |wheel| wheel.centre)
 }
 
@@ -54,7 +54,7 @@ fn of_kingpin_at<N: Number>(
 }
 
 /// A number of each carrier in motion; `on_ground` if the wheel radius is needed.
-pub(super) fn of_moving<N: Number>(
+pub(crate) fn of_moving<N: Number>(
     names: &Names,
     along: Along,
     dimension: Dimension,
@@ -68,7 +68,7 @@ pub(super) fn of_moving<N: Number>(
 
 /// The same number, in travel and on the ground, for the carriers that no other wheel moves: a force on a wheel that
 /// another one moves is borne by its links. `is_wanted` selects the wheels.
-pub(super) fn of_independent<N: Number>(
+pub(crate) fn of_independent<N: Number>(
     names: &Names,
     is_wanted: impl Fn(Rolling) -> bool,
     dimension: Dimension,
@@ -84,7 +84,7 @@ pub(super) fn of_independent<N: Number>(
 }
 
 /// The same number for the carrier of one wheel.
-pub(super) fn moving<N: Number>(
+pub(crate) fn moving<N: Number>(
     rolling: Rolling,
     along: Along,
     dimension: Dimension,
@@ -99,7 +99,7 @@ pub(super) fn moving<N: Number>(
 }
 
 /// Coordinates of a place that follows from the carrier's motion.
-pub(super) fn of_moving_place<N: Number>(
+pub(crate) fn of_moving_place<N: Number>(
     names: &Names,
     along: Along,
     axes: &[Axis],

@@ -7,32 +7,32 @@ use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
 use crate::mechanism::{Coupling, Names, Pair, WheelPoints};
-use crate::quantities::beside::{Beside, shares_its_carrier};
 use crate::quantities::number::Number;
-use crate::quantities::places::Places;
+use crate::quantities::reader::iso_positions::IsoPositions;
+use crate::quantities::reader::opposite_wheel::{OppositeWheel, shares_its_carrier};
 
 /// The data of a wheel that are the same in every state.
 #[derive(Clone, Copy)]
-pub(super) struct Rolling {
+pub(crate) struct Rolling {
     /// Its number among the linkage's wheels.
-    pub(super) number: usize,
-    pub(super) points: WheelPoints,
+    pub(crate) number: usize,
+    pub(crate) points: WheelPoints,
     /// NaN if the file has none.
-    pub(super) radius: f64,
-    pub(super) travel: Option<usize>,
-    pub(super) steer: Option<usize>,
+    pub(crate) radius: f64,
+    pub(crate) travel: Option<usize>,
+    pub(crate) steer: Option<usize>,
     /// The coupling of its travel with that of other wheels.
-    pub(super) coupling: Coupling,
+    pub(crate) coupling: Coupling,
     /// Whether the body that carries it carries another wheel on the other side of the vehicle.
-    pub(super) shares_its_carrier: bool,
-    beside: Option<Beside>,
+    pub(crate) shares_its_carrier: bool,
+    opposite: Option<OppositeWheel>,
     /// Its axis at the design position, in local coordinates.
     design: Option<[Vector3<f64>; 2]>,
 }
 
 impl Rolling {
     /// The wheels of a linkage, with their names.
-    pub(super) fn each(names: &Names) -> impl Iterator<Item = (&str, Self)> {
+    pub(crate) fn each(names: &Names) -> impl Iterator<Item = (&str, Self)> {
         let (wheels, pairs) = (&names.wheels, Pair::all(&names.wheels));
         wheels.iter().enumerate().map(move |(number, wheel)| {
             let rolling = Self {
@@ -43,7 +43,7 @@ impl Rolling {
                 steer: wheel.steer,
                 coupling: wheel.coupling,
                 shares_its_carrier: shares_its_carrier(wheels, number),
-                beside: Beside::find(wheels, &pairs, number),
+                opposite: OppositeWheel::find(wheels, &pairs, number),
                 design: wheel.design,
             };
             (wheel.name.as_str(), rolling)
@@ -51,30 +51,30 @@ impl Rolling {
     }
 
     /// The wheel that is held at its height in travel, if travel takes the drives of both.
-    pub(super) fn held(&self) -> Option<&Beside> {
+    pub(crate) fn held(&self) -> Option<&OppositeWheel> {
         let is_held = self.coupling.takes_both_drives;
-        self.beside.as_ref().filter(|_| is_held)
+        self.opposite.as_ref().filter(|_| is_held)
     }
 
     /// The wheel that rises as far in the side view, if one of the two moves the other.
-    pub(super) fn heaved(&self) -> Option<&Beside> {
+    pub(crate) fn heaved(&self) -> Option<&OppositeWheel> {
         let is_heaved = self.coupling.is_coupled() || self.shares_its_carrier;
-        self.beside.as_ref().filter(|_| is_heaved)
+        self.opposite.as_ref().filter(|_| is_heaved)
     }
 
     /// Whether it stands in the middle of the vehicle at the design position.
-    pub(super) fn is_in_middle(&self, names: &Names) -> bool {
+    pub(crate) fn is_in_middle(&self, names: &Names) -> bool {
         names.wheels[self.number].is_in_middle
     }
 
     /// All wheels with the same drive of travel, including this one.
-    pub(super) fn moved_together(&self, names: &Names) -> Vec<Self> {
+    pub(crate) fn moved_together(&self, names: &Names) -> Vec<Self> {
         let wheels = Self::each(names).map(|(_, wheel)| wheel);
         wheels.filter(|wheel| wheel.travel == self.travel).collect()
     }
 
     /// The drive that moves it, if the file names one.
-    pub(super) fn drive(&self, along: Along) -> Option<usize> {
+    pub(crate) fn drive(&self, along: Along) -> Option<usize> {
         match along {
             Along::Travel | Along::SideView => self.travel,
             Along::Steer => self.steer,
@@ -82,36 +82,39 @@ impl Rolling {
     }
 
     /// Whether its radius is known.
-    pub(super) fn is_on_ground(&self) -> bool {
+    pub(crate) fn is_on_ground(&self) -> bool {
         !self.radius.is_nan()
     }
 }
 
 /// A wheel in a state, in local coordinates and the axes of ISO 8855.
-pub(super) struct Wheel<N> {
-    pub(super) centre: Vector3<N>,
-    pub(super) axis: Vector3<N>,
+pub(crate) struct Wheel<N> {
+    pub(crate) centre: Vector3<N>,
+    pub(crate) axis: Vector3<N>,
     /// Not finite if the file has no wheel radius.
-    pub(super) contact: Vector3<N>,
-    pub(super) heading: Heading<N>,
+    pub(crate) contact: Vector3<N>,
+    pub(crate) heading: Heading<N>,
 }
 
 /// A wheel's share of a force along its height if one drive moves several wheels: each bears in proportion to its
 /// rise per unit of the drive, `rise`, so that together the forces do the drive's work.
-pub(super) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rolling) -> f64) -> f64 {
+pub(crate) fn share(together: &[Rolling], rolling: Rolling, rise: impl Fn(Rolling) -> f64) -> f64 {
     let squares: f64 = together.iter().map(|wheel| rise(*wheel).powi(2)).sum();
     rise(rolling).powi(2) / squares
 }
 
 impl<N: Number> Wheel<N> {
-    pub(super) fn read(places: &Places<'_, N>, Rolling { points, radius, .. }: Rolling) -> Self {
-        let [inner, centre] = points.axis.map(|end| places.at(end));
+    pub(crate) fn read(
+        positions: &IsoPositions<'_, N>,
+        Rolling { points, radius, .. }: Rolling,
+    ) -> Self {
+        let [inner, centre] = points.axis.map(|end| positions.at(end));
         Self::new(centre, centre - inner, radius)
     }
 
     /// The wheel at the design position, if that is known.
-    pub(super) fn at_design(places: &Places<'_, N>, rolling: Rolling) -> Option<Self> {
-        let [inner, centre] = rolling.design?.map(|end| places.still(end));
+    pub(crate) fn at_design(positions: &IsoPositions<'_, N>, rolling: Rolling) -> Option<Self> {
+        let [inner, centre] = rolling.design?.map(|end| positions.still(end));
         Some(Self::new(centre, centre - inner, rolling.radius))
     }
 
@@ -127,7 +130,7 @@ impl<N: Number> Wheel<N> {
 
 /// The motion of a wheel's carrier, with all drives held that have no part in it.
 #[derive(Clone, Copy)]
-pub(super) enum Along {
+pub(crate) enum Along {
     /// Up or down, with the other wheel of its axle held at its height.
     Travel,
     /// The same, or heave if one wheel of the axle moves the other: both centres then rise by the same amount.
@@ -137,26 +140,26 @@ pub(super) enum Along {
 }
 
 /// A carrier and its wheel when one drive moves them, or several, in the axes of ISO 8855, from the file's origin.
-pub(super) struct Moving<N> {
-    pub(super) carrier: Carrier<N>,
-    pub(super) axis: Vector3<N>,
+pub(crate) struct Moving<N> {
+    pub(crate) carrier: Carrier<N>,
+    pub(crate) axis: Vector3<N>,
     /// Not finite if the file has no wheel radius.
-    pub(super) contact: Vector3<N>,
-    pub(super) heading: Heading<N>,
+    pub(crate) contact: Vector3<N>,
+    pub(crate) heading: Heading<N>,
     screw: OnceCell<SteeringAxis<N>>,
 }
 
 /// The carrier of a wheel when a drive moves it, in local coordinates; `None` if the mechanism locks.
-pub(super) fn carrier<N: Number>(
-    places: &Places<'_, N>,
+pub(crate) fn carrier<N: Number>(
+    positions: &IsoPositions<'_, N>,
     drive: usize,
     points: WheelPoints,
 ) -> Option<Carrier<N>> {
-    let at = points.carrier.map(|point| places.at(point));
-    let [first, second, third] = points.carrier.map(|point| places.velocity(point, drive));
+    let at = points.carrier.map(|point| positions.at(point));
+    let [first, second, third] = points.carrier.map(|point| positions.velocity(point, drive));
     let rates = [first?, second?, third?];
     let omega = angular_velocity_of(&at, &rates);
-    let [_, centre] = points.axis.map(|end| places.at(end));
+    let [_, centre] = points.axis.map(|end| positions.at(end));
     Some(Carrier {
         centre,
         velocity: rates[0] + omega.cross(&(centre - at[0])),
@@ -166,14 +169,14 @@ pub(super) fn carrier<N: Number>(
 
 impl<N: Number> Moving<N> {
     /// `None` if the mechanism locks.
-    pub(super) fn compute(
-        places: &Places<'_, N>,
+    pub(crate) fn compute(
+        positions: &IsoPositions<'_, N>,
         drive: usize,
         points: WheelPoints,
         wheel: &Wheel<N>,
     ) -> Option<Self> {
-        let carrier = carrier(places, drive, points)?;
-        let origin = places.origin();
+        let carrier = carrier(positions, drive, points)?;
+        let origin = positions.origin();
         Some(Self {
             contact: wheel.contact + origin,
             axis: wheel.axis,
@@ -187,7 +190,7 @@ impl<N: Number> Moving<N> {
     }
 
     /// The same wheel with another motion of its carrier.
-    pub(super) fn with(self, carrier: Carrier<N>) -> Self {
+    pub(crate) fn with(self, carrier: Carrier<N>) -> Self {
         Self {
             carrier,
             screw: OnceCell::new(),
@@ -196,12 +199,12 @@ impl<N: Number> Moving<N> {
     }
 
     /// Its instant centre in the front view, if it turns there.
-    pub(super) fn front_view(&self) -> InstantCentre<N> {
+    pub(crate) fn front_view(&self) -> InstantCentre<N> {
         self.where_it_turns(0, self.carrier.front_view(&self.axis))
     }
 
     /// Its instant centre in the side view, if it turns there.
-    pub(super) fn side_view(&self) -> InstantCentre<N> {
+    pub(crate) fn side_view(&self) -> InstantCentre<N> {
         self.where_it_turns(1, self.carrier.side_view())
     }
 
@@ -225,7 +228,7 @@ impl<N: Number> Moving<N> {
     }
 
     /// The axis about which the carrier turns.
-    pub(super) fn screw(&self) -> &SteeringAxis<N> {
+    pub(crate) fn screw(&self) -> &SteeringAxis<N> {
         let Carrier {
             centre,
             velocity,
@@ -236,7 +239,7 @@ impl<N: Number> Moving<N> {
     }
 
     /// How far the carrier moves along that axis per radian about it.
-    pub(super) fn pitch(&self) -> N {
+    pub(crate) fn pitch(&self) -> N {
         let Carrier {
             velocity, omega, ..
         } = &self.carrier;

@@ -6,7 +6,10 @@ use crate::kinematics::{Changes, Kinematics};
 
 /// The points that are not where they were, or were moved to, when the mechanism with moved points is assembled: those points
 /// do not satisfy the listing. None if it cannot be assembled.
-pub fn elsewhere(mechanism: &dyn Kinematics, points: Vec<(usize, Vector3<f64>)>) -> Vec<usize> {
+pub fn misplaced_points(
+    mechanism: &dyn Kinematics,
+    points: Vec<(usize, Vector3<f64>)>,
+) -> Vec<usize> {
     /// A fraction of their displacement.
     const OFF: f64 = 1e-3;
     /// A fraction of the largest coordinate.

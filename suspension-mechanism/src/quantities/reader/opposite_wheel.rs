@@ -4,14 +4,14 @@ use crate::mechanism::{Pair, Wheel, WheelPoints};
 
 /// The other wheel of an axle on which each wheel has a drive of travel of its own.
 #[derive(Clone, Copy)]
-pub(super) struct Beside {
-    pub(super) points: WheelPoints,
-    pub(super) travel: usize,
+pub(crate) struct OppositeWheel {
+    pub(crate) points: WheelPoints,
+    pub(crate) travel: usize,
 }
 
-impl Beside {
+impl OppositeWheel {
     /// The wheel beside that of a number, from all wheels and their pairs.
-    pub(super) fn find(wheels: &[Wheel], pairs: &[Pair], number: usize) -> Option<Self> {
+    pub(crate) fn find(wheels: &[Wheel], pairs: &[Pair], number: usize) -> Option<Self> {
         let other = pairs.iter().find_map(|pair| pair.other(number))?;
         let [own, other] = [number, other].map(|wheel| &wheels[wheel]);
         let (own, travel) = own.travel.zip(other.travel)?;
@@ -23,7 +23,7 @@ impl Beside {
 }
 
 /// Whether the body that carries a wheel carries another one on the other side of the vehicle.
-pub(super) fn shares_its_carrier(wheels: &[Wheel], number: usize) -> bool {
+pub(crate) fn shares_its_carrier(wheels: &[Wheel], number: usize) -> bool {
     let own = &wheels[number];
     let others = wheels.iter().enumerate();
     let mut others = others.filter(|(other, _)| *other != number);

@@ -5,11 +5,11 @@ use crate::mechanism::{Axle, Names};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
+use crate::quantities::reader::wheel::{Rolling, Wheel};
 use crate::quantities::readings::{of_each_wheel, reading};
-use crate::quantities::wheel::{Rolling, Wheel};
 
 /// The displacement of each wheel from the design position.
-pub(super) fn of_moved<N: Number>(
+pub(crate) fn of_moved<N: Number>(
     names: &Names,
     on_ground: bool,
     moved: fn(&Wheel<N>, &Wheel<N>) -> N,
@@ -21,7 +21,7 @@ pub(super) fn of_moved<N: Number>(
 }
 
 /// The displacement along the vehicle, for wheels whose axle is known: positive away from the other axle.
-pub(super) fn of_moved_from_other_axle<N: Number>(
+pub(crate) fn of_moved_from_other_axle<N: Number>(
     names: &Names,
     forward: fn(&Wheel<N>, &Wheel<N>) -> N,
 ) -> Vec<Reading<N>> {

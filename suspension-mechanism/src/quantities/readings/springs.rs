@@ -8,18 +8,18 @@ use crate::file::Dimension;
 use crate::mechanism::{Movement, Names, Spring, State};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::of_axle::{Axle, of_each_axle};
 use crate::quantities::reader::Reader;
+use crate::quantities::reader::wheel::{Rolling, share};
+use crate::quantities::readings::axle::{Axle, of_each_axle};
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
-use crate::quantities::wheel::{Rolling, share};
 
 /// The effect of all springs along a coordinate.
 #[derive(Clone, Copy)]
-pub(super) struct Sprung {
+pub(crate) struct Sprung {
     /// The generalised force against the coordinate.
-    pub(super) force: f64,
+    pub(crate) force: f64,
     /// Its derivative with respect to the coordinate.
-    pub(super) rate: f64,
+    pub(crate) rate: f64,
 }
 
 impl Sprung {
@@ -54,7 +54,7 @@ impl Sprung {
 }
 
 /// The load of each spring.
-pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let springs = names.vehicle.springs.iter().enumerate();
     let of_one = |(number, spring): (usize, &Spring)| {
         let (dimension, what) = match spring.kind {
@@ -71,7 +71,7 @@ pub(super) fn of_springs<N: Number>(names: &Names) -> Vec<Reading<N>> {
 }
 
 /// A number of the springs at each wheel, along the height of its centre.
-pub(super) fn of_wheels<N: Number>(
+pub(crate) fn of_wheels<N: Number>(
     names: &Names,
     dimension: Dimension,
     value: fn(Sprung) -> f64,
@@ -92,7 +92,7 @@ pub(super) fn of_wheels<N: Number>(
 
 /// A number of the springs at each wheel of an axle in heave, in which both centres rise by the same amount: each
 /// wheel has half of it.
-pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+pub(crate) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::Stiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
         Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
@@ -101,7 +101,7 @@ pub(super) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Ve
 
 /// The same number for each axle in roll, in which one centre rises as the other falls, along the angle of the line
 /// through them.
-pub(super) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
+pub(crate) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
         let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
         let reader = Reader::new(moved);

@@ -4,7 +4,7 @@ use serde::de::{Deserialize, Deserializer, Error};
 
 use suspension_core::step::bounded::Outputs;
 
-use crate::detail::{Detail, Points};
+use crate::level_of_detail::{Detail, Points};
 
 /// One measurement of a table, without the columns that are not needed here.
 #[derive(Clone, Debug, serde::Deserialize)]

@@ -4,11 +4,11 @@ use crate::file::Dimension;
 use crate::mechanism::{Movement, Names, State};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
+use crate::quantities::reader::wheel::Rolling;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
-use crate::quantities::wheel::Rolling;
 
 /// The mass at each wheel centre whose motion in height is equivalent to that of all parts with masses in travel.
-pub(super) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
+pub(crate) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
     let has_masses = !names.vehicle.masses.is_empty();
     of_each_wheel(names, &|rolling| {
         let drive = rolling.travel.filter(|_| has_masses)?;

@@ -6,22 +6,22 @@ use suspension_core::wheel::{
 };
 
 use crate::quantities::number::Number;
-use crate::quantities::two_drives::{combined, rates};
-use crate::quantities::wheel::{Moving, Rolling, Wheel};
+use crate::quantities::reader::two_drives::{combined, rates};
+use crate::quantities::reader::wheel::{Moving, Rolling, Wheel};
 
 /// An axle as it rolls, in the file's coordinates.
-pub(super) struct InRoll<N> {
+pub(crate) struct InRoll<N> {
     /// See [`roll_centre`].
-    pub(super) centre: Vector3<N>,
+    pub(crate) centre: Vector3<N>,
     /// The wheels by number, each with its values per radian of roll.
     wheels: [(usize, PerRoll<N>); 2],
 }
 
 /// The values of a wheel per radian of roll.
 #[derive(Clone, Copy)]
-pub(super) struct PerRoll<N> {
-    pub(super) camber: N,
-    pub(super) steer: N,
+pub(crate) struct PerRoll<N> {
+    pub(crate) camber: N,
+    pub(crate) steer: N,
 }
 
 /// A wheel moved by one drive, or by several.
@@ -66,7 +66,7 @@ fn centre<N: Number>(carriers: [&Carrier<N>; 2], contacts: [&Vector3<N>; 2]) -> 
 impl<N: Number> InRoll<N> {
     /// The axle in roll, from its left and right wheels and a function that gives the motion of a wheel's carrier by
     /// a drive; `None` if the mechanism locks, or a wheel has no drive of travel.
-    pub(super) fn compute(
+    pub(crate) fn compute(
         axle: [(Rolling, &Wheel<N>); 2],
         moved: impl Fn(Rolling, usize) -> Option<Moving<N>>,
     ) -> Option<Self> {
@@ -110,7 +110,7 @@ impl<N: Number> InRoll<N> {
     }
 
     /// The values of a wheel of the axle per radian of roll.
-    pub(super) fn per_roll(&self, number: usize) -> Option<PerRoll<N>> {
+    pub(crate) fn per_roll(&self, number: usize) -> Option<PerRoll<N>> {
         let mut wheels = self.wheels.iter();
         wheels
             .find(|(other, _)| *other == number)

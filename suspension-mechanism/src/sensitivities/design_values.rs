@@ -5,7 +5,7 @@ use crate::mechanism::Place;
 use crate::quantities::{Column, Reader};
 
 /// The value and derivatives of each column at the start of a mechanism.
-pub fn read(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
+pub fn design_values(mechanism: &dyn Kinematics, columns: &[Column]) -> Option<Vec<Vec<f64>>> {
     let mut of_place = |place: &dyn Place| {
         let state = place.state();
         let reader = Reader::new(&state);
