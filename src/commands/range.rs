@@ -132,7 +132,7 @@ fn no_start(mechanism: &Description, file: &str, failure: Failure) -> Failure {
     let Failure::Solver(why) = failure else {
         return failure;
     };
-    let first = mechanism.drives_in_file(&mechanism.first_drives());
+    let first = mechanism.drives_in_file(mechanism.first_drives());
     // At the end of an angle the curves of other drives cannot start.
     if let Some(end) = mechanism.end_of_angle(&first) {
         return Failure::Solver(format!(

@@ -8,7 +8,6 @@ mod first_instant;
 mod listing;
 mod loaded;
 mod mechanism;
-mod named_files;
 mod notes;
 mod other_axes;
 mod own_linkage;

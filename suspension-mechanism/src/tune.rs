@@ -87,7 +87,7 @@ pub fn tune(
         moved: at.iter().copied().collect(),
         targets: before.into_iter().zip(after).map(|(a, b)| [a, b]).collect(),
         points: tuned.points(),
-        drives: tuned.drives_in_file(&tuned.first_drives()),
+        drives: tuned.drives_in_file(tuned.first_drives()),
         held: held(mechanism, problem.changes(&at).points),
         interrupted: is_cut,
     })

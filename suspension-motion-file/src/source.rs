@@ -5,6 +5,8 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use toml::Spanned;
+
 use crate::encoding;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -89,8 +91,20 @@ impl Source {
     }
 
     /// The path of a file that this one names: it counts from the folder of this one.
-    pub fn beside(&self, named: &str) -> PathBuf {
+    pub(crate) fn beside(&self, named: &str) -> PathBuf {
         Path::new(&self.name).with_file_name(named)
+    }
+
+    /// Reads a file that this one names, with its path from the folder of this one.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the path if there is no such text.
+    pub fn read_beside(&self, path: &Spanned<String>) -> Result<Self, Failure> {
+        Self::read(&self.beside(path.get_ref())).map_err(|failure| match failure {
+            Failure::Input(message) => self.refuse(&path.span(), message),
+            other => other,
+        })
     }
 
     /// The text.

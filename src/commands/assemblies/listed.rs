@@ -54,7 +54,7 @@ pub fn list(
         let given_up = || watched.given_up(&format!("after {done} of the drive's values"));
         let (assemblies, tally) = listed.ok_or_else(given_up)?;
         watched.clear();
-        let given = mechanism.drives_in_file(drives);
+        let given = mechanism.drives_in_file(drives.iter().copied());
         let listed = Listed {
             drives_in_words: mechanism
                 .names

@@ -21,7 +21,7 @@ pub(super) fn text(mechanism: &Description, ranges: &[DriveRange]) -> String {
         mechanism.axes.in_words()
     );
     let unit = mechanism.unit;
-    let start = if mechanism.drives_in_file(&mechanism.first_drives()) == mechanism.design {
+    let start = if mechanism.drives_in_file(mechanism.first_drives()) == mechanism.design {
         "the design position"
     } else {
         "the first instant"

@@ -2,7 +2,7 @@
 
 use crate::characteristics::along::Along;
 use crate::characteristics::curves::{Curves, curves};
-use crate::characteristics::places::through_design;
+use crate::characteristics::span::through_design;
 use crate::characteristics::wheel_rise::Rise;
 use crate::kinematics::Kinematics;
 use crate::mechanism::Unit;

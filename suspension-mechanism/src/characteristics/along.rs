@@ -5,8 +5,7 @@ use std::sync::atomic::AtomicBool;
 use suspension_core::listing::DriveKind;
 
 use crate::characteristics::modes::Mode;
-use crate::characteristics::places::through_design;
-use crate::characteristics::span::Span;
+use crate::characteristics::span::{Span, through_design};
 use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;

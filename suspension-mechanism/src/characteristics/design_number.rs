@@ -2,10 +2,7 @@
 
 use suspension_listing::did_you_mean::did_you_mean;
 
-use crate::characteristics::suggestions::{
-    named_in_reports, not_of_this, suggest_for_wheels, zero_at_design,
-};
-use crate::characteristics::title::as_in_tables;
+use crate::characteristics::suggestions::meant;
 use crate::mechanism::Description;
 use crate::quantities::Column;
 
@@ -100,18 +97,9 @@ pub fn refuse_unknown_numbers(
             "`{wanted}` has no value at the design position{no_value}; suspension motion --help says where quantities have none"
         ));
     }
-    if let Some(zero) = zero_at_design(wanted, mechanism) {
-        return Err(zero);
-    }
     let titles = || known.iter().map(|number| number.title.as_str());
-    let named = as_in_tables(wanted);
-    let meant = named_in_reports(wanted, mechanism).map(|name| format!("`{name}`"));
-    let meant = meant.or_else(|| suggest_for_wheels(&named, titles()));
-    if let Some(message) = not_of_this(&named, mechanism).filter(|_| meant.is_none()) {
-        return Err(message);
-    }
     let names: Vec<&str> = titles().filter(|title| !title.contains(' ')).collect();
-    let meant = match meant {
+    let meant = match meant(wanted, titles(), mechanism)? {
         Some(meant) => format!("; did you mean {meant}?"),
         None => did_you_mean(wanted, names.iter().copied()),
     };

@@ -1,15 +1,38 @@
 //! Suggestions for a quantity that a design does not have under the given name.
 
 use crate::characteristics::parameters::columns;
-use crate::characteristics::title::Title;
+use crate::characteristics::title::{Title, as_in_tables};
 use crate::mechanism::{Description, Names, SteeringWheel};
 use crate::quantities::{
     self, Column, Quantity, STEERING_RATIO, STEERING_WHEEL_ANGLE, catalogue, from_design, of_axles,
 };
 
+/// The quantity that is meant by a name which is none of the `known` ones, in quotes, or several that may be; `None` if
+/// nothing is near.
+///
+/// # Errors
+///
+/// A sentence about a quantity that no hardpoint changes at the design position, or that this mechanism lacks.
+pub(crate) fn meant<'a>(
+    wanted: &str,
+    known: impl IntoIterator<Item = &'a str>,
+    mechanism: &Description,
+) -> Result<Option<String>, String> {
+    if let Some(message) = zero_at_design(wanted, mechanism) {
+        return Err(message);
+    }
+    let named = as_in_tables(wanted);
+    let in_reports = named_in_reports(wanted, mechanism).map(|name| format!("`{name}`"));
+    let meant = in_reports.or_else(|| suggest_for_wheels(&named, known));
+    match meant {
+        Some(meant) => Ok(Some(meant)),
+        None => not_of_this(&named, mechanism).map_or(Ok(None), Err),
+    }
+}
+
 /// A sentence about a quantity that no hardpoint changes at the design position, with those of this mechanism that
 /// can be named instead; `None` for any other name, and if there are none.
-pub fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
+fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
     let is_called = |quantity: &&Quantity| {
         let wheel = wanted.strip_suffix(quantity.name);
         wheel.is_some_and(|wheel| wheel.is_empty() || wheel.ends_with('_'))
@@ -67,7 +90,7 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
 
 /// The name in tables of the quantity that reports or tables call so: `roll_centre` for `Roll centre`, or for `height of the
 /// roll centre above the ground`.
-pub fn named_in_reports(wanted: &str, mechanism: &Description) -> Option<String> {
+fn named_in_reports(wanted: &str, mechanism: &Description) -> Option<String> {
     let mut columns = columns(mechanism).into_iter();
     let wheels = &mechanism.names.wheels;
     let found = columns.find(|column| Title::is_called(column, wheels, wanted))?;

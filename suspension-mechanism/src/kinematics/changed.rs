@@ -140,7 +140,7 @@ fn assemble_nearest<L: Suspension<N>, const N: usize>(
     });
     names.vehicle.springs = springs.collect();
     if let Some(wheel) = &mut names.vehicle.steering_wheel {
-        wheel.design = mechanism.named_drives_in_file(&drives)[wheel.drive];
+        wheel.design = mechanism.drives_in_file(drives.values())[wheel.drive];
     }
     let masses = names.vehicle.masses.iter();
     let metre = mechanism.unit.metre();

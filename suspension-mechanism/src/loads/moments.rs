@@ -18,8 +18,8 @@ pub(super) fn moments_of_angles(
 ) -> Vec<Moment> {
     let by = |angle: &str| {
         let held = parts.iter().position(|part| part.name == angle);
-        let driven = || names.drives.iter().position(|drive| drive.name == angle);
-        held.map(By::Part).or_else(|| driven().map(By::Drive))
+        held.map(By::Part)
+            .or_else(|| names.drive(angle).map(By::Drive))
     };
     let each = on_parts.into_iter();
     each.filter_map(|(part, angle, moment)| Some((by(&angle)?, part, moment)))

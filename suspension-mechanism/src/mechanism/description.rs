@@ -47,8 +47,8 @@ pub struct Description {
 
 impl Description {
     /// The drives' values in the file's coordinates, from local ones.
-    pub fn drives_in_file(&self, local: &[f64]) -> Vec<f64> {
-        let each = local.iter().zip(&self.drive_offsets);
+    pub fn drives_in_file(&self, local: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let each = local.into_iter().zip(&self.drive_offsets);
         each.map(|(local, offset)| local + offset).collect()
     }
 

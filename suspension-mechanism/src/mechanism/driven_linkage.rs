@@ -2,12 +2,11 @@
 
 use std::ops::Deref;
 
-use suspension_core::{Motion, Values};
+use suspension_core::Motion;
 
 use crate::mechanism::derivatives::design_derivatives::DesignDerivatives;
 use crate::mechanism::description::Description;
 use crate::mechanism::motion::lead::Lead;
-use crate::mechanism::suspension::Suspension;
 
 /// Gives a mechanism at its start, with how it changes with its design; `None` if it locks there.
 pub type FindDesignDerivatives<L, const N: usize> =
@@ -34,13 +33,5 @@ impl<L, const N: usize> Deref for Mechanism<L, N> {
 
     fn deref(&self) -> &Description {
         &self.description
-    }
-}
-
-impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
-    /// The drives' values in the file's coordinates, from local ones.
-    pub(crate) fn named_drives_in_file(&self, local: &L::Drives) -> Vec<f64> {
-        let each = local.values().zip(&self.drive_offsets);
-        each.map(|(local, offset)| local + offset).collect()
     }
 }

@@ -3,6 +3,5 @@
 pub(super) mod drive_laws;
 pub(super) mod end;
 pub(super) mod lead;
-mod moving;
+pub(super) mod moving;
 pub(super) mod polynomial;
-pub(super) mod through_instants;

@@ -7,6 +7,5 @@ pub(super) mod mass;
 pub(super) mod names;
 pub(super) mod sides;
 pub(super) mod spring;
-mod travel_drives;
 pub(super) mod vehicle;
 pub(super) mod words;

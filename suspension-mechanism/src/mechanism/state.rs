@@ -107,7 +107,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     ) -> State {
         State {
             t,
-            drives: self.named_drives_in_file(drives),
+            drives: self.drives_in_file(drives.values()),
             points,
             origin: self.origin,
             axes: self.axes,

@@ -36,7 +36,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         forces: &[Vector3<f64>],
         parts: &[PartForces],
     ) -> Option<Borne> {
-        let at: L::Points = points(state);
+        let at: L::Points = points_of(&state.points.value);
         let position = self.model.unknowns(&at);
         let given = state.drives.iter().zip(&self.drive_offsets);
         let drives = L::Drives::from_values(given.map(|(given, offset)| given - offset));
@@ -94,7 +94,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// The derivative of each measure with respect to each point, at a state.
     pub fn gradients(&self, state: &State) -> Vec<Vec<Vector3<f64>>> {
         let still = L::Points::from_values([]);
-        let value: L::Points = points(state);
+        let value: L::Points = points_of(&state.points.value);
         let mut gradients =
             vec![vec![Vector3::zeros(); self.names.points.len()]; self.names.measures.len()];
         for point in 0..self.names.points.len() {
@@ -112,11 +112,6 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         }
         gradients
     }
-}
-
-/// The points of a state in the linkage's type.
-fn points<P: Values<Vector3<f64>>>(state: &State) -> P {
-    points_of(&state.points.value)
 }
 
 fn points_of<P: Values<Vector3<f64>>>(points: &[Vector3<f64>]) -> P {

@@ -189,7 +189,7 @@ fn place_markers<P: Values<Vector3<f64>>>(task: &Task<'_>, points: &P) -> P {
     let Task { file, names, .. } = task;
     let placed: Vec<Vector3<f64>> = points.values().collect();
     let position = |wanted: &str| {
-        let found = names.points.iter().position(|name| name == wanted);
+        let found = names.point(wanted);
         found.map_or_else(Vector3::zeros, |point| placed[point])
     };
     let each = names.points.iter().enumerate();

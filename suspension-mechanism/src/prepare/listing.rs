@@ -18,7 +18,6 @@ use crate::kinematics::{Kinematics, design_derivatives};
 use crate::mechanism::{Axes, Length, Mechanism};
 use crate::prepare::listing::points::{point_names, stated_at};
 use crate::prepare::mechanism::prepare;
-use crate::prepare::named_files::read_beside;
 use crate::prepare::notes::listed_points;
 use crate::prepare::task::Request;
 
@@ -145,7 +144,7 @@ fn read_listing_file(
         let message = "`listing` names no file; write the path of a file of statements, as listing = \"corner.linkage\"";
         return Err(source.refuse(&place, message));
     }
-    let text = read_beside(source, path)?;
+    let text = source.read_beside(path)?;
     let parsed = included::parsed(text.text(), text.name());
     let parsed = parsed.map_err(|mistakes| refused(&text, &mistakes))?;
     included::check_unit(source, file, place, &parsed)?;

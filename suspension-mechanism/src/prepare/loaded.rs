@@ -97,7 +97,7 @@ impl Loaded<'_> {
     ///
     /// As [`mechanism`](Self::mechanism).
     pub fn at_first_instant(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.kinematics(self.request(Start::FirstInstant))
+        self.listing.kinematics(self.request(Start::FirstInstant))
     }
 
     /// As [`at_first_instant`](Self::at_first_instant), for a command that also has an answer if the first instant is
@@ -107,7 +107,7 @@ impl Loaded<'_> {
     ///
     /// As [`at_first_instant`](Self::at_first_instant), except for the way there.
     pub fn within_reach(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.kinematics(self.request(Start::WithinReach))
+        self.listing.kinematics(self.request(Start::WithinReach))
     }
 
     /// As [`within_reach`](Self::within_reach), for a command that works from the design position, whatever the
@@ -117,7 +117,7 @@ impl Loaded<'_> {
     ///
     /// As [`within_reach`](Self::within_reach).
     pub fn at_design(&self) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.kinematics(self.request(Start::Design))
+        self.listing.kinematics(self.request(Start::Design))
     }
 
     /// Checks that drives lead the motion, which a command requires.
@@ -138,13 +138,6 @@ impl Loaded<'_> {
             "`{measure}` is a measure that prescribes the motion; {command} needs a motion that is prescribed by drives alone"
         );
         Err(self.source.refuse(&place, message))
-    }
-
-    pub(super) fn kinematics(
-        &self,
-        request: Request<'_>,
-    ) -> Result<Box<dyn Kinematics + '_>, Failure> {
-        self.listing.kinematics(request)
     }
 
     pub(super) fn request(&self, to: Start) -> Request<'_> {

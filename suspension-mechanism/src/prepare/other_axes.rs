@@ -43,7 +43,7 @@ impl Loaded<'_> {
             let sign = self.listing().measure_sign(spring.along.get_ref(), signs);
             *spring.load.get_mut() *= sign;
         }
-        self.kinematics(Request {
+        self.listing.kinematics(Request {
             file: &file,
             ..self.request(Start::Design)
         })

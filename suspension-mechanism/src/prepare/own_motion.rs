@@ -19,7 +19,7 @@ impl Loaded<'_> {
     ///
     /// [`Failure::Input`] with a place if the file is wrong.
     pub fn own_motion_ends(&self, interrupted: &AtomicBool) -> Result<Option<String>, Failure> {
-        let mechanism = match self.kinematics(self.request(Start::WithinReach)) {
+        let mechanism = match self.listing.kinematics(self.request(Start::WithinReach)) {
             Ok(mechanism) => mechanism,
             Err(Failure::Solver(out_of_reach)) => return Ok(Some(out_of_reach)),
             Err(other) => return Err(other),

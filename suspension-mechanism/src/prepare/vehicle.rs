@@ -94,7 +94,7 @@ fn drives(
         *drive_of(wheel) = match stated {
             None => usual_drive(&known, usual, &wheel.name),
             Some((wanted, place)) => {
-                let drive = known.iter().position(|drive| *drive == wanted);
+                let drive = task.names.drive(&wanted);
                 let refused = || {
                     task.source
                         .refuse(&place, unknown("drive", &wanted, &known))

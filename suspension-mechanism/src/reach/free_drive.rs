@@ -54,7 +54,7 @@ pub fn range<L: Suspension<N>, const N: usize>(
         name: drive.name.clone(),
         index,
         kind: drive.kind,
-        start: mechanism.drives_in_file(&mechanism.first_drives())[index],
+        start: mechanism.drives_in_file(mechanism.first_drives())[index],
         ends,
         usable,
         curve,
@@ -211,7 +211,7 @@ fn zero_length<L: Suspension<N>, const N: usize>(
     drive: usize,
     value: f64,
 ) -> Option<Limit> {
-    let mut drives = mechanism.drives_in_file(&mechanism.first_drives());
+    let mut drives = mechanism.drives_in_file(mechanism.first_drives());
     drives[drive] = value;
     let lengths = &mechanism.names.driven_lengths;
     let length = DrivenLength::at_zero(lengths, &drives, mechanism.model.size())?;

@@ -136,7 +136,7 @@ impl Target {
         let grid = Grid::new(mechanism, self.over.clone(), CountedFrom::Start).ok();
         let place = match without.zip(grid) {
             Some((place, grid)) => {
-                let drives = mechanism.drives_in_file(&grid.drives_at(place));
+                let drives = mechanism.drives_in_file(grid.drives_at(place));
                 let drives = mechanism
                     .names
                     .drives_in_words(&drives, mechanism.unit, None);

@@ -1,18 +1,27 @@
 //! A mechanism in motion, led by its drives or by a measure in place of one.
 
+use std::ops::ControlFlow;
+
 use suspension_core::path::Led;
 use suspension_core::solve::report::Report;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
+use crate::failure::Failure;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::lock::Lock;
 use crate::mechanism::motion::drive_laws::{DriveLaws, advance, follow};
-use crate::mechanism::motion::end::Stop;
+use crate::mechanism::motion::end::{End, Stop};
 use crate::mechanism::motion::lead::Lead;
 use crate::mechanism::motion::polynomial::Polynomial;
+use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
+use suspension_motion_file::Instants;
 
+/// Receives the state at one instant; may end the motion.
+pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;
+
+/// A mechanism on its way.
 pub(crate) enum Moving<'a, const N: usize> {
     /// Its drives lead it.
     Driven(Motion<f64, N>),
@@ -31,6 +40,54 @@ impl<const N: usize> Moving<'_, N> {
 }
 
 impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
+    /// Moves the mechanism from instant to instant. `instants` begin at the file's first instant. If the mechanism
+    /// locks or the caller stops, that is the [`End`] and not an error.
+    ///
+    /// # Errors
+    ///
+    /// The error of `on_state`.
+    pub fn move_through(
+        &self,
+        instants: &Instants,
+        on_state: &mut OnState<'_>,
+    ) -> Result<End, Failure> {
+        let mut moving = self.moving();
+        let [mut last, _] = instants.ends();
+        for t in instants.iter() {
+            match self.follow([last, t], &mut moving) {
+                Ok(advanced) => {
+                    let inputs = self.inputs(t, &moving);
+                    let state = self.state_at(t, &inputs, &moving.motion(), &advanced);
+                    if on_state(state)?.is_break() {
+                        return Ok(End::Cut);
+                    }
+                }
+                Err(stopped) => {
+                    return Ok(End::Stopped(self.stop(t, &stopped, &moving)));
+                }
+            }
+            last = t;
+        }
+        Ok(End::Complete)
+    }
+
+    /// The state at an instant of its motion.
+    fn state_at(
+        &self,
+        t: f64,
+        inputs: &Inputs<Still, L::Drives>,
+        motion: &Motion<f64, N>,
+        advanced: &Report<f64>,
+    ) -> State {
+        let drives = &inputs.drives.value;
+        let state = State {
+            iterations: advanced.iterations,
+            residual: advanced.residual(),
+            ..self.state(t, drives, &motion.points(&self.model, inputs))
+        };
+        self.with_velocities(state, *drives, &motion.position)
+    }
+
     /// The motion at the first instant.
     pub(crate) fn moving(&self) -> Moving<'_, N> {
         match &self.lead {
@@ -62,7 +119,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
     /// Where and why the motion stopped on the way to the instant `asked`.
     pub(crate) fn stop(&self, asked: f64, stopped: &Stopped<f64>, moving: &Moving<'_, N>) -> Stop {
         let (names, unit) = (&self.names, self.unit);
-        let at = |t: f64| self.drives_in_file(&self.drives_at(t));
+        let at = |t: f64| self.drives_in_file(self.drives_at(t));
         let (drives_asked, cause) = match moving {
             Moving::Driven(last) => {
                 let lock = self.lock(&self.drives, stopped, asked, last);
@@ -99,7 +156,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
         asked: f64,
         last: &Motion<f64, N>,
     ) -> Lock {
-        let given = |drives: &L::Drives| self.named_drives_in_file(drives);
+        let given = |drives: &L::Drives| self.drives_in_file(drives.values());
         Lock::new(
             &self.model,
             &self.names,

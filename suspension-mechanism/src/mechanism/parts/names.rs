@@ -143,6 +143,28 @@ impl Names {
         self
     }
 
+    /// The number of a point.
+    pub(crate) fn point(&self, name: &str) -> Option<usize> {
+        self.points.iter().position(|point| point == name)
+    }
+
+    /// The number of a drive.
+    pub(crate) fn drive(&self, name: &str) -> Option<usize> {
+        self.drives.iter().position(|drive| drive.name == name)
+    }
+
+    /// The number of a measure.
+    pub(crate) fn measure(&self, name: &str) -> Option<usize> {
+        self.measures
+            .iter()
+            .position(|measure| measure.name == name)
+    }
+
+    /// The points' names.
+    pub(crate) fn point_names(&self) -> Vec<&str> {
+        self.points.iter().map(String::as_str).collect()
+    }
+
     /// The markers' names.
     pub fn markers(&self) -> &[String] {
         &self.points[self.chassis + self.free..]
@@ -171,13 +193,14 @@ impl Names {
         match (wanted, names.as_slice()) {
             (None, [_]) => Ok(0),
             (None, _) => Err(format!("name one of the drives with --drive: {all}")),
-            (Some(wanted), _) => {
-                let found = names.iter().position(|name| *name == wanted);
-                found.ok_or_else(|| match self.measure_names().contains(&wanted) {
-                    true => format!("`{wanted}` is a measure, not a drive; the drives are {all}"),
-                    false => unknown("drive", wanted, &names),
-                })
-            }
+            (Some(wanted), _) => self
+                .drive(wanted)
+                .ok_or_else(|| match self.measure(wanted) {
+                    Some(_) => {
+                        format!("`{wanted}` is a measure, not a drive; the drives are {all}")
+                    }
+                    None => unknown("drive", wanted, &names),
+                }),
         }
     }
 

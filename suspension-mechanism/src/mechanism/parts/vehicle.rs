@@ -150,9 +150,15 @@ impl Wheel {
         both.is_some_and(|(one, other)| one * other > 0.0)
     }
 
-    /// Whether one body carries both across the vehicle, like a live axle.
-    pub(crate) fn is_across_on_one_body(&self, other: &Self) -> bool {
-        self.points.carrier == other.points.carrier && !self.is_on_the_side_of(other)
+    /// Whether the body that carries the wheel of this number carries another one on the other side of the vehicle, like
+    /// a live axle.
+    pub(crate) fn shares_its_carrier(wheels: &[Self], number: usize) -> bool {
+        let own = &wheels[number];
+        let mut others = wheels.iter().enumerate();
+        others.any(|(other, wheel)| {
+            let is_on_one_body = wheel.points.carrier == own.points.carrier;
+            other != number && is_on_one_body && !wheel.is_on_the_side_of(own)
+        })
     }
 
     pub(crate) fn places(&self) -> WheelPlaces<'_> {

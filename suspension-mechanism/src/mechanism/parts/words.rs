@@ -4,6 +4,7 @@ use suspension_core::SolveError;
 
 use crate::file::Dimension;
 use crate::mechanism::parts::names::Names;
+use crate::mechanism::parts::vehicle::Wheel;
 use crate::number::{number, without_rounding};
 use suspension_motion_file::Unit;
 
@@ -51,6 +52,33 @@ impl Names {
                 _ => self.drive_in_words(drive, *value, unit),
             });
         each.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The value of `travel` under `[vehicle]` for some of the wheels: the drives that alone lift them, or `NAME` for
+    /// a wheel without one.
+    pub fn travel_in_file<'a>(&self, wheels: impl IntoIterator<Item = &'a Wheel>) -> String {
+        let quoted = |wheel: &Wheel| {
+            let drive = match *wheel.lifted_by {
+                [only] => &self.drives[only].name,
+                _ => "NAME",
+            };
+            format!("{drive:?}")
+        };
+        let each: Vec<(&str, String)> = wheels
+            .into_iter()
+            .map(|wheel| (wheel.name.as_str(), quoted(wheel)))
+            .collect();
+        match each.as_slice() {
+            [] => "\"NAME\"".to_owned(),
+            [("", drive)] => drive.clone(),
+            each => {
+                let each: Vec<_> = each
+                    .iter()
+                    .map(|(wheel, drive)| format!("{wheel} = {drive}"))
+                    .collect();
+                format!("{{ {} }}", each.join(", "))
+            }
+        }
     }
 
     /// The reason why a step was refused.

@@ -5,7 +5,7 @@ use suspension_listing::did_you_mean::{did_you_mean, unknown};
 
 use crate::failure::Failure;
 use crate::kinematics::{Changes, Kinematics};
-use crate::mechanism::{Description, Names, listed, moved_together, name_on_other_side};
+use crate::mechanism::{Description, listed, moved_together, name_on_other_side};
 use crate::prepare::loaded::Loaded;
 use crate::quantities::Axis;
 use crate::sensitivities::Change;
@@ -61,7 +61,8 @@ impl Loaded<'_> {
             let change = change.ok_or_else(|| refuse(describe_unknown(mechanism, &known, name)))?;
             names.push(name);
             let changes = change.per_unit.times(sign);
-            match named_point(mechanism, name) {
+            let coordinate = name.rsplit_once('.');
+            match coordinate.and_then(|(point, _)| mechanism.names.point(point)) {
                 Some(point) => add(&mut parts, point, changes.points),
                 None => others.push(changes),
             }
@@ -91,12 +92,6 @@ const LENGTH: &str = "length ";
 fn find<'a>(known: &'a [Change], name: &str) -> Option<&'a Change> {
     let called = |name: &str| known.iter().find(|change| change.name == name);
     called(name).or_else(|| called(&format!("{LENGTH}{name}")))
-}
-
-fn named_point(mechanism: &Description, name: &str) -> Option<usize> {
-    let (point, _) = name.rsplit_once('.')?;
-    let mut points = mechanism.names.points.iter();
-    points.position(|known| known == point)
 }
 
 /// Adds a part; coordinates of the same point move it together.
@@ -148,8 +143,7 @@ fn displacement(parts: &[Part], point: usize) -> Option<Vector3<f64>> {
 
 /// A sentence about a name that is none of the changes.
 fn describe_unknown(mechanism: &Description, known: &[Change], name: &str) -> String {
-    let points = mechanism.names.points.iter().map(String::as_str);
-    let points: Vec<&str> = points.collect();
+    let points = mechanism.names.point_names();
     let axes = |point: &str| {
         let axes = Axis::ALL.map(|axis| format!("{point}.{axis}"));
         format!("write {}, {} or {}", axes[0], axes[1], axes[2])
@@ -171,14 +165,11 @@ fn describe_unknown(mechanism: &Description, known: &[Change], name: &str) -> St
 
 /// The same about a name without an axis: what is near to it, or what it is instead and all that can be changed.
 fn describe_no_change(mechanism: &Description, known: &[Change], name: &str) -> String {
-    let Names {
-        points, measures, ..
-    } = &mechanism.names;
-    let is_measure = measures.iter().any(|measure| measure.name == name);
-    let what = match mechanism.names.drive_names().contains(&name) {
-        true => "a drive, which moves the suspension and is no part of its design",
-        false if is_measure => "a measure, which follows from the points",
-        false => "no coordinate of a point, no link and no move of [tune]",
+    let names = &mechanism.names;
+    let what = match (names.drive(name), names.measure(name)) {
+        (Some(_), _) => "a drive, which moves the suspension and is no part of its design",
+        (None, Some(_)) => "a measure, which follows from the points",
+        (None, None) => "no coordinate of a point, no link and no move of [tune]",
     };
     let whole = known.iter().map(|change| change.name.as_str());
     let whole = whole.filter(|change| !change.contains('.'));
@@ -187,12 +178,12 @@ fn describe_no_change(mechanism: &Description, known: &[Change], name: &str) -> 
         .into_iter()
         .map(|link| &link[LENGTH.len()..])
         .collect();
-    let each = links.iter().chain(&moves).copied();
-    let meant = did_you_mean(name, each.chain(points.iter().map(String::as_str)));
+    let points = names.point_names();
+    let each = links.iter().chain(&moves).chain(&points);
+    let meant = did_you_mean(name, each.copied());
     if what.starts_with("no") && !meant.is_empty() {
         return format!("`{name}` is {what}{meant}");
     }
-    let points: Vec<&str> = points.iter().map(String::as_str).collect();
     let kinds = [
         ("the links", &links),
         ("the moves of [tune]", &moves),
@@ -218,10 +209,7 @@ pub fn describe_one_sided(mechanism: &Description, change: &Change) -> Option<St
                 .iter()
                 .any(|(length, _)| names.lengths[*length] == name)
     };
-    let exists = |name: &str| {
-        names.points.iter().any(|point| point == name)
-            || names.links().any(|(link, _)| link == name)
-    };
+    let exists = |name: &str| names.point(name).is_some() || names.link(name).is_some();
     let mut added = Vec::new();
     let mut stays = Vec::new();
     for (name, sign) in moved_together(&change.name) {

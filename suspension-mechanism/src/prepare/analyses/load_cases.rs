@@ -9,9 +9,10 @@ use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Load, LoadCase, MotionFile, Source, Wrench};
+use crate::file::{Load, LoadCase, Source, Wrench};
 use crate::loads::{Case, Site, contact_of};
 use crate::mechanism::Description;
+use crate::prepare::loaded::Loaded;
 
 /// The load that acts on all masses.
 const GRAVITY: &str = "gravity";
@@ -19,31 +20,28 @@ const ACCELERATION: &str = "acceleration";
 /// The springs that act by their rates.
 const ACTING: &str = "acting";
 
-/// The load cases of a file, in its order.
-///
-/// # Errors
-///
-/// [`Failure::Input`] at the first name that is not a place of the mechanism, at a number that is not finite, and
-/// where a load cannot act.
-pub(crate) fn cases(
-    source: &Source,
-    file: &MotionFile,
-    listing: &Listing,
-    mechanism: &Description,
-) -> Result<Vec<Case>, Failure> {
-    let Some(table) = &file.loads else {
-        return Ok(Vec::new());
-    };
-    let reader = Reader {
-        source,
-        listing,
-        mechanism,
-        has_masses: file.masses.is_some(),
-    };
-    let cases = table.get_ref().iter();
-    cases
-        .map(|(name, loads)| reader.case(name, loads.get_ref()))
-        .collect()
+impl Loaded<'_> {
+    /// The load cases of the file, in its order.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the first name that is not a place of the mechanism, at a number that is not finite, and
+    /// where a load cannot act.
+    pub fn load_cases(&self, mechanism: &Description) -> Result<Vec<Case>, Failure> {
+        let Some(table) = &self.file.loads else {
+            return Ok(Vec::new());
+        };
+        let reader = Reader {
+            source: self.source,
+            listing: self.listing(),
+            mechanism,
+            has_masses: self.file.masses.is_some(),
+        };
+        let cases = table.get_ref().iter();
+        cases
+            .map(|(name, loads)| reader.case(name, loads.get_ref()))
+            .collect()
+    }
 }
 
 struct Reader<'a> {
@@ -91,13 +89,14 @@ impl Reader<'_> {
         if numbers.any(|number| !number.is_finite()) {
             return refuse(format!("load `{name}` is not finite"));
         }
+        let drive = self.mechanism.names.drive(name);
         match (load.get_ref(), self.measure(name)) {
             (Load::By(by), _) => match self.borne_by(case, name, by) {
                 Ok(borne_by) => case.borne_by.push(borne_by),
                 Err(message) => return refuse(message),
             },
             (Load::Along(along), Some(measure)) => case.along.push((measure, *along)),
-            (Load::BySeveral(by), None) if self.drive(name).is_some() => {
+            (Load::BySeveral(by), None) if drive.is_some() => {
                 return refuse(self.one_bears(&case.name, name, by));
             }
             (Load::At(_) | Load::BySeveral(_), Some(_)) => {
@@ -106,7 +105,7 @@ impl Reader<'_> {
                     self.kind_of_measure(name)
                 ));
             }
-            (_, None) if self.drive(name).is_some() => return refuse(self.no_load_of_drive(name)),
+            (_, None) if drive.is_some() => return refuse(self.no_load_of_drive(name)),
             (Load::Along(_) | Load::BySeveral(_), None) => {
                 self.site(place, false)?;
                 return refuse(format!("`{name}` is a place: write a force [x, y, z] in N"));
@@ -160,7 +159,7 @@ impl Reader<'_> {
         let name = place.get_ref().as_str();
         let refuse = |message: String| Err(self.source.refuse(&place.span(), message));
         let names = &self.mechanism.names;
-        let Some(point) = names.points.iter().position(|point| point == name) else {
+        let Some(point) = names.point(name) else {
             return self.contact(place);
         };
         let mut carriers = self.listing.rigid_carriers().into_iter();

@@ -54,8 +54,7 @@ pub(super) fn rates(task: &Task<'_>) -> impl Iterator<Item = String> {
         .flat_map(|table| table.get_ref().iter());
     springs.filter_map(move |(name, stated)| {
         let along = stated.get_ref().along.get_ref();
-        let mut measures = task.names.measures.iter();
-        let measure = measures.find(|measure| measure.name == *along)?;
+        let measure = &task.names.measures[task.names.measure(along)?];
         let rate = *stated.get_ref().rate.get_ref();
         let (usual, per, what, symbol) = match measure.kind {
             MeasureKind::Length => (RATES, unit.length.metre(), "N", unit.length.symbol()),

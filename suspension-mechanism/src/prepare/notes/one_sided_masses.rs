@@ -10,7 +10,7 @@ pub(in crate::prepare) fn note(task: &Task<'_>, listing: &Listing) -> Option<Str
     let table = task.file.masses.as_ref()?;
     let statements = listing.statements();
     let is_part = |name: &String| {
-        task.names.points.contains(name) || statements.iter().any(|part| part.name == name)
+        task.names.point(name).is_some() || statements.iter().any(|part| part.name == name)
     };
     let has_mass = |name: &String| table.get_ref().has(name);
     let pairs = table.get_ref().iter().filter_map(|(name, _)| {

@@ -79,10 +79,7 @@ fn is_on_long_hinge<P: Values<Vector3<f64>>>(names: &Names, given: &P, point: &s
     /// How much longer: the line of a wishbone with a wrong sign, about twice as long across as its bushes are from
     /// the middle, is shorter.
     const MUCH: f64 = 1.4;
-    let place = |name: &String| {
-        let index = names.points.iter().position(|other| other == name);
-        index.and_then(|index| given.values().nth(index))
-    };
+    let place = |name: &String| given.values().nth(names.point(name)?);
     let mut hinges = names.hinges.iter().map(|hinge| hinge.axis.as_slice());
     hinges.any(|axis| match axis {
         [from, to] if [from, to].iter().any(|end| *end == point) => {

@@ -76,11 +76,8 @@ pub(super) fn torques(
 ) -> Result<(), Failure> {
     let brakes = for_each_wheel(task, wheels, &stated.brake_torque)?;
     let drives = for_each_wheel(task, wheels, &stated.drive_torque)?;
-    let is_of_axle = |(number, wheel): (usize, &Wheel)| {
-        let mut others = wheels.iter().enumerate();
-        others.any(|(other, of_other)| other != number && of_other.is_across_on_one_body(wheel))
-    };
-    let are_of_axle: Vec<bool> = wheels.iter().enumerate().map(is_of_axle).collect();
+    let is_of_axle = |number| Wheel::shares_its_carrier(wheels, number);
+    let are_of_axle: Vec<bool> = (0..wheels.len()).map(is_of_axle).collect();
     let stated = brakes.into_iter().zip(drives).zip(are_of_axle);
     for (wheel, ((brake, drive), is_of_axle)) in wheels.iter_mut().zip(stated) {
         let usual = if is_of_axle {

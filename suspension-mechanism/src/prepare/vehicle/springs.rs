@@ -25,12 +25,10 @@ pub(crate) fn springs(
     let each = table.get_ref().iter().map(|(name, stated)| {
         let name = name.get_ref();
         let stated = stated.get_ref();
-        let known = task.names.measure_names();
         let along = stated.along.get_ref().as_str();
-        let measure = known.iter().position(|measure| *measure == along);
-        let measure = measure.ok_or_else(|| {
-            let message = remedy_along_drive(task, listing, along);
-            let message = message.unwrap_or_else(|| unknown("measure", along, &known));
+        let measure = task.names.measure(along).ok_or_else(|| {
+            let message = remedy_along_drive(task, listing, along)
+                .unwrap_or_else(|| unknown("measure", along, &task.names.measure_names()));
             task.source.refuse(&stated.along.span(), message)
         })?;
         let rate = *stated.rate.get_ref();
@@ -58,8 +56,7 @@ pub(crate) fn springs(
 
 /// The remedy if a spring is stated along a drive.
 fn remedy_along_drive(task: &Task<'_>, listing: Option<&Listing>, name: &str) -> Option<String> {
-    let mut drives = task.names.drives.iter();
-    let drive = drives.position(|drive| drive.name == name)?;
+    let drive = task.names.drive(name)?;
     let line = listing.and_then(|listing| listing.driven_length(drive));
     let [from, to] = line.unwrap_or(["a", "b"]);
     Some(format!(

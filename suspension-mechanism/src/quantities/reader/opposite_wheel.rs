@@ -21,11 +21,3 @@ impl OppositeWheel {
         })
     }
 }
-
-/// Whether the body that carries a wheel carries another one on the other side of the vehicle.
-pub(crate) fn shares_its_carrier(wheels: &[Wheel], number: usize) -> bool {
-    let own = &wheels[number];
-    let others = wheels.iter().enumerate();
-    let mut others = others.filter(|(other, _)| *other != number);
-    others.any(|(_, other)| other.is_across_on_one_body(own))
-}

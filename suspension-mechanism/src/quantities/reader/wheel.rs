@@ -6,10 +6,10 @@ use nalgebra::Vector3;
 use suspension_core::body::angular_velocity_of;
 use suspension_core::wheel::{Carrier, Heading, InstantCentre, SteeringAxis, contact};
 
-use crate::mechanism::{Coupling, Names, Pair, WheelPoints};
+use crate::mechanism::{self, Coupling, Names, Pair, WheelPoints};
 use crate::quantities::number::Number;
 use crate::quantities::reader::iso_positions::IsoPositions;
-use crate::quantities::reader::opposite_wheel::{OppositeWheel, shares_its_carrier};
+use crate::quantities::reader::opposite_wheel::OppositeWheel;
 
 /// The data of a wheel that are the same in every state.
 #[derive(Clone, Copy)]
@@ -42,7 +42,7 @@ impl Rolling {
                 travel: wheel.travel,
                 steer: wheel.steer,
                 coupling: wheel.coupling,
-                shares_its_carrier: shares_its_carrier(wheels, number),
+                shares_its_carrier: mechanism::Wheel::shares_its_carrier(wheels, number),
                 opposite: OppositeWheel::find(wheels, &pairs, number),
                 design: wheel.design,
             };

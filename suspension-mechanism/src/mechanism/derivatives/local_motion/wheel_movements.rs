@@ -46,11 +46,7 @@ impl<L: Suspension<N>, const N: usize> LocalMotion<'_, L, N> {
                 _ => None,
             }
         });
-        alone.or_else(|| self.drive_motion(drive))
-    }
-
-    fn drive_motion(&self, drive: usize) -> Option<Signal<L::Points>> {
-        self.directions?.points(unit_change(drive)).ok()
+        alone.or_else(|| self.directions?.points(unit_change(drive)).ok())
     }
 
     /// The motion in which the drives of travel of two wheels raise their centres at given rates, without

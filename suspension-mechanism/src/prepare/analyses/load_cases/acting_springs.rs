@@ -66,7 +66,7 @@ impl Reader<'_> {
         let spring = &names.vehicle.springs[spring];
         let (name, case_name) = (&spring.name, &case.name);
         // A measure of that name comes first: its load is added to that of the spring.
-        let is_measure = names.measure_names().contains(&name.as_str());
+        let is_measure = names.measure(name).is_some();
         if !is_measure && loads.has(name) {
             return Some(format!(
                 "load case `{case_name}` states the load of spring `{name}`, which cannot act by its rate as well: leave `{name}` out of \

@@ -19,7 +19,7 @@ impl Reader<'_> {
         name: &str,
         by: &str,
     ) -> Result<(usize, usize), String> {
-        let Some(drive) = self.drive(name) else {
+        let Some(drive) = self.mechanism.names.drive(name) else {
             return Err(self.no_drive(name, by));
         };
         let Some(measure) = self.measure(by) else {
@@ -36,25 +36,18 @@ impl Reader<'_> {
         Ok((drive, measure))
     }
 
-    pub(crate) fn drive(&self, name: &str) -> Option<usize> {
-        let mut drives = self.mechanism.names.drive_names().into_iter();
-        drives.position(|drive| drive == name)
-    }
-
     /// The measure of this name, or the one along which a spring of this name acts.
     pub(crate) fn measure(&self, name: &str) -> Option<usize> {
-        let mut measures = self.mechanism.names.measure_names().into_iter();
-        let measure = measures.position(|measure| measure == name);
+        let measure = self.mechanism.names.measure(name);
         let spring = || self.springs().find(|spring| spring.name == name);
         measure.or_else(|| Some(spring()?.measure))
     }
 
     /// Whether a name that has a measure is that of the measure or of a spring, as a word.
     pub(crate) fn kind_of_measure(&self, name: &str) -> &'static str {
-        if self.mechanism.names.measure_names().contains(&name) {
-            "a measure"
-        } else {
-            "a spring"
+        match self.mechanism.names.measure(name) {
+            Some(_) => "a measure",
+            None => "a spring",
         }
     }
 
@@ -86,7 +79,7 @@ impl Reader<'_> {
     fn no_drive(&self, name: &str, by: &str) -> String {
         let names = &self.mechanism.names;
         let known = names.drive_names();
-        if self.measure(name).is_some() && self.drive(by).is_some() {
+        if self.measure(name).is_some() && names.drive(by).is_some() {
             let kind = self.kind_of_measure(name);
             return format!(
                 "`{name}` is {kind} and `{by}` is a drive; the drive comes first: write {by} = \"{name}\""

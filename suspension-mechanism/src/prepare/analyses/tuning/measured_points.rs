@@ -6,7 +6,6 @@ use toml::Spanned;
 use crate::failure::Failure;
 use crate::file::{CsvTable, Source};
 use crate::measured_table::MeasuredTable;
-use crate::prepare::named_files::read_beside;
 
 /// The points of the two columns that a motion file names.
 ///
@@ -18,7 +17,7 @@ pub(crate) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, 
         let message = "`columns` are two headings of the file, of the drive and of the quantity, for example [\"travel\", \"toe\"]";
         return Err(source.refuse(&stated.columns.span(), message));
     };
-    let table = MeasuredTable::new(&read_beside(source, &stated.csv)?)?;
+    let table = MeasuredTable::new(&source.read_beside(&stated.csv)?)?;
     let headings = table.headings();
     let column = |wanted: &Spanned<String>| {
         let mut each = headings.iter();

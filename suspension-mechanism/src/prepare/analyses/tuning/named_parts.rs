@@ -17,9 +17,7 @@ pub(crate) struct Naming<'a> {
 
 impl Naming<'_> {
     pub(crate) fn point(&self, name: &Spanned<String>) -> Result<usize, Failure> {
-        let points = self.mechanism.names.points.iter();
-        let known: Vec<&str> = points.map(String::as_str).collect();
-        self.named("point", name, &known)
+        self.named("point", name, &self.mechanism.names.point_names())
     }
 
     pub(crate) fn drive(&self, name: &Spanned<String>) -> Result<usize, Failure> {

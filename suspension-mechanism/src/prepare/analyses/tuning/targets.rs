@@ -3,9 +3,7 @@
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
 
-use crate::characteristics::{
-    as_in_tables, columns, named_in_reports, not_of_this, suggest_for_wheels, zero_at_design,
-};
+use crate::characteristics::{columns, meant};
 use crate::failure::Failure;
 use crate::file::TargetTable;
 use crate::prepare::analyses::tuning::named_parts::Naming;
@@ -48,22 +46,16 @@ impl Naming<'_> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let wanted = of.get_ref();
         let refuse = |message: String| Err(self.source.refuse(&of.span(), message));
-        if let Some(message) = zero_at_design(wanted, self.mechanism) {
-            return refuse(message);
-        }
         if let Some(found) = names.iter().position(|name| name == wanted) {
             return Ok(columns.swap_remove(found));
         }
-        let named = as_in_tables(wanted);
-        let meant = named_in_reports(wanted, self.mechanism).map(|name| format!("`{name}`"));
-        let meant = meant.or_else(|| suggest_for_wheels(&named, names.iter().copied()));
-        if let Some(meant) = meant {
-            return refuse(format!(
-                "unknown quantity `{wanted}`; did you mean {meant}?"
-            ));
-        }
-        if let Some(message) = not_of_this(&named, self.mechanism) {
-            return refuse(message);
+        match meant(wanted, names.iter().copied(), self.mechanism) {
+            Ok(Some(meant)) => {
+                let message = format!("unknown quantity `{wanted}`; did you mean {meant}?");
+                return refuse(message);
+            }
+            Ok(None) => {}
+            Err(message) => return refuse(message),
         }
         let begun = |name: &&&str| wanted.starts_with(&format!("{name}_"));
         if let Some(name) = names.iter().filter(begun).max_by_key(|name| name.len()) {
