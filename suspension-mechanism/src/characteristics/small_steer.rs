@@ -1,8 +1,7 @@
 //! The curve of the Ackermann percentage without small steer angles.
 
-use suspension_motion_file::is_within;
-
 use crate::characteristics::line::Line;
+use crate::file::is_within;
 use crate::quantities::{ACKERMANN, STEER_ANGLE};
 
 /// The steer angle, in degrees, from which the Ackermann percentage is drawn. If a wheel is steered by less, static toe

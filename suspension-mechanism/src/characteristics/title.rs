@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use suspension_motion_file::is_within;
-
+use crate::file::is_within;
 use crate::mechanism::Wheel;
 use crate::quantities::{Column, Compiled};
 

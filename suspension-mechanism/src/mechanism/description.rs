@@ -2,14 +2,12 @@
 
 use nalgebra::Vector3;
 
+use crate::file::{Axes, Instants, Unit};
 use crate::mechanism::lock::Lock;
 use crate::mechanism::lock::end_of_angle::EndOfAngle;
 use crate::mechanism::measure::nearest;
 use crate::mechanism::motion::drive_laws::DriveLaws;
 use crate::mechanism::parts::names::Names;
-use suspension_motion_file::Axes;
-use suspension_motion_file::Instants;
-use suspension_motion_file::Unit;
 
 /// The data of a mechanism without its equations: names, unit, and what leads it.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use suspension_core::SolveError;
 use suspension_core::step::stepper::Stopped;
 
-use crate::file::Dimension;
+use crate::file::{Dimension, Unit};
 use crate::mechanism::lock::blocking_link::{BlockingLink, find_hinge_at_lock};
 use crate::mechanism::lock::end_of_angle::EndOfAngle;
 use crate::mechanism::lock::turning_drive::{is_near, turning_drive};
@@ -19,7 +19,6 @@ use crate::mechanism::parts::names::Names;
 use crate::mechanism::parts::words::advice;
 use crate::mechanism::suspension::Suspension;
 use crate::number::rounded;
-use suspension_motion_file::Unit;
 
 /// The end of a motion that drives lead.
 #[derive(Clone, Debug, PartialEq)]

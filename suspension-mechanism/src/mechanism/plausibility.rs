@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 
 use suspension_core::listing::DriveKind;
 
-use crate::file::Dimension;
+use crate::file::{Dimension, Length, Unit};
 use crate::mechanism::grid::CountedFrom;
 use crate::mechanism::parts::names::Drive;
 use crate::number::rounded;
-use suspension_motion_file::{Length, Unit};
 
 /// A drive at the design position, and the mechanism that it moves; lengths in the unit of the file, angles in radians.
 #[derive(Clone, Copy, Debug)]

@@ -5,12 +5,12 @@ use std::rc::Rc;
 use nalgebra::Vector3;
 use suspension_core::{Signal, Values};
 
+use crate::file::Axes;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::parts::mass::Mass;
 use crate::mechanism::parts::spring::Spring;
 use crate::mechanism::points::Points;
 use crate::mechanism::suspension::Suspension;
-use suspension_motion_file::Axes;
 
 /// A mechanism at one place of its motion: positions and rates, from which all quantities follow.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use crate::prepare::design::Design;
 use crate::prepare::task::Task;
 
 /// The drives on a straight line from the design at time 0 to the first instant at time 1.
-pub(super) fn way<L: Suspension<N>, const N: usize>(
+pub(super) fn line_from_design<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     drives: &DriveLaws,
@@ -32,7 +32,7 @@ pub(super) fn drive_to_first_instant<L: Suspension<N>, const N: usize>(
     design: &Design<L, N>,
     drives: &DriveLaws,
 ) -> Result<Motion<f64, N>, Failure> {
-    let way = way(task, design, drives);
+    let way = line_from_design(task, design, drives);
     let mut motion = Motion::at_rest(design.q);
     match follow(&design.model, &way, FROM_DESIGN_TO_FIRST, &mut motion) {
         Ok(_) => Ok(motion),

@@ -18,7 +18,7 @@ use crate::quantities::reader::axle_in_roll::InRoll;
 use crate::quantities::reader::iso_positions::IsoPositions;
 use crate::quantities::reader::opposite_wheel::OppositeWheel;
 use crate::quantities::reader::two_drives::{combined, rates};
-use crate::quantities::reader::wheel::{Along, Moving, Rolling, Wheel, carrier};
+use crate::quantities::reader::wheel::{CarrierMotion, MovingWheel, Rolling, Wheel, carrier};
 
 /// Reads quantities of one state of a mechanism. Values that several of them need are computed once. It can be read
 /// as the [`State`].
@@ -33,9 +33,9 @@ struct Cells<N> {
     /// The wheel at the design position.
     design: OnceCell<Option<Wheel<N>>>,
     kingpin: OnceCell<Option<SteeringAxis<N>>>,
-    travel: OnceCell<Option<Moving<N>>>,
-    heave: OnceCell<Option<Moving<N>>>,
-    steer: OnceCell<Option<Moving<N>>>,
+    travel: OnceCell<Option<MovingWheel<N>>>,
+    heave: OnceCell<Option<MovingWheel<N>>>,
+    steer: OnceCell<Option<MovingWheel<N>>>,
     /// The axle in roll, stored for its left wheel.
     in_roll: OnceCell<Option<InRoll<N>>>,
     next: OnceCell<Box<Cells<N>>>,
@@ -97,16 +97,20 @@ impl<'a, N: Number> Reader<'a, N> {
     }
 
     /// Its carrier in motion.
-    pub(super) fn moving(&self, along: Along, rolling: Rolling) -> Option<&Moving<N>> {
+    pub(super) fn moving(
+        &self,
+        motion: CarrierMotion,
+        rolling: Rolling,
+    ) -> Option<&MovingWheel<N>> {
         let cells = self.cells(rolling);
-        let (cell, both) = match (along, rolling.heaved()) {
-            (Along::Steer, _) => (&cells.steer, None),
-            (Along::SideView, Some(heaved)) => (&cells.heave, Some((heaved, [1.0, 1.0]))),
+        let (cell, both) = match (motion, rolling.heaved()) {
+            (CarrierMotion::Steer, _) => (&cells.steer, None),
+            (CarrierMotion::SideView, Some(heaved)) => (&cells.heave, Some((heaved, [1.0, 1.0]))),
             _ => (&cells.travel, rolling.held().map(|held| (held, [1.0, 0.0]))),
         };
         let moving = || match both {
             Some((beside, at)) => self.moved_by_both(rolling, beside, at),
-            None => self.moved_by(rolling.drive(along)?, rolling),
+            None => self.moved_by(rolling.drive(motion)?, rolling),
         };
         cell.get_or_init(moving).as_ref()
     }
@@ -117,7 +121,7 @@ impl<'a, N: Number> Reader<'a, N> {
         rolling: Rolling,
         beside: &OppositeWheel,
         at: [f64; 2],
-    ) -> Option<Moving<N>> {
+    ) -> Option<MovingWheel<N>> {
         let [one, other] = [rolling.travel?, beside.travel];
         let own = [self.moved_by(one, rolling)?, self.moved_by(other, rolling)?];
         let carrier_beside = |drive| carrier(&self.positions, drive, beside.points);
@@ -131,8 +135,8 @@ impl<'a, N: Number> Reader<'a, N> {
     }
 
     /// The wheel when any drive of travel or steering moves it, computed anew.
-    pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<Moving<N>> {
-        Moving::compute(&self.positions, drive, rolling.points, self.wheel(rolling))
+    pub(super) fn moved_by(&self, drive: usize, rolling: Rolling) -> Option<MovingWheel<N>> {
+        MovingWheel::compute(&self.positions, drive, rolling.points, self.wheel(rolling))
     }
 
     /// An axle in roll, from its left wheel and its right one.

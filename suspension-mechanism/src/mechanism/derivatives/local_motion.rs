@@ -11,7 +11,7 @@ use suspension_core::{Inputs, Motion, Signal, SolveError, Still, Values};
 
 use crate::mechanism::derivatives::gradient::{DRIVES_AT_ONCE, Graded};
 use crate::mechanism::derivatives::place_data::{DerivativeOrder, PlaceData, SharedRates};
-use crate::mechanism::derivatives::point_derivatives::{Along, Derivatives};
+use crate::mechanism::derivatives::point_derivatives::{AlongDrive, Derivatives};
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::points::Points;
 use crate::mechanism::state::{Moved, State};
@@ -140,7 +140,7 @@ impl<'a, L: Suspension<N>, const N: usize> LocalMotion<'a, L, N> {
 
     /// The state with derivatives with respect to a drive; `None` if the mechanism locks.
     pub(crate) fn per(&self, drive: usize) -> Option<State> {
-        let Along { direction, points } = self.derivatives.along(drive)?;
+        let AlongDrive { direction, points } = self.derivatives.along(drive)?;
         let second = self.derivatives.second(drive, drive)?;
         let points = Signal {
             value: self.places.clone(),

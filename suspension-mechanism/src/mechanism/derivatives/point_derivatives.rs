@@ -19,13 +19,13 @@ pub(crate) struct Derivatives<'a, L: Suspension<N>, const N: usize> {
     /// The motion by which the place was reached.
     arrival: Option<&'a Arrival<N>>,
     /// The derivatives along each drive.
-    along: Vec<OnceCell<Option<Along<L, N>>>>,
+    along: Vec<OnceCell<Option<AlongDrive<L, N>>>>,
     /// The second derivatives with respect to two drives: a row for each drive, up to itself.
     second: Vec<OnceCell<Option<Points>>>,
 }
 
 /// The motion of a mechanism along a drive.
-pub(crate) struct Along<L: Suspension<N>, const N: usize> {
+pub(crate) struct AlongDrive<L: Suspension<N>, const N: usize> {
     pub(crate) direction: Direction<L, N>,
     /// The derivatives of the points.
     pub(crate) points: Points,
@@ -49,14 +49,14 @@ impl<'a, L: Suspension<N>, const N: usize> Derivatives<'a, L, N> {
     }
 
     /// The motion of the mechanism along a drive.
-    pub(crate) fn along(&self, drive: usize) -> Option<&Along<L, N>> {
+    pub(crate) fn along(&self, drive: usize) -> Option<&AlongDrive<L, N>> {
         let along = || {
             let change = unit_change::<L::Drives>(drive);
             let direction = match self.arrival(drive) {
                 Some(arrival) => self.directions?.first_of(change, arrival.first),
                 None => self.directions?.first(change).ok()?,
             };
-            Some(Along {
+            Some(AlongDrive {
                 points: self.mechanism.listed(&direction.points),
                 direction,
             })

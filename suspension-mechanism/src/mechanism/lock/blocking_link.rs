@@ -5,13 +5,13 @@ use suspension_core::solve::lu::Lu;
 use suspension_core::solve::motion::Prescribed;
 use suspension_core::{Inputs, Linkage, Still, Values};
 
+use crate::file::Unit;
 use crate::mechanism::motion::drive_laws::DriveLaws;
 use crate::mechanism::parts::hinge::Hinge;
 use crate::mechanism::parts::names::Names;
 use crate::mechanism::parts::words::listed;
 use crate::mechanism::suspension::Suspension;
 use crate::number::rounded;
-use suspension_motion_file::Unit;
 
 /// A link whose length does not allow a configuration; or several links, such as the two of a wishbone, for each of
 /// which that is true.
@@ -56,7 +56,7 @@ impl BlockingLink {
         [reached, asked]: [f64; 2],
         q: &SVector<f64, N>,
     ) -> Option<Self> {
-        let place = Place::new(model, drives, reached);
+        let place = AtDrives::new(model, drives, reached);
         let AtLock {
             shares, mut along, ..
         } = place.analyse_lock(q)?;
@@ -67,10 +67,10 @@ impl BlockingLink {
         let mut q = *q;
         for instant in 1..=INSTANTS {
             let part = f64::from(instant) / f64::from(INSTANTS);
-            let place = Place::new(model, drives, reached + (asked - reached) * part);
+            let place = AtDrives::new(model, drives, reached + (asked - reached) * part);
             q = place.nearest(q, equation, &mut along)?;
         }
-        let off = Place::new(model, drives, asked).residual(&q);
+        let off = AtDrives::new(model, drives, asked).residual(&q);
         let closed = CLOSED * model.size();
         if (0..N).any(|row| row != equation && off[row].abs() > closed) {
             return None;
@@ -127,7 +127,7 @@ pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     reached: f64,
     q: &SVector<f64, N>,
 ) -> Option<&'n Hinge> {
-    let AtLock { shares, along, .. } = Place::new(model, drives, reached).analyse_lock(q)?;
+    let AtLock { shares, along, .. } = AtDrives::new(model, drives, reached).analyse_lock(q)?;
     let hinges = names.hinges.iter().filter(|hinge| hinge.moves(&along));
     let share = |hinge: &Hinge| {
         let rows = (0..N).filter(|row| hinge.has(*row));
@@ -157,14 +157,14 @@ pub(crate) struct AtLock<const N: usize> {
     along: SVector<f64, N>,
 }
 
-/// A mechanism with its drives at a time.
-pub(crate) struct Place<'a, L: Linkage<N>, const N: usize> {
+/// A mechanism whose drives have the values of a time.
+pub(crate) struct AtDrives<'a, L: Linkage<N>, const N: usize> {
     model: &'a L,
     fixed: L::Fixed,
     drives: L::Drives,
 }
 
-impl<'a, L: Suspension<N>, const N: usize> Place<'a, L, N> {
+impl<'a, L: Suspension<N>, const N: usize> AtDrives<'a, L, N> {
     fn new(model: &'a L, drives: &DriveLaws, t: f64) -> Self {
         Self::of(model, &drives.inputs(t))
     }

@@ -5,10 +5,9 @@ use std::f64::consts::PI;
 use suspension_core::SolveError;
 use suspension_core::listing::{DriveKind, Part};
 
-use crate::file::Dimension;
+use crate::file::{Dimension, Unit};
 use crate::mechanism::parts::names::Names;
 use crate::number::rounded;
-use suspension_motion_file::Unit;
 
 /// The distance from the end, in radians, within which the equations of an angle from an axis do not show that the
 /// drive moves, because its cosine enters them.

@@ -7,12 +7,11 @@ use suspension_core::solve::report::Report;
 use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
-use crate::file::Dimension;
+use crate::file::{Dimension, Unit};
 use crate::mechanism::measure::signal_nearest;
 use crate::mechanism::motion::drive_laws::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::parts::names::Names;
 use crate::number::{number, without_rounding};
-use suspension_motion_file::Unit;
 
 /// The measure that leads instead of a drive.
 #[derive(Clone, Debug)]

@@ -8,6 +8,7 @@ use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Motion, Signal, Still, Values};
 
 use crate::failure::Failure;
+use crate::file::Instants;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::lock::Lock;
 use crate::mechanism::motion::drive_laws::{DriveLaws, advance, follow};
@@ -16,7 +17,6 @@ use crate::mechanism::motion::lead::Lead;
 use crate::mechanism::motion::polynomial::Polynomial;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
-use suspension_motion_file::Instants;
 
 /// Receives the state at one instant; may end the motion.
 pub type OnState<'a> = dyn FnMut(State) -> Result<ControlFlow<()>, Failure> + 'a;

@@ -1,7 +1,6 @@
 //! The sides of a vehicle in names, and wheels opposite each other.
 
-use suspension_motion_file::Axle;
-
+use crate::file::Axle;
 use crate::mechanism::parts::vehicle::Wheel;
 
 /// The sides of a vehicle, as used in names of wheels.

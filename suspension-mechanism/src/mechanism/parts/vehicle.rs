@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 use suspension_core::listing::WheelPlaces;
-use suspension_motion_file::{Axle, Torque};
 
+use crate::file::{Axle, Torque};
 use crate::mechanism::parts::mass::Mass;
 use crate::mechanism::parts::spring::Spring;
 

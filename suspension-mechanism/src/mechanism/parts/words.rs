@@ -2,11 +2,10 @@
 
 use suspension_core::SolveError;
 
-use crate::file::Dimension;
+use crate::file::{Dimension, Unit};
 use crate::mechanism::parts::names::Names;
 use crate::mechanism::parts::vehicle::Wheel;
 use crate::number::{number, without_rounding};
-use suspension_motion_file::Unit;
 
 /// The remedy for a lock in the motion of a file.
 pub fn advice(file: &str) -> String {

@@ -48,10 +48,10 @@ impl Outlier {
         let (points, places): (Vec<_>, Vec<_>) = by_coordinates.unzip();
         let mut points = points.into_iter().enumerate();
         points.find_map(|(index, (name, place))| {
-            let around = Around::new(&places, index)?;
-            around.is_far().then(|| Self {
+            let surroundings = Surroundings::new(&places, index)?;
+            surroundings.is_far().then(|| Self {
                 place,
-                in_words: around.in_words(name, task.file.length),
+                in_words: surroundings.in_words(name, task.file.length),
             })
         })
     }
@@ -74,7 +74,7 @@ impl Outlier {
 }
 
 /// A point, and the box of the others' coordinates.
-struct Around {
+struct Surroundings {
     at: Vector3<f64>,
     low: Vector3<f64>,
     high: Vector3<f64>,
@@ -83,7 +83,7 @@ struct Around {
     apart: f64,
 }
 
-impl Around {
+impl Surroundings {
     fn new(places: &[Vector3<f64>], index: usize) -> Option<Self> {
         let at = *places.get(index)?;
         let others = places.iter().enumerate();

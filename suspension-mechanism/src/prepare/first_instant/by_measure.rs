@@ -7,7 +7,9 @@ use crate::failure::Failure;
 use crate::file::StandIn;
 use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
 use crate::prepare::design::Design;
-use crate::prepare::first_instant::{FROM_DESIGN, FROM_DESIGN_TO_FIRST, out_of_reach, way};
+use crate::prepare::first_instant::{
+    FROM_DESIGN, FROM_DESIGN_TO_FIRST, line_from_design, out_of_reach,
+};
 use crate::prepare::task::Task;
 
 /// Leads the mechanism from its design to the first instant, with the measure and the remaining drives on a straight
@@ -18,7 +20,7 @@ pub(crate) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     drives: &DriveLaws,
     stand_in: &StandIn,
 ) -> Result<Lead<N>, Failure> {
-    let way = way(task, design, drives);
+    let way = line_from_design(task, design, drives);
     let mut led = at_rest(task, design, &way, stand_in.drive)?;
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
     let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 use suspension_core::Values;
-use suspension_motion_file::Torque;
 
+use crate::file::Torque;
 use crate::mechanism::{Axle, Coupling, Suspension, Wheel};
 use crate::number::{number, rounded};
 use crate::prepare::design::Design;

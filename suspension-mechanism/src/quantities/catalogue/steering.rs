@@ -4,7 +4,7 @@ use suspension_core::wheel::{caster, kingpin_angle};
 
 use crate::file::Dimension;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::reader::wheel::{CarrierMotion, MovingWheel};
 use crate::quantities::readings::ground::of_moving;
 use crate::quantities::readings::steering_wheel;
 
@@ -18,7 +18,7 @@ catalogue! {
                      axis of a carrier on two ball joints is its kingpin",
         source: "as kingpin",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Steer, Dimension::Angle, false, |moving| {
+        read: |names| of_moving(names, CarrierMotion::Steer, Dimension::Angle, false, |moving| {
             kingpin_angle(&moving.screw().direction, &moving.axis)
         }),
     }
@@ -28,7 +28,7 @@ catalogue! {
         definition: "the angle of the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as caster",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Steer, Dimension::Angle, false, |moving| {
+        read: |names| of_moving(names, CarrierMotion::Steer, Dimension::Angle, false, |moving| {
             caster(&moving.screw().direction)
         }),
     }
@@ -38,7 +38,7 @@ catalogue! {
         definition: "for the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as scrub_radius",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Steer, Dimension::Length, true, |moving| {
+        read: |names| of_moving(names, CarrierMotion::Steer, Dimension::Length, true, |moving| {
             moving.screw().inboard_of(&moving.contact, &moving.heading)
         }),
     }
@@ -48,7 +48,7 @@ catalogue! {
         definition: "for the screw axis of the wheel's carrier in steering, the other drives held",
         source: "as mechanical_trail",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Steer, Dimension::Length, true, |moving| {
+        read: |names| of_moving(names, CarrierMotion::Steer, Dimension::Length, true, |moving| {
             moving.screw().ahead_of(&moving.contact, &moving.heading)
         }),
     }
@@ -59,7 +59,7 @@ catalogue! {
                      moves no ball joint of the kingpin",
         source: "omega . v / |omega|^2",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Steer, Dimension::LengthPerAngle, false, Moving::pitch),
+        read: |names| of_moving(names, CarrierMotion::Steer, Dimension::LengthPerAngle, false, MovingWheel::pitch),
     }
     STEERING_WHEEL_ANGLE: "angle of the steering wheel" {
         name: "steering_wheel_angle",

@@ -8,7 +8,7 @@ use crate::mechanism::{Axle, Torque};
 use crate::quantities::axis::Axis;
 use crate::quantities::number::Number;
 use crate::quantities::quantity::{Quantity, Shown};
-use crate::quantities::reader::wheel::Along;
+use crate::quantities::reader::wheel::CarrierMotion;
 use crate::quantities::readings::brake_and_drive::{Force, of_support, of_support_angle};
 use crate::quantities::readings::ground::{of_independent, of_moving, of_moving_place};
 
@@ -47,7 +47,7 @@ catalogue! {
                      not turn in that view",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, Along::Travel, &[Axis::Y, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, CarrierMotion::Travel, &[Axis::Y, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.front_view();
             Vector3::new(Number::unknown(), across, z)
         }),
@@ -58,7 +58,7 @@ catalogue! {
         definition: "the distance from the instant centre in the front view to the wheel centre, along y",
         source: "front-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::Travel, Dimension::Length, false, |moving| {
+        read: |names| of_moving(names, CarrierMotion::Travel, Dimension::Length, false, |moving| {
             moving.front_view().arm
         }),
     }
@@ -70,7 +70,7 @@ catalogue! {
                      other, on one body or a twist beam, the motion is heave: both wheel centres rise alike",
         source: "v + omega x r has no part in the plane",
         shown: Shown::InTables,
-        read: |names| of_moving_place(names, Along::SideView, &[Axis::X, Axis::Z], |moving| {
+        read: |names| of_moving_place(names, CarrierMotion::SideView, &[Axis::X, Axis::Z], |moving| {
             let InstantCentre { across, z, .. } = moving.side_view();
             Vector3::new(across, Number::unknown(), z)
         }),
@@ -81,7 +81,7 @@ catalogue! {
         definition: "the distance from side_centre to the wheel centre, along x",
         source: "side-view swing-arm length",
         shown: Shown::InTables,
-        read: |names| of_moving(names, Along::SideView, Dimension::Length, false, |moving| {
+        read: |names| of_moving(names, CarrierMotion::SideView, Dimension::Length, false, |moving| {
             moving.side_view().arm
         }),
     }

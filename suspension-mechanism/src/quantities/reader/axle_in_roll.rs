@@ -7,7 +7,7 @@ use suspension_core::wheel::{
 
 use crate::quantities::number::Number;
 use crate::quantities::reader::two_drives::{combined, rates};
-use crate::quantities::reader::wheel::{Moving, Rolling, Wheel};
+use crate::quantities::reader::wheel::{MovingWheel, Rolling, Wheel};
 
 /// An axle as it rolls, in the file's coordinates.
 pub(crate) struct InRoll<N> {
@@ -68,13 +68,13 @@ impl<N: Number> InRoll<N> {
     /// a drive; `None` if the mechanism locks, or a wheel has no drive of travel.
     pub(crate) fn compute(
         axle: [(Rolling, &Wheel<N>); 2],
-        moved: impl Fn(Rolling, usize) -> Option<Moving<N>>,
+        moved: impl Fn(Rolling, usize) -> Option<MovingWheel<N>>,
     ) -> Option<Self> {
         let [left, right] = axle.map(|(rolling, _)| rolling);
         let drives = [left.travel?, right.travel?];
         let of_left = [moved(left, drives[0])?, moved(left, drives[1])?];
         let of_right = [moved(right, drives[0])?, moved(right, drives[1])?];
-        let rises = |by_drive: &[Moving<N>; 2], rolling: Rolling| {
+        let rises = |by_drive: &[MovingWheel<N>; 2], rolling: Rolling| {
             by_drive.each_ref().map(|moving| {
                 let moved = Moved::new(moving.carrier, &moving.axis, rolling.radius);
                 moved.contact_velocity.z

@@ -3,7 +3,7 @@
 use suspension_core::wheel::Carrier;
 
 use crate::quantities::number::Number;
-use crate::quantities::reader::wheel::Moving;
+use crate::quantities::reader::wheel::MovingWheel;
 
 /// The rates of two drives that make two points rise at the rates `at`; `rises` are the rates of each point per
 /// drive.
@@ -17,7 +17,10 @@ pub(crate) fn rates<N: Number>([[a, b], [c, d]]: [[N; 2]; 2], at: [f64; 2]) -> [
 }
 
 /// A carrier that both drives move at these rates.
-pub(crate) fn combined<N: Number>([one, other]: &[Moving<N>; 2], [p, q]: [N; 2]) -> Carrier<N> {
+pub(crate) fn combined<N: Number>(
+    [one, other]: &[MovingWheel<N>; 2],
+    [p, q]: [N; 2],
+) -> Carrier<N> {
     let [one, other] = [&one.carrier, &other.carrier];
     Carrier {
         centre: one.centre,

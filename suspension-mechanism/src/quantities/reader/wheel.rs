@@ -74,10 +74,10 @@ impl Rolling {
     }
 
     /// The drive that moves it, if the file names one.
-    pub(crate) fn drive(&self, along: Along) -> Option<usize> {
-        match along {
-            Along::Travel | Along::SideView => self.travel,
-            Along::Steer => self.steer,
+    pub(crate) fn drive(&self, motion: CarrierMotion) -> Option<usize> {
+        match motion {
+            CarrierMotion::Travel | CarrierMotion::SideView => self.travel,
+            CarrierMotion::Steer => self.steer,
         }
     }
 
@@ -130,7 +130,7 @@ impl<N: Number> Wheel<N> {
 
 /// The motion of a wheel's carrier, with all drives held that have no part in it.
 #[derive(Clone, Copy)]
-pub(crate) enum Along {
+pub(crate) enum CarrierMotion {
     /// Up or down, with the other wheel of its axle held at its height.
     Travel,
     /// The same, or heave if one wheel of the axle moves the other: both centres then rise by the same amount.
@@ -140,7 +140,7 @@ pub(crate) enum Along {
 }
 
 /// A carrier and its wheel when one drive moves them, or several, in the axes of ISO 8855, from the file's origin.
-pub(crate) struct Moving<N> {
+pub(crate) struct MovingWheel<N> {
     pub(crate) carrier: Carrier<N>,
     pub(crate) axis: Vector3<N>,
     /// Not finite if the file has no wheel radius.
@@ -167,7 +167,7 @@ pub(crate) fn carrier<N: Number>(
     })
 }
 
-impl<N: Number> Moving<N> {
+impl<N: Number> MovingWheel<N> {
     /// `None` if the mechanism locks.
     pub(crate) fn compute(
         positions: &IsoPositions<'_, N>,

@@ -4,14 +4,14 @@ use crate::file::Dimension;
 use crate::mechanism::{Axle, Names, Torque, Vehicle, Wheel};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::reader::wheel::{CarrierMotion, MovingWheel};
 use crate::quantities::readings::ground::{moving, of_moving};
 use crate::quantities::readings::of_each_wheel;
 
 /// How far the point at which the force of a torque acts moves forward and upwards in bump, in whichever direction
 /// the drives move the wheel. The point is the contact point, taken as a point of the carrier that bears the torque,
 /// or the wheel centre.
-fn forward_and_upward<N: Number>(moving: &Moving<N>, torque: Torque) -> [N; 2] {
+fn forward_and_upward<N: Number>(moving: &MovingWheel<N>, torque: Torque) -> [N; 2] {
     let velocity = match torque {
         Torque::Carrier => moving.carrier.velocity_of(&moving.contact),
         Torque::Chassis => moving.carrier.velocity,
@@ -28,10 +28,10 @@ pub(crate) fn of_support_angle<N: Number>(names: &Names, torque: Torque) -> Vec<
     let on_ground = torque == Torque::Carrier;
     of_moving(
         names,
-        Along::SideView,
+        CarrierMotion::SideView,
         Dimension::Angle,
         on_ground,
-        move |moving: &Moving<N>| {
+        move |moving: &MovingWheel<N>| {
             let [forward, upward] = forward_and_upward(moving, torque);
             N::arc_tangent(forward, upward)
         },
@@ -79,10 +79,10 @@ pub(crate) fn of_support<N: Number>(
         let on_ground = torque == Torque::Carrier;
         moving(
             rolling,
-            Along::SideView,
+            CarrierMotion::SideView,
             Dimension::Percent,
             on_ground,
-            move |moving: &Moving<N>| {
+            move |moving: &MovingWheel<N>| {
                 let [forward, upward] = forward_and_upward(moving, torque);
                 forward / upward * factor
             },

@@ -9,7 +9,7 @@ use crate::quantities::axis::Axis;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
-use crate::quantities::reader::wheel::{Along, Moving, Rolling, Wheel};
+use crate::quantities::reader::wheel::{CarrierMotion, MovingWheel, Rolling, Wheel};
 use crate::quantities::readings::{components, of_each_wheel, place, reading};
 
 pub(crate) fn of_contact<N: Number>(names: &Names) -> Vec<Reading<N>> {
@@ -56,13 +56,13 @@ fn of_kingpin_at<N: Number>(
 /// A number of each carrier in motion; `on_ground` if the wheel radius is needed.
 pub(crate) fn of_moving<N: Number>(
     names: &Names,
-    along: Along,
+    motion: CarrierMotion,
     dimension: Dimension,
     on_ground: bool,
-    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
+    value: impl Fn(&MovingWheel<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        moving(rolling, along, dimension, on_ground, value.clone())
+        moving(rolling, motion, dimension, on_ground, value.clone())
     })
 }
 
@@ -72,45 +72,51 @@ pub(crate) fn of_independent<N: Number>(
     names: &Names,
     is_wanted: impl Fn(Rolling) -> bool,
     dimension: Dimension,
-    value: impl Fn(&Moving<N>) -> N + Clone + 'static,
+    value: impl Fn(&MovingWheel<N>) -> N + Clone + 'static,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
         let is_moved = rolling.coupling.is_moved || rolling.shares_its_carrier;
         if is_moved || !is_wanted(rolling) {
             return None;
         }
-        moving(rolling, Along::Travel, dimension, true, value.clone())
+        moving(
+            rolling,
+            CarrierMotion::Travel,
+            dimension,
+            true,
+            value.clone(),
+        )
     })
 }
 
 /// The same number for the carrier of one wheel.
 pub(crate) fn moving<N: Number>(
     rolling: Rolling,
-    along: Along,
+    motion: CarrierMotion,
     dimension: Dimension,
     on_ground: bool,
-    value: impl Fn(&Moving<N>) -> N + 'static,
+    value: impl Fn(&MovingWheel<N>) -> N + 'static,
 ) -> Option<Reading<N>> {
     let of_reader = move |reader: &Reader<'_, N>| {
-        let moving = reader.moving(along, rolling);
+        let moving = reader.moving(motion, rolling);
         moving.map_or_else(N::unknown, &value)
     };
-    is_moved(&rolling, along, on_ground).then(|| reading(dimension, of_reader))
+    is_moved(&rolling, motion, on_ground).then(|| reading(dimension, of_reader))
 }
 
 /// Coordinates of a place that follows from the carrier's motion.
 pub(crate) fn of_moving_place<N: Number>(
     names: &Names,
-    along: Along,
+    motion: CarrierMotion,
     axes: &[Axis],
-    place: fn(&Moving<N>) -> Vector3<N>,
+    place: fn(&MovingWheel<N>) -> Vector3<N>,
 ) -> Vec<Reading<N>> {
     of_each_wheel(names, &|rolling| {
-        if !is_moved(&rolling, along, false) {
+        if !is_moved(&rolling, motion, false) {
             return Vec::new();
         }
         components(axes, move |reader| {
-            let moving = reader.moving(along, rolling);
+            let moving = reader.moving(motion, rolling);
             let place = moving.map_or_else(|| Vector3::repeat(N::unknown()), place);
             reader.axes.turned(place)
         })
@@ -118,6 +124,6 @@ pub(crate) fn of_moving_place<N: Number>(
 }
 
 /// Whether the file names the drive that moves a wheel.
-fn is_moved(rolling: &Rolling, along: Along, on_ground: bool) -> bool {
-    rolling.drive(along).is_some() && (rolling.is_on_ground() || !on_ground)
+fn is_moved(rolling: &Rolling, motion: CarrierMotion, on_ground: bool) -> bool {
+    rolling.drive(motion).is_some() && (rolling.is_on_ground() || !on_ground)
 }

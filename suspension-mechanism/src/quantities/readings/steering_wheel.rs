@@ -6,7 +6,7 @@ use crate::file::Dimension;
 use crate::mechanism::Names;
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
-use crate::quantities::reader::wheel::{Along, Moving};
+use crate::quantities::reader::wheel::{CarrierMotion, MovingWheel};
 use crate::quantities::readings::ground::moving;
 use crate::quantities::readings::{of_each_wheel, without_derivatives};
 
@@ -27,13 +27,13 @@ pub(crate) fn of_ratio<N: Number>(names: &Names) -> Vec<Reading<N>> {
         let wheel = names.vehicle.steering_wheel.as_ref();
         let wheel = wheel.filter(|wheel| wheel.turned.contains(&rolling.number))?;
         let per_drive = wheel.per_drive();
-        let ratio = move |moving: &Moving<N>| {
+        let ratio = move |moving: &MovingWheel<N>| {
             let axis_rate = moving.carrier.omega.cross(&moving.axis);
             N::still(per_drive) / steer_rate(&moving.axis, &axis_rate)
         };
         moving(
             rolling,
-            Along::Steer,
+            CarrierMotion::Steer,
             Dimension::AnglePerAngle,
             false,
             ratio,
