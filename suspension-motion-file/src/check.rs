@@ -8,14 +8,14 @@ use suspension_core::model::parts;
 use suspension_listing::did_you_mean::did_you_mean;
 use toml::Spanned;
 
-use crate::coefficients::Coefficients;
 use crate::failure::Failure;
 use crate::motion_file::MotionFile;
 use crate::number::exact;
 use crate::place_of_key::place_of_key;
-use crate::position::{Offset, Position};
 use crate::source::Source;
-use crate::table::Table;
+use crate::tables::coefficients::Coefficients;
+use crate::tables::entries::Table;
+use crate::tables::position::{Offset, Position};
 
 pub use instants::instants;
 

@@ -4,18 +4,18 @@ use nalgebra::Vector3;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::coefficients::Coefficients;
 use crate::failure::Failure;
 use crate::inputs;
-use crate::loads::LoadCase;
-use crate::mass::MassTable;
 use crate::parse_errors::explained;
-use crate::position::{Offset, Position};
 use crate::source::Source;
-use crate::spring::SpringTable;
-use crate::table::{Entries, Table};
-use crate::tune::TuneTable;
-use crate::vehicle::VehicleTable;
+use crate::tables::coefficients::Coefficients;
+use crate::tables::entries::{Entries, Table};
+use crate::tables::loads::LoadCase;
+use crate::tables::mass::MassTable;
+use crate::tables::position::{Offset, Position};
+use crate::tables::spring::SpringTable;
+use crate::tables::tune::TuneTable;
+use crate::tables::vehicle::VehicleTable;
 use crate::{Angle, Axes, Length, Unit};
 
 /// The contents of a motion file; names and values are not checked yet.

@@ -1,5 +1,8 @@
 //! The text of an input file and places in it.
 
+mod encoding;
+mod marked_line;
+
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
@@ -7,11 +10,10 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-use crate::encoding;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::interrupt;
 use crate::number::counted;
-use crate::{inputs, marked_source};
 
 /// The first bytes of workbooks of spreadsheet programs (`.xlsx` and `.ods`, `.xls`).
 const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
@@ -128,7 +130,7 @@ impl Source {
 
     /// Returns the message of a mistake: with the marked line on a terminal, one line elsewhere.
     fn message(&self, span: &Range<usize>, what: &str) -> String {
-        marked_source::drawn(&self.name, &self.text, span, what)
+        marked_line::drawn(&self.name, &self.text, span, what)
             .unwrap_or_else(|| format!("{}: {what}", self.place(span)))
     }
 

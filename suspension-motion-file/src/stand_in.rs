@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::check;
 use crate::failure::Failure;
 use crate::source::Source;
-use crate::table::Table;
+use crate::tables::entries::Table;
 
 /// A measure that replaces a drive.
 #[derive(Clone, Debug, PartialEq)]

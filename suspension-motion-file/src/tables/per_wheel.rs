@@ -9,7 +9,7 @@ use serde::de::{
 };
 
 use crate::axle::is_within;
-use crate::table::Entries;
+use crate::tables::entries::Entries;
 
 /// Values of wheels.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ const FROM_0X80: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{
 /// # Errors
 ///
 /// Where the bytes are not UTF-8, if they are no text in the other encodings either.
-pub(crate) fn text(bytes: Vec<u8>, is_table: bool) -> Result<String, FromUtf8Error> {
+pub(super) fn text(bytes: Vec<u8>, is_table: bool) -> Result<String, FromUtf8Error> {
     if let Some(text) = from_utf_16(&bytes) {
         return Ok(text);
     }

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::per_wheel::OfWheel;
+use crate::tables::per_wheel::OfWheel;
 
 /// The part that bears the torque of brakes or of the drive. It determines the point at which their force acts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]

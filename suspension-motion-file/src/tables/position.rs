@@ -9,7 +9,7 @@ use serde::de::{
 };
 use toml::Spanned;
 
-use crate::number_list::{number_list, spanned_number_list};
+use crate::tables::number_list::{number_list, spanned_number_list};
 
 /// The position of a point.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde::de::{self, MapAccess, Visitor, value::MapAccessDeserializer};
 use toml::Spanned;
 
-use crate::number_list::number_list;
+use crate::tables::number_list::number_list;
 
 /// The mass of a moving part.
 #[derive(Clone, Debug)]

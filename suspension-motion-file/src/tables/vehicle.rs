@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::per_wheel::PerWheel;
+use crate::tables::per_wheel::PerWheel;
 use crate::{Axle, Torque};
 
 /// Data that quantities need in addition to the linkage.

@@ -9,8 +9,8 @@ use serde::de::{
 };
 use toml::Value;
 
-use crate::number_list::number_list;
-use crate::table::Entries;
+use crate::tables::entries::Entries;
+use crate::tables::number_list::number_list;
 
 /// A load at a place or in a measure.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::number_list::{NumberList, number_list};
-use crate::table::{Table, UnderName, read_named_tables};
-use crate::target_values::{CsvTable, TargetValues};
+use crate::tables::entries::{Table, UnderName, read_named_tables};
+use crate::tables::number_list::{NumberList, number_list};
+use crate::tables::target_values::{CsvTable, TargetValues};
 
 /// The table `[tune]`.
 #[derive(Clone, Debug, Deserialize)]
