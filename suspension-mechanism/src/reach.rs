@@ -4,10 +4,8 @@ mod drive_range;
 mod free_drive;
 mod limit;
 mod meeting;
-mod station;
 
-pub use drive_range::{DriveRange, POOR};
+pub use drive_range::{DriveRange, POOR, Station};
 pub use free_drive::range;
 pub use limit::{Limit, RangeEnd};
 pub use meeting::{CARRIED_ON, holds, meeting, moves_alone};
-pub use station::Station;

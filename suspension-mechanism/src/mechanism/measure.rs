@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use suspension_core::Signal;
 use suspension_core::listing::MeasureKind;
 
 /// A measure's value nearest to another value: an angle is given between -pi and pi, and may be off by any number of
@@ -11,13 +10,5 @@ pub(crate) fn nearest(kind: MeasureKind, value: f64, to: f64) -> f64 {
     match kind {
         MeasureKind::Angle => value + TAU * ((to - value) / TAU).round_ties_even(),
         MeasureKind::Length => value,
-    }
-}
-
-/// The same with its rates.
-pub(crate) fn signal_nearest(kind: MeasureKind, signal: Signal<f64>, to: f64) -> Signal<f64> {
-    Signal {
-        value: nearest(kind, signal.value, to),
-        ..signal
     }
 }

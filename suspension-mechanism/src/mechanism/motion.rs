@@ -4,4 +4,3 @@ pub(super) mod drive_laws;
 pub(super) mod end;
 pub(super) mod lead;
 pub(super) mod moving;
-pub(super) mod polynomial;

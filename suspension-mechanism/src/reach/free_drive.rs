@@ -7,9 +7,8 @@ use suspension_core::{Signal, Values};
 
 use crate::failure::Failure;
 use crate::mechanism::{DrivenLength, Mechanism, State, Suspension};
-use crate::reach::drive_range::DriveRange;
+use crate::reach::drive_range::{DriveRange, Station};
 use crate::reach::limit::{Limit, RangeEnd, fault_beyond};
-use crate::reach::station::Station;
 
 /// The longest step, as a fraction of the linkage's size: curves are drawn through the places.
 const LONGEST: f64 = 0.01;

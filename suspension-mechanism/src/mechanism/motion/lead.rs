@@ -8,7 +8,7 @@ use suspension_core::step::stepper::Stopped;
 use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::file::{Dimension, Unit};
-use crate::mechanism::measure::signal_nearest;
+use crate::mechanism::measure::nearest;
 use crate::mechanism::motion::drive_laws::{DriveLaws, Law, MAX_STEPS};
 use crate::mechanism::parts::names::Names;
 use crate::number::{number, without_rounding};
@@ -53,7 +53,13 @@ pub(crate) fn lead<L: Linkage<N, Scalar = f64>, const N: usize>(
         asked.set(target.value);
         target
     };
-    let quantity = |points: &Signal<L::Points>| signal_nearest(kind, quantity(points), asked.get());
+    let quantity = |points: &Signal<L::Points>| {
+        let signal = quantity(points);
+        Signal {
+            value: nearest(kind, signal.value, asked.get()),
+            ..signal
+        }
+    };
     leader.advance(model, held, quantity, target, ends, led)
 }
 

@@ -11,10 +11,9 @@ use crate::failure::Failure;
 use crate::file::Instants;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::lock::Lock;
-use crate::mechanism::motion::drive_laws::{DriveLaws, advance, follow};
+use crate::mechanism::motion::drive_laws::{DriveLaws, Polynomial, advance, follow};
 use crate::mechanism::motion::end::{End, Stop};
 use crate::mechanism::motion::lead::Lead;
-use crate::mechanism::motion::polynomial::Polynomial;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
 

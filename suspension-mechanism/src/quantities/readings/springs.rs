@@ -108,7 +108,7 @@ pub(crate) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec
         let [left, right] = wheels.map(|rolling| reader.wheel(rolling).centre);
         let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);
         let sprung = Sprung::along(roll, moved);
-        // CarrierMotion an angle, a force is in newtons times the unit of length.
+        // Along an angle, a force is in newtons times the unit of length.
         Some(value(sprung) / state.metre)
     })
 }
