@@ -1,4 +1,7 @@
 //! A mechanism of any linkage, ready to move, with the file's coordinates outside and local ones inside.
+//!
+//! `driven_linkage` is the mechanism, with its named `parts`. It is in `motion` over time, or at the places of a `grid` of its
+//! drives; either way it has a `state`, with `derivatives`. A `lock` is where it goes no further, and why.
 
 mod derivatives;
 mod description;

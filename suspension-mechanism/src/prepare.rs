@@ -1,4 +1,8 @@
 //! From a motion file to a mechanism in the configuration of the first instant.
+//!
+//! `loaded` reads the file and its `listing`; `mechanism` goes through the steps: `assembled` at the `design` position, with
+//! the data of the `vehicle`, then moved to the `first_instant`. `notes` are on what the author may not have meant;
+//! `analyses` reads what only some commands need.
 
 mod analyses;
 mod assembled;

@@ -1,4 +1,7 @@
 //! The quantities of a mechanism: one catalogue, from which tables, plots, summaries and help are made.
+//!
+//! A row of the `catalogue` has a formula made of `readings`; these take what they need of a state from its `reader`, which
+//! computes what several of them share once.
 
 mod axis;
 mod catalogue;

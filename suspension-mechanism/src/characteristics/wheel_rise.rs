@@ -22,22 +22,16 @@ impl Rise {
         parameters: &[Parameter],
         unit: Unit,
     ) -> Vec<Option<Self>> {
+        const ROUNDING: f64 = 1e-9;
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let rise = |(way, (_, drive)): (usize, (Way, usize))| {
             let height = height_of(mechanism, parameters, drive)?;
-            let per = height.per[way].as_ref()?;
-            Some(Self::new(per, drive, unit))
+            let Derivative { value, symbol } = height.per[way].as_ref()?;
+            let is_height =
+                is_height_per_height(symbol, unit) && (value.abs() - 1.0).abs() < ROUNDING;
+            Some(Self { drive, is_height })
         };
         ways.map(rise).collect()
-    }
-
-    fn new(height: &Derivative, drive: usize, unit: Unit) -> Self {
-        const ROUNDING: f64 = 1e-9;
-        let Derivative { value, symbol } = height;
-        Self {
-            drive,
-            is_height: is_height_per_height(symbol, unit) && (value.abs() - 1.0).abs() < ROUNDING,
-        }
     }
 }
 

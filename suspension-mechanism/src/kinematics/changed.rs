@@ -59,26 +59,18 @@ impl Unbuilt {
     }
 }
 
-/// A model with changes, the changed points at the start of the mechanism, and the drives.
-pub(super) struct Built<L: Suspension<N>, const N: usize> {
-    /// Boxed because it is large and would otherwise be copied.
-    pub(super) model: Box<L>,
-    points: L::Points,
-    pub(super) drives: L::Drives,
-}
-
-/// Builds a model from the changed points at the start of the mechanism, with the drives that these give; then
-/// lengths change, with the drives held.
-pub(super) fn build<L: Suspension<N>, const N: usize>(
+/// The mechanism with changes, at rest in the configuration nearest to its start: it is built from the changed points there,
+/// with the drives that these give; then lengths change, with the drives held.
+pub(super) fn changed<L: Suspension<N>, const N: usize>(
     mechanism: &Mechanism<L, N>,
-    mut points: L::Points,
     changes: &Changes,
-) -> Result<Built<L, N>, Unbuilt> {
+) -> Result<Mechanism<L, N>, Unbuilt> {
+    let mut points = points(mechanism);
     for (point, by) in &changes.points {
         let [at] = points.at([*point]);
         points = points.with(*point, at + by);
     }
-    let mut model = Box::new(L::of(mechanism.model.listing(), &points).map_err(Unbuilt::Geometry)?);
+    let mut model = L::of(mechanism.model.listing(), &points).map_err(Unbuilt::Geometry)?;
     let drives = model.drives_at(&points);
     if !changes.lengths.is_empty() {
         let mut lengths = model.lengths();
@@ -86,30 +78,13 @@ pub(super) fn build<L: Suspension<N>, const N: usize>(
             let [now] = lengths.at([*length]);
             lengths = lengths.with(*length, now + by);
         }
-        *model = model.with_lengths(&lengths).map_err(Unbuilt::Geometry)?;
+        model = model.with_lengths(&lengths).map_err(Unbuilt::Geometry)?;
     }
-    Ok(Built {
-        model,
-        points,
-        drives,
-    })
-}
-
-/// The mechanism with changes, at rest in the configuration nearest to its start.
-pub(super) fn changed<L: Suspension<N>, const N: usize>(
-    mechanism: &Mechanism<L, N>,
-    changes: &Changes,
-) -> Result<Mechanism<L, N>, Unbuilt> {
-    let Built {
-        model,
-        points,
-        drives,
-    } = build(mechanism, points(mechanism), changes)?;
-    assemble_nearest(mechanism, *model, &points, drives)
+    assemble_nearest(mechanism, model, &points, drives)
 }
 
 /// All points at the start of the mechanism.
-pub(super) fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
+fn points<L: Suspension<N>, const N: usize>(mechanism: &Mechanism<L, N>) -> L::Points {
     let drives = L::Drives::from_values(mechanism.first_drives());
     let inputs: Inputs<Still, _> = Inputs::still(Signal::still(drives));
     mechanism.start.points(&mechanism.model, &inputs).value

@@ -207,17 +207,11 @@ impl Grid {
     /// The places beside a place, along each axis.
     pub(super) fn neighbours(&self, place: usize) -> impl Iterator<Item = usize> {
         let along = self.axis_positions(place).into_iter();
-        along.flat_map(
-            move |At {
-                      number,
-                      count,
-                      stride,
-                  }| {
-                let below = (number > 0).then(|| place - stride);
-                let above = (number + 1 < count).then(|| place + stride);
-                below.into_iter().chain(above)
-            },
-        )
+        along.flat_map(move |at| {
+            let below = (at.number > 0).then(|| place - at.stride);
+            let above = (at.number + 1 < at.count).then(|| place + at.stride);
+            below.into_iter().chain(above)
+        })
     }
 
     /// The position of a place along each axis.

@@ -20,10 +20,9 @@ use crate::quantities::reader::wheel::Rolling;
 
 /// One number of any state, whose derivatives are not known.
 pub(super) fn number<N: Number>(dimension: Dimension, value: fn(&State) -> f64) -> Vec<Reading<N>> {
-    vec![Reading {
-        has_derivatives: false,
-        ..reading(dimension, move |reader| N::alone(value(reader)))
-    }]
+    vec![without_derivatives(dimension, move |state| {
+        Some(value(state))
+    })]
 }
 
 /// One number, by a formula of positions.
