@@ -19,6 +19,14 @@ impl Side {
         }
     }
 
+    /// Returns the sign of y on this side: 1 on the left, -1 on the right.
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+
     /// Returns the side in words.
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -82,6 +90,12 @@ impl Section {
             None => (end_of(word), side_of(word)),
         };
         (end.is_some() || side.is_some()).then_some(Self { end, side })
+    }
+
+    /// Returns its words, the end first.
+    pub(crate) fn words(self) -> Vec<&'static str> {
+        let (end, side) = (self.end.map(End::name), self.side.map(Side::name));
+        end.into_iter().chain(side).collect()
     }
 
     /// Returns this section, with what it does not say from another one.

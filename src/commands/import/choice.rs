@@ -1,15 +1,18 @@
 //! The choice of the layout for a file: the one that uses most of its points and lacks none.
 
+mod candidate;
+
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
+use suspension_core::listing::{Kind, Parts};
 use suspension_runtime::{Listing, Mistakes, catalogue};
 
-use super::candidate::Candidate;
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::rack::{self, RACK};
-use super::upper::{on_upper, point_on_upper};
+use super::upper_wishbone::{on_upper, point_on_upper};
+use candidate::Candidate;
 
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
@@ -55,6 +58,19 @@ impl<'a> Choice<'a> {
         })
     }
 
+    /// Returns whether a point of the file is one of the listing's.
+    pub(super) fn uses(&self, point: &Hardpoint) -> bool {
+        is_used(&self.found, point)
+    }
+
+    /// Returns whether a point of the listing is on the chassis.
+    pub(super) fn is_on_chassis(&self, name: &str) -> bool {
+        let chassis = self.listing.count(Kind::ChassisPoint);
+        self.listing
+            .point(name)
+            .is_some_and(|point| point < chassis)
+    }
+
     /// Returns the file's point for a point of the listing.
     pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
         point_of(&self.found, name)
@@ -64,6 +80,10 @@ impl<'a> Choice<'a> {
 fn point_of<'a>(found: &[(String, &'a Hardpoint)], name: &str) -> Option<&'a Hardpoint> {
     let mut found = found.iter();
     found.find_map(|(other, point)| (other == name).then_some(*point))
+}
+
+fn is_used(found: &[(String, &Hardpoint)], point: &Hardpoint) -> bool {
+    found.iter().any(|(_, used)| std::ptr::eq(*used, point))
 }
 
 /// Returns the listing that the user names, or else the one that uses most of the points.
@@ -99,8 +119,22 @@ pub(super) fn choose<'a>(
     }
 }
 
+/// Returns how much the layout nearest to some points lacks: first whether none of its points is among them, then how many are
+/// missing, then how many there are.
+pub(super) fn lacking(
+    points: &[&Hardpoint],
+    names: &Names,
+    wanted: Option<&str>,
+) -> Option<(bool, usize, Reverse<usize>)> {
+    let candidates = candidates(points, names, wanted);
+    candidates.first().map(|nearest| {
+        let found = nearest.found.len();
+        (found == 0, nearest.needed().len(), Reverse(found))
+    })
+}
+
 /// Returns the layouts, or the one that the user names, with the points of a file; the nearest one is the first.
-pub(super) fn candidates<'a>(
+fn candidates<'a>(
     points: &[&'a Hardpoint],
     names: &'a Names,
     wanted: Option<&str>,

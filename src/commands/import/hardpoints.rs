@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::heading::length;
+use super::length_units::length;
 use super::spelling::key_of;
 use crate::failure::Failure;
 use crate::file::Source;
@@ -223,6 +223,11 @@ impl<'a> Hardpoints<'a> {
             false => remedy(first.end, second.end),
         };
         format!("point `{}` stands in {at} already; {remedy}", second.name)
+    }
+
+    /// Returns the name of a point with its place.
+    pub(super) fn quoted(&self, point: &Hardpoint) -> String {
+        format!("`{}` ({})", point.name, self.line(&point.place))
     }
 
     /// Returns `file:line` of a place.

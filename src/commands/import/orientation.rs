@@ -1,7 +1,5 @@
 //! The axes of a file, deduced from the order of its points.
 
-use suspension_core::listing::{Kind, Parts};
-
 use super::choice::Choice;
 use super::names::Arrangement;
 use crate::mechanism::Axes;
@@ -111,15 +109,9 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
              x (along), y (across), z (up or down), or correct that point"
         ))
     };
-    let chassis = choice.listing.count(Kind::ChassisPoint);
-    let is_pick_up = |name: &str| {
-        choice
-            .listing
-            .point(name)
-            .is_some_and(|point| point < chassis)
-    };
-    let pick_ups = choice.found.iter().filter(|(name, _)| is_pick_up(name));
-    let outboard = pick_ups
+    let chassis = choice.found.iter();
+    let outboard = chassis
+        .filter(|(name, _)| choice.is_on_chassis(name))
         .map(|(_, point)| *point)
         .find(|point| point.at[1].abs() >= centre.at[1].abs());
     if let Some(point) = outboard {
@@ -190,13 +182,9 @@ fn clue_from_side(choice: &Choice<'_>) -> Option<Clue> {
         None => (choice.point("left_wheel_centre")?, Side::Left),
     };
     let y = point.at[1];
-    let outboard = match side {
-        Side::Left => 1.0,
-        Side::Right => -1.0,
-    };
     (y != 0.0).then(|| Clue {
         axis: 1,
-        sign: outboard * y.signum(),
+        sign: side.sign() * y.signum(),
         why: format!("y is {y} at `{}` on the {}", point.name, side.name()),
     })
 }

@@ -2,7 +2,7 @@
 
 use super::heading::end_of_heading;
 use super::row::Row;
-use super::spelling::spelled;
+use crate::commands::import::spelling::spelled;
 use crate::side::{End, Sides, corner_of, sides_of};
 
 impl Row<'_> {

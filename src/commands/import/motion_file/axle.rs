@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use suspension_core::linkages::LISTINGS;
 use suspension_runtime::Listing;
 
-use super::choice::Choice;
-use super::imported::Imported;
-use super::rack;
-use super::upper::on_upper;
+use crate::commands::import::choice::Choice;
+use crate::commands::import::imported_corner::ImportedCorner;
+use crate::commands::import::rack;
+use crate::commands::import::upper_wishbone::on_upper;
 use crate::failure::Failure;
 use crate::output::beside::name_of;
 use crate::output::files::{refuse_input, write_file};
@@ -79,7 +79,7 @@ impl Axle {
     }
 
     /// Returns name, position and origin of the rack housing, which is in the middle of the vehicle.
-    pub(super) fn housing(&self, left: &Imported<'_>) -> Option<[String; 3]> {
+    pub(super) fn housing(&self, left: &ImportedCorner<'_>) -> Option<[String; 3]> {
         self.is_steered.then_some(())?;
         let [x, _, z] = left.position("rack")?;
         Some([
@@ -116,7 +116,7 @@ impl Axle {
 
     /// Writes the motion file, with `text`, and the listing that it includes. If the axle cannot be built, both files stay
     /// as they were.
-    pub(super) fn written(
+    pub(super) fn write(
         &self,
         out: &Path,
         text: impl FnOnce(&Listing) -> Result<String, Failure>,

@@ -5,10 +5,8 @@
 //! `FRONT SUSPENSION` or `REAR SUSPENSION` is followed by a number, the points' coordinates in the same order, in
 //! millimetres, and the tyre's rolling radius.
 
-use std::ops::Range;
-
-use super::hardpoints::Hardpoints;
-use super::row::{Row, lines};
+use super::row::{Placed, Row, lines};
+use crate::commands::import::hardpoints::Hardpoints;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
@@ -54,7 +52,7 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
 }
 
 /// Returns the names of the points, in the order of their coordinates.
-fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
+fn template<'a>(lines: &[Placed<&'a str>]) -> Option<Vec<&'a str>> {
     let start = lines.iter().position(|(_, line)| *line == TEMPLATE)?;
     let (place, counts) = lines.get(start + 3)?;
     let counts = Row::parse(place.clone(), counts).numbers();
@@ -63,7 +61,7 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     };
     let blocks = lines.get((start + 4).saturating_add(*parts as usize)..)?;
     let blocks = blocks.chunks_exact(LINES_OF_POINT).take(*points as usize);
-    let name = |block: &[(Range<usize>, &'a str)]| {
+    let name = |block: &[Placed<&'a str>]| {
         let (place, line) = &block[LINE_OF_COORDINATES];
         let (_, name) = block[0];
         Row::parse(place.clone(), line).coordinates().map(|_| name)
@@ -72,8 +70,6 @@ fn template<'a>(lines: &[(Range<usize>, &'a str)]) -> Option<Vec<&'a str>> {
     (names.len() == *points as usize).then_some(names)
 }
 
-type Placed<T> = (Range<usize>, T);
-
 /// The numbers of a suspension, each with its place in the file.
 struct Suspension {
     coordinates: Vec<Placed<[f64; 3]>>,
@@ -81,7 +77,7 @@ struct Suspension {
 }
 
 /// Returns the coordinates of `points` points, and the radius that may follow them.
-fn suspension(lines: &[(Range<usize>, &str)], points: usize) -> Option<Suspension> {
+fn suspension(lines: &[Placed<&str>], points: usize) -> Option<Suspension> {
     let mut starts = (0..lines.len()).filter(|&line| SUSPENSIONS.contains(&lines[line].1));
     let (Some(start), None) = (starts.next(), starts.next()) else {
         return None;

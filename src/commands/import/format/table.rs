@@ -1,27 +1,35 @@
 //! Tables of points: a name and three numbers in each line, with headings and remarks between them.
 
+mod adams_view;
+mod angles;
+mod columns;
+mod line_per_axis;
+mod names_as_columns;
+mod row_name;
+mod thousands;
+
 use std::mem::take;
 use std::ops::Range;
 
-use super::adams_command::with_commands_as_rows;
-use super::add::add;
-use super::angle::check_angle;
-use super::columns::Columns;
-use super::hardpoints::Hardpoints;
+use super::add_row::add;
 use super::heading::{
     check_columns, column_groups, end_of_heading, side_of_heading, units_of_heading,
 };
-use super::line_per_axis::joined;
-use super::names::Names;
-use super::names_as_columns::with_names_in_rows;
 use super::row::{Row, lines_with_tabs};
-use super::row_name::{name_of, with_whole_name};
-use super::spelling::{key_of, spelled};
-use super::thousands::Thousands;
+use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::{key_of, spelled};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
 use crate::side::Section;
+use adams_view::with_commands_as_rows;
+use angles::check_angle;
+use columns::Columns;
+use line_per_axis::joined;
+use names_as_columns::with_names_in_rows;
+use row_name::{name_of, with_whole_name};
+use thousands::Thousands;
 
 /// Reads a table.
 ///

@@ -1,11 +1,11 @@
 //! The point or the number that a row of a table has.
 
-use super::hardpoints::Hardpoints;
-use super::heading::{length, unit};
-use super::names::Names;
+use super::ambiguous_rows::{check_group, check_row};
 use super::row::Row;
-use super::spelling::key_of;
-use super::unclear::{check_group, check_row};
+use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::length_units::{length, unit};
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::key_of;
 use crate::failure::Failure;
 use crate::side::Section;
 

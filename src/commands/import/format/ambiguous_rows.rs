@@ -1,10 +1,10 @@
 //! Rows with known names whose numbers can be read in several ways: they are refused.
 
-use super::hardpoints::Hardpoints;
 use super::row::Row;
-use super::spelling::key_of;
+use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::spelling::key_of;
 use crate::failure::Failure;
-use crate::side::{Section, Sides};
+use crate::side::Sides;
 
 const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
 
@@ -69,16 +69,7 @@ pub(super) fn check_group(
     let message = format!(
         "`{name}` has the coordinates of one point under {} groups of columns: say in the row which it is, for example `{}`",
         if others.len() == 1 { "two" } else { "several" },
-        in_words(*other)
+        other.words().join(" ")
     );
     Err(stated.source.refuse(&row.place, &message))
-}
-
-fn in_words(section: Section) -> String {
-    let (end, side) = (
-        section.end.map(|end| end.name()),
-        section.side.map(|side| side.name()),
-    );
-    let words: Vec<&str> = end.into_iter().chain(side).collect();
-    words.join(" ")
 }

@@ -1,12 +1,7 @@
 //! Commands of Adams/View in which points are made: `point create point_name = .car.hpl_lca_front location = 1, 2, 3`.
 
-use std::borrow::Cow;
-use std::ops::Range;
-
-use super::fields::is_number;
-
-/// A line of a text with its place.
-type Line<'a> = (Range<usize>, Cow<'a, str>);
+use crate::commands::import::format::fields::is_number;
+use crate::commands::import::format::row::{Line, Placed};
 
 /// The sign at the end of a line that goes on in the next one.
 const GOES_ON: char = '&';
@@ -14,7 +9,7 @@ const GOES_ON: char = '&';
 /// Joins lines that go on, and puts the name and the coordinates in place of a command with `location`. A part of a row in
 /// LaTeX goes on in the same way.
 pub(super) fn with_commands_as_rows<'a>(
-    lines: impl Iterator<Item = (Range<usize>, &'a str)>,
+    lines: impl Iterator<Item = Placed<&'a str>>,
 ) -> Vec<Line<'a>> {
     let mut rows: Vec<Line<'a>> = Vec::new();
     let mut goes_on = false;

@@ -6,9 +6,9 @@ use suspension_core::listing::{DriveKind, Kind, Part, Parts};
 use suspension_runtime::Listing;
 
 use super::axle::Axle;
-use super::imported::Imported;
 use super::vehicle::Vehicle;
-use super::{rack, remarks};
+use crate::commands::import::imported_corner::ImportedCorner;
+use crate::commands::import::{rack, remarks};
 use crate::mechanism::Length;
 use crate::number::rounded;
 
@@ -37,7 +37,7 @@ const BUMP: &str = "bump";
 
 /// Returns name, position and origin of each point of a corner, and remarks on it; `before` is the prefix of its point
 /// names.
-fn corner(imported: &Imported<'_>, before: &str) -> (Vec<[String; 3]>, Vec<String>) {
+fn corner(imported: &ImportedCorner<'_>, before: &str) -> (Vec<[String; 3]>, Vec<String>) {
     let points = imported.placed(before);
     let spare = &imported.choice.spare;
     let is_placed = |name: &str| spare.iter().any(|spare| name == format!("{before}{spare}"));
@@ -61,7 +61,7 @@ fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
 
 impl<'a> Draft<'a> {
     /// Drafts the motion file of one corner.
-    pub(super) fn for_corner(imported: &'a Imported<'_>) -> Self {
+    pub(super) fn for_corner(imported: &'a ImportedCorner<'_>) -> Self {
         let choice = &imported.choice;
         let stated = if choice.is_changed {
             let statements = rack::without_places(&choice.text);
@@ -76,7 +76,7 @@ impl<'a> Draft<'a> {
 
     /// Drafts the motion file of an axle, the left corner first.
     pub(super) fn for_axle(
-        sides: [&'a Imported<'_>; 2],
+        sides: [&'a ImportedCorner<'_>; 2],
         axle: &Axle,
         listing: &'a Listing,
     ) -> Self {
@@ -97,7 +97,7 @@ impl<'a> Draft<'a> {
     }
 
     fn new(
-        imported: &'a Imported<'_>,
+        imported: &'a ImportedCorner<'_>,
         listing: &'a Listing,
         stated: String,
         (points, of_corners): (Vec<[String; 3]>, Vec<String>),

@@ -1,18 +1,13 @@
 //! Tables with the names of points as columns and a line for each of x, y and z.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use super::fields::is_number;
-use super::heading::is_unit;
-use super::names::Names;
-use super::spelling::{key_of, spelled};
+use crate::commands::import::format::fields::{BETWEEN_COLUMNS, is_number};
+use crate::commands::import::format::row::Line;
+use crate::commands::import::length_units::is_unit;
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::{key_of, spelled};
 use crate::side::Section;
-
-/// A line of a text with its place.
-type Line<'a> = (Range<usize>, Cow<'a, str>);
-
-const SEPARATORS: [char; 4] = [';', '\t', '|', ','];
 
 /// Puts a line for each point in place of lines with x, y and z below a line of names, which may stand over several such blocks.
 pub(super) fn with_names_in_rows<'a>(
@@ -43,7 +38,7 @@ pub(super) fn with_names_in_rows<'a>(
 fn rows_of<'a>(names: &Line<'a>, block: &[Line<'a>; 3], known: &Names) -> Option<Vec<Line<'a>>> {
     let [x, y, z] = block;
     let place = x.0.start..z.0.end;
-    SEPARATORS.into_iter().find_map(|separator| {
+    BETWEEN_COLUMNS.into_iter().find_map(|separator| {
         let lines = [names, x, y, z].map(|line| cells(line, separator));
         let block = Block::read(&lines).filter(|block| block.is_of_points(known))?;
         let headings = [block.heading.join("; "), block.corner];

@@ -1,7 +1,7 @@
 //! The columns of coordinates where a heading says which they are, among other columns of numbers.
 
-use super::fields::is_number;
-use super::spelling::spelled;
+use crate::commands::import::format::fields::{BETWEEN_COLUMNS, is_number};
+use crate::commands::import::spelling::spelled;
 use crate::side::Section;
 
 /// The columns of x, y and z, which are beside each other: those of one point, or of one in each group of columns.
@@ -17,8 +17,7 @@ pub(super) struct Columns {
 impl Columns {
     /// Returns the columns that a heading names; `None` if it names none.
     pub(super) fn of_heading(line: &str) -> Option<Self> {
-        let separators = [';', '\t', '|', ','].into_iter();
-        let mut found = separators.filter_map(|separator| {
+        let mut found = BETWEEN_COLUMNS.into_iter().filter_map(|separator| {
             let cells: Vec<String> = line.split(separator).map(spelled).collect();
             let is = |column: usize, axis: &str| {
                 let cell = cells.get(column);

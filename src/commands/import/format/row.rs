@@ -1,13 +1,14 @@
 //! A line of a table: a name and numbers, with any separators.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use super::fields::{
     MINUS, fields, has_empty_coordinate, has_number_in_parentheses, number, without_axes,
     without_units,
 };
-use super::heading::unit;
-use super::spelling::spelled;
+use crate::commands::import::length_units::unit;
+use crate::commands::import::spelling::spelled;
 use crate::decimals::Decimals;
 use crate::side::sides_of;
 
@@ -23,6 +24,12 @@ const SEPARATORS: [char; 6] = [';', '\t', '|', '&', ',', ' '];
 
 /// The most points in a row: one for each corner of a vehicle.
 const MOST_POINTS: usize = 4;
+
+/// A part of a file, with its place.
+pub(super) type Placed<T> = (Range<usize>, T);
+
+/// A line of a file, or one that takes the place of several.
+pub(super) type Line<'a> = Placed<Cow<'a, str>>;
 
 /// A line that has been split into fields.
 #[derive(Debug)]
@@ -42,19 +49,16 @@ pub(super) struct Row<'a> {
 }
 
 /// Returns the trimmed lines of a text, each with its place.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Placed<&str>> {
     trimmed_lines(text, char::is_whitespace)
 }
 
 /// Returns the lines of a text without the blanks around them, but with tabs: cells that are empty.
-pub(super) fn lines_with_tabs(text: &str) -> impl Iterator<Item = (Range<usize>, &str)> {
+pub(super) fn lines_with_tabs(text: &str) -> impl Iterator<Item = Placed<&str>> {
     trimmed_lines(text, |c| c.is_whitespace() && c != '\t')
 }
 
-fn trimmed_lines(
-    text: &str,
-    is_blank: fn(char) -> bool,
-) -> impl Iterator<Item = (Range<usize>, &str)> {
+fn trimmed_lines(text: &str, is_blank: fn(char) -> bool) -> impl Iterator<Item = Placed<&str>> {
     let mut start = 0;
     text.split_inclusive('\n').map(move |line| {
         let from = start;

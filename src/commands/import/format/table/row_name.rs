@@ -1,9 +1,10 @@
 //! The name of a row, of which parentheses, a column before it, or the heading above it may have a part.
 
-use super::heading::{end_of_heading, section_of_heading, unit};
-use super::names::Names;
-use super::row::Row;
-use super::spelling::{is_on_ground, key_of, spelled};
+use crate::commands::import::format::heading::{end_of_heading, section_of_heading};
+use crate::commands::import::format::row::Row;
+use crate::commands::import::length_units::unit;
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::{is_on_ground, key_of, spelled};
 use crate::side::{Section, sides_of};
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,

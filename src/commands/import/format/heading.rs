@@ -1,6 +1,6 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
-use crate::mechanism::Length;
+use crate::commands::import::length_units::{is_unit, unit};
 use crate::side::{End, Section, Side, end_of};
 
 /// Words of a suspension in headings.
@@ -134,20 +134,6 @@ pub(super) fn section_of_heading(words: &str) -> Section {
     }
 }
 
-/// Units of length that motion files do not have.
-const OTHER_UNITS: [&str; 10] = [
-    "cm",
-    "centimeter",
-    "centimetre",
-    "centimeters",
-    "centimetres",
-    "dm",
-    "km",
-    "ft",
-    "foot",
-    "feet",
-];
-
 /// Checks that the columns are x, y, z in this order.
 pub(super) fn check_columns(words: &[&str]) -> Result<(), String> {
     let columns = words.iter().filter(|word| ["x", "y", "z"].contains(word));
@@ -203,32 +189,4 @@ fn is_certain_unit(words: &[&str], place: usize) -> bool {
     let is_between_axes = is(before, &["x", "y"]) && is(behind, &["y", "z"]);
     let is_behind_units = is(before, &["in", "unit", "units", "einheit", "einheiten"]);
     behind.is_none() || is(behind, &["in", "deg"]) || is_between_axes || is_behind_units
-}
-
-/// Returns whether a word names a unit of length.
-pub(super) fn is_unit(word: &str) -> bool {
-    unit(word).is_some() || OTHER_UNITS.contains(&word)
-}
-
-/// Returns the unit of length that a word names.
-///
-/// # Errors
-///
-/// A sentence, if motion files do not have the unit.
-pub(super) fn length(word: &str) -> Result<Length, String> {
-    unit(word).ok_or_else(|| {
-        format!("lengths are in `{word}`; convert them to mm, m or in, and say so here")
-    })
-}
-
-/// Returns the unit of motion files that a word names.
-pub(super) fn unit(word: &str) -> Option<Length> {
-    match word {
-        "mm" | "millimeter" | "millimetre" | "millimeters" | "millimetres" => {
-            Some(Length::Millimetre)
-        }
-        "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
-        "in" | "inch" | "inches" => Some(Length::Inch),
-        _ => None,
-    }
 }

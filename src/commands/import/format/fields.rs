@@ -1,10 +1,13 @@
 //! The fields of a line of a table.
 
-use super::heading::is_unit;
+use crate::commands::import::length_units::is_unit;
 use crate::decimals::Decimals;
 
 /// The characters that files have for a minus: a hyphen, and in typeset tables a minus or an en dash.
 pub(super) const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
+
+/// The signs between columns.
+pub(super) const BETWEEN_COLUMNS: [char; 4] = [';', '\t', '|', ','];
 
 /// Returns the number in a field; `inf` and `nan` are none.
 pub(super) fn number(field: &str, with_comma: bool, decimals: Decimals) -> Option<f64> {

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::hardpoints::{Hardpoint, Hardpoints};
-use super::layout::Layout;
-use super::names::{MOST_NAMES, Names, and_more};
-use super::stand_in::has_stand_in;
+use super::is_used;
+use crate::commands::import::hardpoints::{Hardpoint, Hardpoints};
+use crate::commands::import::layout::Layout;
+use crate::commands::import::names::{MOST_NAMES, Names, and_more};
+use crate::commands::import::stand_in::has_stand_in;
 
 /// The most names that a message gives for a missing point.
 const FEW_NAMES: usize = 4;
@@ -119,8 +120,7 @@ impl<'a> Candidate<'a> {
         let told = unknown.by_ref().take(MOST_NAMES).map(|point| {
             let hint = names.meant(&point.key, wanted.clone());
             let hint = hint.map(|name| format!(", did you mean {name}?"));
-            let line = stated.line(&point.place);
-            format!("`{}` ({line}){}", point.name, hint.unwrap_or_default())
+            stated.quoted(point) + &hint.unwrap_or_default()
         });
         let mut each: Vec<String> = told.collect();
         each.extend(and_more(unknown.count()));
@@ -135,8 +135,7 @@ impl<'a> Candidate<'a> {
         let is_of_other = |point: &&&Hardpoint| names.is_point(&point.key) && !self.uses(point);
         let mut others = points.iter().filter(is_of_other);
         let told = others.by_ref().take(FEW_NAMES);
-        let told = told.map(|point| format!("`{}` ({})", point.name, stated.line(&point.place)));
-        let mut each: Vec<String> = told.collect();
+        let mut each: Vec<String> = told.map(|point| stated.quoted(point)).collect();
         if each.is_empty() {
             return String::new();
         }
@@ -145,8 +144,7 @@ impl<'a> Candidate<'a> {
     }
 
     fn uses(&self, point: &Hardpoint) -> bool {
-        let mut used = self.found.iter().map(|(_, used)| *used);
-        used.any(|used| std::ptr::eq(used, point))
+        is_used(&self.found, point)
     }
 
     /// Names two points of the file that have names of one point of the listing and are in different places.
@@ -160,9 +158,7 @@ impl<'a> Candidate<'a> {
             let forms = names.forms_of(name);
             let mut others = points.iter().filter(|point| !self.uses(point) && point.at != taken.at);
             let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
-            let [other, taken] = [*other, *taken].map(|point| {
-                format!("`{}` ({})", point.name, stated.line(&point.place))
-            });
+            let [other, taken] = [other, taken].map(|point| stated.quoted(point));
             Some(format!(
                 "{other} and {taken} are names of one point, {name}, in different places: leave one of them, or give the other a \
                  name that import does not know"
@@ -185,11 +181,10 @@ impl<'a> Candidate<'a> {
         let rocker = points.iter().find(is_of_rocker)?;
         (has(DAMPER) && !has(ROCKER)).then(|| {
             format!(
-                "the damper would end at a wishbone or knuckle, but `{}` ({}) is of a rocker: --linkage double_wishbone_rocker says \
+                "the damper would end at a wishbone or knuckle, but {} is of a rocker: --linkage double_wishbone_rocker says \
                  which points are missing, for example the ends of the rocker's axis, `Rocker front` and `Rocker rear`; leave out \
                  all points of the rocker and its rod if the damper does not end at it",
-                rocker.name,
-                stated.line(&rocker.place)
+                stated.quoted(rocker)
             )
         })
     }

@@ -1,10 +1,8 @@
 //! Numbers such as `1,250`, which are one or one thousand.
 
-use std::ops::Range;
-
-use super::names::Names;
-use super::row::Row;
-use super::spelling::key_of;
+use crate::commands::import::format::row::{Placed, Row};
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::key_of;
 use crate::decimals::Decimals;
 use crate::failure::Failure;
 use crate::file::Source;
@@ -17,7 +15,7 @@ const LONGEST: usize = 1;
 pub(super) struct Thousands {
     pub(super) decimals: Decimals,
     /// The first number that nothing explains, with its place.
-    unclear: Option<(Range<usize>, String)>,
+    unclear: Option<Placed<String>>,
 }
 
 impl Thousands {

@@ -1,7 +1,7 @@
 //! The section `[vehicle]` of the motion file that an import writes.
 
-use super::imported::Imported;
-use super::stand_in::number;
+use crate::commands::import::imported_corner::ImportedCorner;
+use crate::commands::import::stand_in::number;
 use crate::side::End;
 
 /// What a file says about the vehicle.
@@ -14,14 +14,14 @@ pub(super) struct Vehicle {
 }
 
 impl Vehicle {
-    pub(super) fn of_corner(imported: &Imported<'_>) -> Self {
+    pub(super) fn of_corner(imported: &ImportedCorner<'_>) -> Self {
         Self {
             wheel_radius: wheel_radius(imported),
             axle: imported.stated.end(),
         }
     }
 
-    pub(super) fn of_axle(sides: [&Imported<'_>; 2]) -> Self {
+    pub(super) fn of_axle(sides: [&ImportedCorner<'_>; 2]) -> Self {
         let wheel_radius = match sides.map(wheel_radius) {
             [Some([left, line]), Some([right, other])] if left != right => Some([
                 format!("{{ left = {left}, right = {right} }}"),
@@ -53,8 +53,8 @@ impl Vehicle {
 }
 
 /// Returns the wheel's radius and its origin.
-fn wheel_radius(imported: &Imported<'_>) -> Option<[String; 2]> {
-    let Imported {
+fn wheel_radius(imported: &ImportedCorner<'_>) -> Option<[String; 2]> {
+    let ImportedCorner {
         stated,
         names,
         corner,

@@ -8,7 +8,7 @@ use crate::side::Side;
 
 /// The points of a corner, in ISO 8855.
 #[derive(Debug)]
-pub(super) struct Corner {
+pub(super) struct CornerPoints {
     /// Coordinates in the order of the choice.
     pub(super) at: Vec<[f64; 3]>,
     /// The side on which the points are.
@@ -19,7 +19,7 @@ pub(super) struct Corner {
     pub(super) stated_side: Side,
 }
 
-impl Corner {
+impl CornerPoints {
     /// Converts the points of a choice.
     ///
     /// # Errors

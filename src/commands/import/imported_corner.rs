@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::choice::Choice;
-use super::corner::Corner;
+use super::corner_points::CornerPoints;
 use super::hardpoints::{Hardpoint, Hardpoints, Number};
 use super::names::Names;
 use super::orientation::Orientation;
@@ -14,14 +14,14 @@ use crate::number::rounded;
 use crate::side::Side;
 
 /// The data that the file has for a corner.
-pub(super) struct Imported<'a> {
+pub(super) struct ImportedCorner<'a> {
     pub(super) stated: &'a Hardpoints<'a>,
     pub(super) names: &'a Names,
     /// The points of the corner and those without a side.
     pub(super) points: Vec<&'a Hardpoint>,
     pub(super) choice: Choice<'a>,
     pub(super) orientation: Orientation,
-    pub(super) corner: Corner,
+    pub(super) corner: CornerPoints,
     /// The unit that the user states.
     pub(super) unit: Option<Length>,
     /// Sentences about the other corner of the file.
@@ -63,7 +63,7 @@ impl Other {
     }
 }
 
-impl Imported<'_> {
+impl ImportedCorner<'_> {
     /// Checks a unit that is deduced from the size of the suspension against the distance of the wheel from the middle of the
     /// vehicle.
     ///

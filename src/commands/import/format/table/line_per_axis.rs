@@ -1,14 +1,8 @@
 //! Points whose coordinates have a line each, as in `lca_front_x = 130` or, in YAML and JSON, below the name of the point.
 
-use std::borrow::Cow;
-use std::ops::Range;
-
-use super::fields::is_number;
-use super::heading::is_unit;
-use super::row::without_remark;
-
-/// A line of a text with its place.
-type Line<'a> = (Range<usize>, Cow<'a, str>);
+use crate::commands::import::format::fields::is_number;
+use crate::commands::import::format::row::{Line, without_remark};
+use crate::commands::import::length_units::is_unit;
 
 /// Joins three lines with x, y and z of one point to one line with its name and three numbers.
 pub(super) fn joined<'a>(lines: impl Iterator<Item = Line<'a>>) -> Vec<Line<'a>> {

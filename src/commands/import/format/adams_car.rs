@@ -1,10 +1,10 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
-use super::add::add;
-use super::hardpoints::Hardpoints;
-use super::names::Names;
+use super::add_row::add;
 use super::row::{Row, lines};
-use super::spelling::spelled;
+use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::spelled;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;

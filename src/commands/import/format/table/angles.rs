@@ -1,10 +1,10 @@
 //! Rows of toe and camber that say something else than the angle of one wheel, in degrees: they are refused.
 
-use super::hardpoints::Hardpoints;
-use super::heading::section_of_heading;
-use super::names::Names;
-use super::row::Row;
-use super::spelling::{key_of, spelled};
+use crate::commands::import::format::heading::section_of_heading;
+use crate::commands::import::format::row::Row;
+use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::names::Names;
+use crate::commands::import::spelling::{key_of, spelled};
 use crate::failure::Failure;
 use crate::side::{Section, sides_of};
 
