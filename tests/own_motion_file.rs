@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
+use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::load::load_own;
 use suspension::mechanism::{Mechanism, State};
@@ -171,20 +171,17 @@ fn ranges_far_from_the_origin_are_only_shifted() {
 #[test]
 fn a_baked_curve_far_from_the_origin_is_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let request = Request {
-            along: Variables::Drives(vec![Wished {
+        let baking = Baking {
+            file: "a.toml",
+            mechanism: &mechanism(away),
+            variables: Variables::Drives(vec![WishedDrive {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
             }]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
             wish: Wish::Wheel(0),
-        };
-        let baking = Baking {
             interrupted: &AtomicBool::new(false),
-            file: "a.toml",
-            mechanism: &mechanism(away),
-            request: &request,
         };
         let sheet = baking.execute().expect("a curve");
         match sheet.baked {

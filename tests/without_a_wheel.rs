@@ -5,14 +5,15 @@ use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
 use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
+use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
 use suspension::load::load;
-use suspension::output::figures::{draw, height_and_angles};
-use suspension::output::record::record;
+use suspension::output::motion::plots::{draw, height_and_angles};
+use suspension::output::motion::record::record;
+use suspension::output::motion::summary;
 use suspension::output::rows::Forms;
-use suspension::output::summary;
+use suspension::output::svg_folder::SvgFolder;
 use suspension::output::target::Target;
 
 /// A point on two links, its height driven.
@@ -41,15 +42,6 @@ fn with_mechanism<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
     let source = Source::new("a.toml", FILE);
     let loaded = load(&source).expect("a listing");
     work(&*loaded.at_first_instant().expect("a mechanism"))
-}
-
-fn request(wish: Wish) -> Request {
-    Request {
-        along: Variables::Drives(vec![Wished::default()]),
-        tolerance: 1e-6,
-        continuity: Continuity::Velocity,
-        wish,
-    }
 }
 
 #[test]
@@ -82,8 +74,11 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
         text.contains("  height\n") && !text.contains("camber"),
         "{text}"
     );
-    let files = (folder.path(), "a");
-    let written = draw(mechanism, &outcome, files, height_and_angles).expect("no plots");
+    let plots = SvgFolder {
+        folder: folder.path(),
+        stem: "a",
+    };
+    let written = draw(mechanism, &outcome, &plots, height_and_angles).expect("no plots");
     assert_eq!(written, [] as [&Path; 0], "there is nothing to draw");
 }
 
@@ -120,10 +115,13 @@ fn without_a_wheel_points_are_baked_and_a_wheel_is_refused() {
 fn bakes_points_alone(mechanism: &dyn Kinematics) {
     let baked = |wish| {
         Baking {
-            interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism,
-            request: &request(wish),
+            variables: Variables::Drives(vec![WishedDrive::default()]),
+            tolerance: 1e-6,
+            continuity: Continuity::Velocity,
+            wish,
+            interrupted: &AtomicBool::new(false),
         }
         .execute()
     };

@@ -2,7 +2,6 @@
 
 pub mod listed;
 mod report;
-pub mod watched;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -15,11 +14,12 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
 use crate::option::number;
+use crate::output::destinations::tables;
+use crate::output::file_table::Table;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::noted;
 use crate::output::rows::Forms;
-use crate::output::table::Table;
 use crate::output::target::Target;
 use listed::{Wish, list};
 use report::Report;
@@ -56,10 +56,7 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.map(Target::from),
-            ..Forms::default()
-        };
+        let forms = tables([self.csv.as_ref(), None, None]);
         let loaded = load(&source)?;
         forms.check()?;
         let wish = Wish {

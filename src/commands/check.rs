@@ -9,13 +9,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
-use crate::commands::assemblies::watched::Watched;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::output::files::print;
 use crate::output::progress::Busy;
+use crate::output::progress::search::Search;
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
@@ -130,14 +130,14 @@ fn count_assemblies(
     if interrupted.load(Ordering::Relaxed) {
         return Ok(());
     }
-    let watched = Watched::new(report.file, interrupted);
-    let watch = |stage, count| watched.goes_on(stage, count);
+    let progress = Search::new(report.file, interrupted);
+    let watch = |stage, count| progress.goes_on(stage, count);
     let mut search = mechanism.assemblies(&watch);
     if let Some((_, tally)) = search.at(&mechanism.first_drives()) {
-        watched.clear();
+        progress.clear();
         print(&report.assemblies(&tally))?;
     }
-    watched.ended()
+    progress.ended()
 }
 
 const NOTES: &str = "\

@@ -4,10 +4,9 @@ mod drawing;
 mod found;
 mod leading;
 mod line;
-mod note;
+mod notes;
 mod report;
 mod run;
-mod springs_left_out;
 mod table;
 mod unloaded;
 
@@ -22,10 +21,11 @@ use crate::grid::Swept;
 use crate::load::load;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
-use crate::output::beside::{in_out, name_of};
+use crate::output::default_path::{name_of, target};
+use crate::output::destinations::tables;
 use crate::output::notes::noted;
 use crate::output::rows::Forms;
-use crate::output::target::Target;
+use crate::output::svg_folder::SvgFolder;
 use run::Run;
 
 /// The arguments of `suspension loads`.
@@ -85,16 +85,17 @@ impl Arguments {
             let sprung = mechanism.at_start(&mut sprung).flatten();
             return Err(source.refuse(&(0..0), no_case(&mechanism.names, sprung)));
         }
+        let (stem, drawings) = (name_of(&self.file), self.drawings.as_deref());
         let run = Run {
             source: source.name(),
             mechanism,
             listing: loaded.listing(),
             structure: &structure,
             cases: &cases,
-            drawings: self
-                .drawings
-                .as_deref()
-                .map(|folder| (folder, name_of(&self.file).into_owned())),
+            drawings: drawings.map(|folder| SvgFolder {
+                folder,
+                stem: &stem,
+            }),
         };
         if self.motion {
             run.run_motion(&forms, interrupted)
@@ -109,14 +110,12 @@ impl Arguments {
         } else {
             "_loads.csv"
         };
-        let beside = || in_out(&self.file, ending);
-        let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
-        let csv = self.csv.clone().or_else(|| is_grid.then(beside));
-        Forms {
-            csv: csv.map(Target::from),
-            json: self.json.clone().map(Target::from),
-            parquet: None,
+        let is_grid = self.motion || !self.drives.is_empty();
+        let mut forms = tables([self.csv.as_ref(), self.json.as_ref(), None]);
+        if is_grid && forms.is_empty() {
+            forms.csv = Some(target(None, &self.file, ending));
         }
+        forms
     }
 }
 

@@ -12,14 +12,15 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::output::beside::name_of;
-use crate::output::figures::{draw, height_and_angles, path};
-use crate::output::files::{announce, print, refuse_plot};
+use crate::output::default_path::name_of;
+use crate::output::destinations::tables;
+use crate::output::files::{announce, print};
+use crate::output::motion::plots::{draw, height_and_angles};
+use crate::output::motion::record::record;
+use crate::output::motion::summary;
 use crate::output::notes::noted;
-use crate::output::record::record;
 use crate::output::rows::Forms;
-use crate::output::summary;
-use crate::output::target::Target;
+use crate::output::svg_folder::SvgFolder;
 
 /// The arguments of `suspension motion`.
 #[derive(Args, Clone, Debug)]
@@ -58,11 +59,10 @@ impl Arguments {
     /// See [`Failure`]. If the solver stops or the user interrupts, the files hold what was solved.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.clone().map(Target::from),
-            json: self.json.clone().map(Target::from),
-            parquet: self.parquet.clone().map(Target::from),
-        };
+        let Self {
+            csv, json, parquet, ..
+        } = &self;
+        let forms = tables([csv.as_ref(), json.as_ref(), parquet.as_ref()]);
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = noted(loaded.at_first_instant()?);
@@ -77,25 +77,20 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &mechanism.instants;
-        let Self { file, plots, .. } = self;
-        let stem = name_of(file);
-        if let Some(folder) = plots {
+        let stem = name_of(&self.file);
+        let plots = self.plots.as_deref();
+        let plots = plots.map(|folder| SvgFolder {
+            folder,
+            stem: &stem,
+        });
+        if let Some(folder) = &plots {
             let charts = height_and_angles(mechanism, [&[], &[]]);
-            let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));
-            let plots: Vec<PathBuf> = plots.collect();
-            for (table, option) in forms.files() {
-                refuse_plot(table, option, &plots)?;
-            }
+            folder.refuse_tables(forms, charts.iter().map(|(name, _)| *name))?;
         }
         let outcome = record(mechanism, instants, forms, KEPT, interrupted)?;
         let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-        if let Some(folder) = plots {
-            written.extend(draw(
-                mechanism,
-                &outcome,
-                (folder, &stem),
-                height_and_angles,
-            )?);
+        if let Some(folder) = &plots {
+            written.extend(draw(mechanism, &outcome, folder, height_and_angles)?);
         }
         if forms.is_empty() && plots.is_none() {
             print(&summary::text(mechanism, &outcome))?;

@@ -1,6 +1,6 @@
 //! The program without a command: the published motion, and the paper's tables beside our results.
 
-mod beside;
+mod compared_column;
 mod comparison;
 mod figures;
 pub mod paper;
@@ -12,12 +12,13 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::output::figures::draw;
 use crate::output::files::{announce, print};
+use crate::output::motion::plots::draw;
+use crate::output::motion::record::record;
+use crate::output::motion::summary;
 use crate::output::notes::noted;
-use crate::output::record::record;
 use crate::output::rows::Forms;
-use crate::output::summary;
+use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use paper::Paper;
 use timing::Timing;
@@ -54,8 +55,11 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
         return Err(failure);
     }
     let mut written = vec![csv];
-    let files = (Path::new(folder), stem);
-    written.extend(draw(mechanism, &outcome, files, figures::charts)?);
+    let folder = SvgFolder {
+        folder: Path::new(folder),
+        stem,
+    };
+    written.extend(draw(mechanism, &outcome, &folder, figures::charts)?);
     let paper = Paper::built_in();
     let mut report = comparison::text(&paper, &mechanism.names, &outcome.kept);
     report.push_str(&figures::text(&mechanism.names, &outcome.kept));

@@ -1,6 +1,6 @@
 //! `suspension range`: the range of each drive, and the curve beyond it.
 
-mod picture;
+mod plot;
 mod report;
 
 use std::collections::BTreeSet;
@@ -14,14 +14,15 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
-use crate::output::beside::name_of;
-use crate::output::figures::path;
-use crate::output::files::{announce, print, refuse_plot, write_file};
+use crate::output::default_path::name_of;
+use crate::output::destinations::tables;
+use crate::output::file_table::{Column, Table};
+use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::noted;
 use crate::output::progress::Busy;
 use crate::output::rows::Forms;
-use crate::output::table::{Column, Table};
+use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
 use crate::reach::{DriveRange, Station};
@@ -53,16 +54,12 @@ impl Arguments {
     /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.clone().map(Target::from),
-            ..Forms::default()
-        };
+        let forms = tables([self.csv.as_ref(), None, None]);
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = &*noted(loaded.within_reach()?);
         let chosen = self.chosen(&mechanism.names);
-        let chosen =
-            chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
+        let chosen = chosen.map_err(|message| Failure::input(source.name(), message))?;
         let ranges = self.ranges((mechanism, &chosen), &forms, interrupted);
         ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
         if interrupted.load(Ordering::Relaxed) {
@@ -91,15 +88,17 @@ impl Arguments {
         forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let Self { file, plots, .. } = self;
-        let stem = name_of(file);
-        let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
-        if let Some(folder) = plots {
+        let stem = name_of(&self.file);
+        let plots = self.plots.as_deref();
+        let plots = plots.map(|folder| SvgFolder {
+            folder,
+            stem: &stem,
+        });
+        let name = |drive: &str| format!("range_{drive}");
+        if let Some(folder) = &plots {
             let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
-            let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
-            for (table, option) in forms.files() {
-                refuse_plot(table, option, &plots)?;
-            }
+            let names: Vec<String> = drives.map(|drive| name(&drive.name)).collect();
+            folder.refuse_tables(forms, names.iter().map(String::as_str))?;
         }
         let ranges = {
             let _shown = Busy::new("following the curve of each drive");
@@ -109,15 +108,11 @@ impl Arguments {
         };
         table(mechanism, &ranges, forms)?;
         let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-        if let Some(folder) = plots {
-            for range in &ranges {
-                let path = plot(folder, &range.name);
-                let chart = picture::chart(mechanism, range);
-                if let Some(svg) = chart.and_then(|chart| chart.svg()) {
-                    write_file(&path, &svg)?;
-                    written.push(path);
-                }
-            }
+        if let Some(folder) = &plots {
+            let charts = ranges.iter();
+            let charts = charts
+                .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
+            written.extend(folder.draw(charts)?);
         }
         if forms.csv != Some(Target::Stdout) {
             print(&report::text(mechanism, &ranges))?;

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::report_of_singular;
@@ -17,7 +17,7 @@ use crate::option::whole_number;
 use crate::output::csv_file::{CsvFile, format_in_full};
 use crate::output::files::{announce, print};
 use crate::output::heading::Heading;
-use crate::output::notes::noted;
+use crate::output::notes::{noted, print_notes};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::sensitivities::{Sensitivities, sensitivities};
@@ -124,9 +124,7 @@ impl Arguments {
                 "--samples and --seed need [tolerances] for the random changes; the file has none";
             return Err(Failure::input(file, message));
         }
-        if let Some(note) = loaded.doubtful_tolerance() {
-            tell(format_args!("note: {note}"));
-        }
+        print_notes(loaded.doubtful_tolerance());
         Ok(tolerances)
     }
 

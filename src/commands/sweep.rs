@@ -13,13 +13,13 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{DerivativeOrder, Description};
 use crate::option::derivatives;
-use crate::output::beside::in_out;
+use crate::output::default_path::target;
+use crate::output::destinations::tables;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
 use crate::output::notes::noted;
 use crate::output::progress::Progress;
 use crate::output::rows::{Forms, Rows};
-use crate::output::target::Target;
 
 /// The arguments of `suspension sweep`.
 #[derive(Args, Clone, Debug)]
@@ -66,17 +66,13 @@ impl Arguments {
     /// interrupt.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let beside = || in_out(&self.file, "_sweep.csv");
-        let json = self.json.clone().map(Target::from);
-        let csv = self.csv.clone();
-        let parquet = self.parquet.clone().map(Target::from);
-        let is_told = json.is_some() || parquet.is_some();
-        let csv = csv.or_else(|| (!is_told).then(beside));
-        let forms = Forms {
-            csv: csv.map(Target::from),
-            json,
-            parquet,
-        };
+        let Self {
+            csv, json, parquet, ..
+        } = &self;
+        let mut forms = tables([csv.as_ref(), json.as_ref(), parquet.as_ref()]);
+        if forms.is_empty() {
+            forms.csv = Some(target(None, &self.file, "_sweep.csv"));
+        }
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = &*noted(loaded.at_design()?);

@@ -16,10 +16,9 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Pair, report_of_singular};
-use crate::output::beside::in_out;
+use crate::output::default_path::target;
 use crate::output::files::announce;
 use crate::output::notes::{noted, noted_unmet_range, print_notes};
-use crate::output::target::Target;
 use wheel::Wheel;
 
 /// The arguments of `suspension tables`.
@@ -68,12 +67,11 @@ impl Arguments {
         };
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let ending = of_wheel.collect::<String>() + ending;
-        let beside = || in_out(&self.file, &ending);
         if self.travel.is_some() && self.program == Program::Carmaker {
             let message = "--travel is for CarSim only; CarMaker's tables are derivatives at the design position";
             return Err(Failure::Input(message.to_owned()));
         }
-        let target = Target::from(self.out.clone().unwrap_or_else(beside));
+        let target = target(self.out.as_deref(), &self.file, &ending);
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         target.refuse_input("--out")?;

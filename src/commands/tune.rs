@@ -9,15 +9,15 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{Dimension, MotionFile, Source, tell};
+use crate::file::{Dimension, MotionFile, Source};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::{Axis, CountedFrom, Description};
 use crate::number::number;
-use crate::output::beside::name_of;
+use crate::output::default_path::name_of;
 use crate::output::files::{announce, print, refuse_existing};
-use crate::output::notes::noted;
+use crate::output::notes::{noted, print_notes, print_notes_on};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
@@ -73,9 +73,8 @@ impl Arguments {
         if out != Target::Stdout {
             print(&report.text())?;
         }
-        for note in [report.held(), report.idle()].into_iter().flatten() {
-            tell(format_args!("note: {}: {note}", source.name()));
-        }
+        let notes = [report.held(), report.idle()].into_iter().flatten();
+        print_notes_on(source.name(), notes);
         let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
         check(out.path().unwrap_or(&self.file), &text, (mechanism, &tuned))?;
         out.write(&text)?;
@@ -90,13 +89,9 @@ fn tell_doubts(
     (file, mechanism): (&str, &dyn Kinematics),
     (moves, targets): (&[Move], &[tune::Target]),
 ) {
-    let of_ranges = doubtful_ranges(mechanism, targets).into_iter();
-    loaded
-        .one_sided_moves(mechanism)
-        .into_iter()
-        .chain(loaded.doubtful_boxes(moves))
-        .chain(of_ranges.map(|note| format!("{file}: {note}")))
-        .for_each(|note| tell(format_args!("note: {note}")));
+    print_notes(loaded.one_sided_moves(mechanism));
+    print_notes(loaded.doubtful_boxes(moves));
+    print_notes_on(file, doubtful_ranges(mechanism, targets));
 }
 
 /// Returns why the result is not the one that the file asks for, if it is not.

@@ -13,10 +13,10 @@ use clap::Args;
 
 use crate::characteristics::{DesignNumber, Span, no_steering, refuse_unknown_numbers};
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::load::{describe_one_sided, load};
 use crate::output::destinations::Destinations;
-use crate::output::notes::noted;
+use crate::output::notes::{noted, print_notes_on};
 use crate::quantities::is_first_in_curves;
 use report::Report;
 use study::{Spans, Study};
@@ -118,9 +118,7 @@ impl Arguments {
             self.values.doubt(varied.mechanism),
             varied.describe_elsewhere(values),
         ];
-        for note in notes.into_iter().flatten() {
-            tell(format_args!("note: {}: {note}", varied.file));
-        }
+        print_notes_on(varied.file, notes.into_iter().flatten());
     }
 
     /// Returns the numbers to print, and those to write and draw.

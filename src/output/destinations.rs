@@ -1,4 +1,4 @@
-//! Where a report goes: standard output, tables and a page of HTML.
+//! Where results go: tables, and beside them standard output and a page of HTML.
 
 use std::path::PathBuf;
 
@@ -6,6 +6,16 @@ use crate::failure::Failure;
 use crate::output::files::{announce, print};
 use crate::output::rows::Forms;
 use crate::output::target::Target;
+
+/// Returns the destinations of tables that the options `--csv`, `--json` and `--parquet` name.
+pub fn tables([csv, json, parquet]: [Option<&PathBuf>; 3]) -> Forms {
+    let target = |path: Option<&PathBuf>| path.cloned().map(Target::from);
+    Forms {
+        csv: target(csv),
+        json: target(json),
+        parquet: target(parquet),
+    }
+}
 
 /// The files that the options `--csv`, `--json` and `--html` name.
 pub struct Destinations {
@@ -21,13 +31,9 @@ impl Destinations {
     /// # Errors
     ///
     /// [`Failure::Input`] for a file that was read, and for one place that two options name.
-    pub fn new(options: [&Option<PathBuf>; 3]) -> Result<Self, Failure> {
-        let [csv, json, html] = options.map(|path| path.clone().map(Target::from));
-        let forms = Forms {
-            csv,
-            json,
-            parquet: None,
-        };
+    pub fn new([csv, json, html]: [&Option<PathBuf>; 3]) -> Result<Self, Failure> {
+        let forms = tables([csv.as_ref(), json.as_ref(), None]);
+        let html = html.clone().map(Target::from);
         forms.check_with(html.as_ref(), "--html")?;
         Ok(Self { forms, html })
     }

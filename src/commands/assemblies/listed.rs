@@ -3,10 +3,10 @@
 use std::sync::atomic::AtomicBool;
 
 use crate::assemblies::Tally;
-use crate::commands::assemblies::watched::Watched;
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
+use crate::output::progress::search::Search;
 
 /// A request for assemblies.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,15 +45,15 @@ pub fn list(
     on_listed: &mut OnListed<'_>,
 ) -> Result<(), Failure> {
     let places = places(mechanism, file, wish)?;
-    let watched = Watched::new(file, interrupted);
-    let watch = |stage, count| watched.goes_on(stage, count);
+    let progress = Search::new(file, interrupted);
+    let watch = |stage, count| progress.goes_on(stage, count);
     let mut nowhere = Vec::new();
     let mut search = mechanism.assemblies(&watch);
     for (done, drives) in places.iter().enumerate() {
         let listed = search.at(drives);
-        let given_up = || watched.given_up(&format!("after {done} of the drive's values"));
+        let given_up = || progress.given_up(&format!("after {done} of the drive's values"));
         let (assemblies, tally) = listed.ok_or_else(given_up)?;
-        watched.clear();
+        progress.clear();
         let given = mechanism.drives_in_file(drives);
         let listed = Listed {
             drives_in_words: mechanism
@@ -67,7 +67,7 @@ pub fn list(
             nowhere.push(listed.drives_in_words);
         }
     }
-    watched.ended()?;
+    progress.ended()?;
     if nowhere.is_empty() {
         return Ok(());
     }
@@ -87,7 +87,7 @@ fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec
     if wish.at.is_empty() {
         return Ok(vec![first]);
     }
-    let refuse = |message: String| Failure::Input(format!("{file}: {message}"));
+    let refuse = |message: String| Failure::input(file, message);
     let drive = mechanism.names.chosen_drive(wish.drive.as_deref());
     let drive = drive.map_err(refuse)?;
     let (kind, unit) = (mechanism.names.drives[drive].kind, mechanism.unit);

@@ -6,7 +6,7 @@ use crate::file::Dimension;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
 use crate::number::number;
-use crate::output::table::Column;
+use crate::output::file_table::Column;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{self, CAMBER, CENTRE, DRIVES, MARKERS, POSITIONS, Quantity, TOE};
 

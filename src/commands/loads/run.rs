@@ -1,7 +1,6 @@
 //! Computes the cases at all places, writes rows and collects the figures of the report.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -10,9 +9,8 @@ use suspension_runtime::Listing;
 use crate::commands::loads::drawing::drawing;
 use crate::commands::loads::found::{Found, without_answer};
 use crate::commands::loads::leading::Leading;
-use crate::commands::loads::note::{shared_along_lines, springs_bear_nothing};
+use crate::commands::loads::notes::notes;
 use crate::commands::loads::report::Report;
-use crate::commands::loads::springs_left_out::{springs_left_out, springs_without_load};
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
@@ -20,11 +18,12 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{DerivativeOrder, Place, State};
-use crate::output::drawing::{SIZE, Seen};
-use crate::output::files::{announce, print, write_file};
+use crate::output::files::{announce, print};
 use crate::output::heading::Header;
+use crate::output::notes::print_notes_on;
 use crate::output::progress::Progress;
 use crate::output::rows::{Forms, Rows};
+use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
@@ -35,8 +34,8 @@ pub(super) struct Run<'a> {
     pub(super) listing: &'a Listing,
     pub(super) structure: &'a Structure<'a>,
     pub(super) cases: &'a [Case],
-    /// The folder of drawings, and the beginning of their names.
-    pub(super) drawings: Option<(&'a Path, String)>,
+    /// The folder of drawings.
+    pub(super) drawings: Option<SvgFolder<'a>>,
 }
 
 impl<'a> Run<'a> {
@@ -180,25 +179,16 @@ impl<'a> Run<'a> {
             rows.finish()?;
             announce(forms.files().map(|(path, _)| path));
         }
-        if let (Some((folder, stem)), Some((state, outcomes))) = (&self.drawings, &first) {
+        if let (Some(folder), Some((state, outcomes))) = (&self.drawings, &first) {
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
                 let case = found.as_ref()?.case;
-                let path = folder.join(format!("{stem}_{}.svg", case.name));
-                Some(self.draw(path, case, (state, outcome.as_ref())))
+                let svg = self.drawing(case, (state, outcome.as_ref()));
+                Some(svg.and_then(|svg| folder.write(&case.name, &svg)))
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
-        let names = &self.mechanism.names;
-        springs_bear_nothing(self.source, names, found)
-            .into_iter()
-            .chain(springs_left_out(self.source, names, found))
-            .chain(springs_without_load(self.source, names, found))
-            .chain(shared_along_lines(
-                self.source,
-                (names, self.structure),
-                found,
-            ))
-            .for_each(tell);
+        let notes = notes(&self.mechanism.names, self.structure, found);
+        print_notes_on(self.source, notes);
         if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
             return Ok(());
         }
@@ -213,17 +203,9 @@ impl<'a> Run<'a> {
         found.try_for_each(|found| print(&report.text(found)))
     }
 
-    fn draw(
-        &self,
-        path: PathBuf,
-        case: &Case,
-        at: (&State, Option<&Outcome>),
-    ) -> Result<PathBuf, Failure> {
+    fn drawing(&self, case: &Case, at: (&State, Option<&Outcome>)) -> Result<String, Failure> {
         let whole = (self.mechanism, self.listing);
-        let drawing = drawing(whole, self.structure, case, at).svg(Seen::Oblique, SIZE);
-        let nothing = || Failure::Solver(format!("{}: nothing to draw", self.source));
-        write_file(&path, &drawing.ok_or_else(nothing)?)?;
-        Ok(path)
+        drawing(whole, self.structure, case, at).whole(self.source)
     }
 
     /// Returns why the result is incomplete: what ended the grid or the motion comes before cases without an answer at any

@@ -8,7 +8,7 @@ use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Names};
-use crate::output::figures::capitalised;
+use crate::output::motion::plots::capitalised;
 use crate::output::page::{numbers, page};
 use crate::quantities::{Quantity, from_design};
 

@@ -8,12 +8,13 @@ use suspension_core::listing::DriveKind;
 use super::heading::Stated;
 use crate::characteristics::{Does, usual_change};
 use crate::failure::Failure;
-use crate::file::{Dimension, tell};
+use crate::file::Dimension;
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends};
 use crate::number::without_rounding;
+use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
 /// A column that the model knows.
@@ -159,9 +160,7 @@ pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads:
     };
     let of_all = leads.iter().map(largest).fold(0.0, f64::max);
     let leads = leads.iter().filter(|lead| largest(lead) >= NOISE * of_all);
-    for doubt in leads.filter_map(|lead| lead.doubt.as_ref()) {
-        tell(format_args!("note: {}: {doubt}", table.name()));
-    }
+    print_notes_on(table.name(), leads.filter_map(|lead| lead.doubt.as_ref()));
 }
 
 /// Refuses a quantity that is in two columns.
@@ -189,10 +188,10 @@ fn tell_left_out(table: &str, headings: &[String]) {
         more => format!(" and {more} more"),
     };
     if !named.is_empty() {
-        tell(format_args!(
-            "note: {table}: left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each \
-             quantity needs"
-        ));
+        let note = format!(
+            "left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each quantity needs"
+        );
+        print_notes_on(table, [note]);
     }
 }
 

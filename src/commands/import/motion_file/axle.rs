@@ -11,7 +11,7 @@ use crate::commands::import::imported_corner::ImportedCorner;
 use crate::commands::import::rack;
 use crate::commands::import::upper_wishbone::on_upper;
 use crate::failure::Failure;
-use crate::output::beside::name_of;
+use crate::output::default_path::name_of;
 use crate::output::files::{refuse_input, write_file};
 
 /// An axle made of a layout of the catalogue.

@@ -7,13 +7,11 @@ use super::draft::Draft;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
-use crate::output::notes::noted;
+use crate::output::notes::{noted, print_notes_on};
 
 /// Returns the text of the motion file at the path `out`.
 pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
-    for remark in &draft.remarks {
-        tell(format_args!("note: {}: {remark}", draft.source));
-    }
+    print_notes_on(draft.source, &draft.remarks);
     let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
     // The drives' values at the design position come from the mechanism, so it is built first.
     let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));

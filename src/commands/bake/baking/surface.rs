@@ -2,24 +2,24 @@
 
 use crate::bake::surface::MOST_PATCHES;
 use crate::bake::{BakedSurface, Continuity, UnmetSurface, WantedSurface};
-use crate::commands::bake::request::{Along, Baking, interrupted};
+use crate::commands::bake::baking::{Baking, Variable, interrupted};
 use crate::failure::Failure;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
 
 impl Baking<'_> {
-    pub(super) fn surface(&self, along: [&Along; 2]) -> Result<BakedSurface, Failure> {
-        if self.request.continuity == Continuity::Acceleration {
+    pub(super) fn surface(&self, along: [&Variable; 2]) -> Result<BakedSurface, Failure> {
+        if self.continuity == Continuity::Acceleration {
             return Err(self.refuse("over two drives --continuity is 0 or 1"));
         }
         let metre = self.mechanism.unit.metre();
         let wanted = WantedSurface {
             drives: along.map(|along| along.drive),
             ranges: along.map(|along| along.local),
-            tolerance: self.request.tolerance * metre,
+            tolerance: self.tolerance * metre,
             metre,
-            smooth: self.request.continuity == Continuity::Velocity,
-            wish: self.request.wish,
+            smooth: self.continuity == Continuity::Velocity,
+            wish: self.wish,
         };
         let baked = self.mechanism.bake_surface(&wanted, self.interrupted);
         let baked = baked.map_err(|unmet| self.unmet_surface(along, &unmet))?;
@@ -27,7 +27,7 @@ impl Baking<'_> {
         Ok(baked.moved(self.mechanism.origin.into(), ranges))
     }
 
-    fn unmet_surface(&self, along: [&Along; 2], unmet: &UnmetSurface) -> Failure {
+    fn unmet_surface(&self, along: [&Variable; 2], unmet: &UnmetSurface) -> Failure {
         let ranges = along.map(|along| {
             let [from, to] = along.local.map(|end| number(self.in_file(along, end)));
             let symbol = self.dimension(along).symbol(self.mechanism.unit);
@@ -45,7 +45,7 @@ impl Baking<'_> {
             }
             UnmetSurface::TooManyPatches => format!(
                 "{MOST_PATCHES} patches do not meet {} m; take a larger --tolerance or shorter ranges",
-                rounded(self.request.tolerance, 3)
+                rounded(self.tolerance, 3)
             ),
         };
         Failure::Solver(format!(

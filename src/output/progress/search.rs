@@ -1,25 +1,37 @@
-//! A search for assemblies that shows its progress and can be interrupted.
+//! The progress of a search for assemblies, which an interrupt ends.
 
+use std::io::{IsTerminal, stderr};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
+use indicatif::ProgressBar;
+
+use super::{LONG, spinner};
 use crate::assemblies::Stage;
 use crate::failure::Failure;
-use crate::output::progress::Found;
+use crate::file::tell;
 
-/// Shows how many assemblies are found. A first interrupt ends the search; a second one ends the work that follows it.
-pub struct Watched<'a> {
+/// Shows how many assemblies are found, once the search has taken a second and only on a terminal. A first interrupt ends the
+/// search; a second one ends the work that follows it.
+#[derive(Debug)]
+pub struct Search<'a> {
     file: &'a str,
-    found: Found,
+    began: Instant,
+    line: OnceLock<ProgressBar>,
+    visible: bool,
     interrupted: &'a AtomicBool,
     is_ended: AtomicBool,
 }
 
-impl<'a> Watched<'a> {
+impl<'a> Search<'a> {
     /// Starts to watch the search in a file's mechanism.
     pub fn new(file: &'a str, interrupted: &'a AtomicBool) -> Self {
         Self {
             file,
-            found: Found::new("assemblies of such a mechanism with general dimensions"),
+            began: Instant::now(),
+            line: OnceLock::new(),
+            visible: stderr().is_terminal(),
             interrupted,
             is_ended: AtomicBool::new(false),
         }
@@ -27,24 +39,39 @@ impl<'a> Watched<'a> {
 
     /// Shows the count; returns whether the search goes on.
     pub fn goes_on(&self, stage: Stage, count: usize) -> bool {
-        self.found.show(count);
+        self.show(count);
         if stage == Stage::Follow {
             return !self.interrupted.load(Ordering::Relaxed);
         }
         let ends = self.interrupted.swap(false, Ordering::Relaxed);
         if ends {
             self.is_ended.store(true, Ordering::Relaxed);
-            self.found.tell(format_args!(
+            let note = format!(
                 "note: {}: the search has stopped; the assemblies found are now followed to the file's lengths; interrupt again to stop this too",
                 self.file
-            ));
+            );
+            match self.line.get() {
+                Some(line) => line.suspend(|| tell(note)),
+                None => tell(note),
+            }
         }
         !ends
     }
 
-    /// Removes the progress line.
+    fn show(&self, count: usize) {
+        const SHOWN: &str =
+            "{spinner} {pos} assemblies of such a mechanism with general dimensions ({elapsed})";
+        if self.visible && self.began.elapsed() > LONG {
+            let line = self.line.get_or_init(|| spinner(SHOWN));
+            line.set_position(count as u64);
+        }
+    }
+
+    /// Removes the progress before other output.
     pub fn clear(&self) {
-        self.found.clear();
+        if let Some(line) = self.line.get() {
+            line.finish_and_clear();
+        }
     }
 
     /// Returns the failure of a second interrupt, which says what was given up after `done`.
@@ -62,5 +89,11 @@ impl<'a> Watched<'a> {
             return Err(self.given_up("in its search for assemblies, of which there may be more"));
         }
         Ok(())
+    }
+}
+
+impl Drop for Search<'_> {
+    fn drop(&mut self) {
+        self.clear();
     }
 }

@@ -6,9 +6,9 @@ use suspension_core::SolveError;
 
 use crate::bake::OutOfReach;
 use crate::bake::fit::Unmet;
-use crate::commands::bake::request::along::own_values;
-use crate::commands::bake::request::curve::Within;
-use crate::commands::bake::request::{Along, Baking};
+use crate::commands::bake::baking::curve::Within;
+use crate::commands::bake::baking::variable::own_values;
+use crate::commands::bake::baking::{Baking, Variable};
 use crate::failure::Failure;
 use crate::file::Dimension;
 
@@ -40,7 +40,7 @@ impl FromStr for WishedMeasure {
 }
 
 impl Baking<'_> {
-    pub(super) fn along_measure(&self, wished: &WishedMeasure) -> Result<Along, Failure> {
+    pub(super) fn along_measure(&self, wished: &WishedMeasure) -> Result<Variable, Failure> {
         let names = &self.mechanism.names;
         let (name, all) = (wished.name.as_str(), names.measure_names());
         let measure = all.iter().position(|other| *other == name);
@@ -71,7 +71,7 @@ impl Baking<'_> {
             wished.range.map(|end| end / per),
             self.mechanism.measure_offsets[measure],
         );
-        Ok(Along {
+        Ok(Variable {
             drive,
             measure: Some(measure),
             range,
@@ -80,7 +80,7 @@ impl Baking<'_> {
     }
 
     /// Says how far a measure leads the mechanism, and why no further.
-    pub(super) fn reach_of_measure(&self, along: &Along, unmet: &Unmet) -> (String, Within) {
+    pub(super) fn reach_of_measure(&self, along: &Variable, unmet: &Unmet) -> (String, Within) {
         let [from, to] = along.local;
         let (why, range) = match unmet {
             Unmet::TooManySegments { .. } => (String::new(), along.local),
@@ -97,7 +97,7 @@ impl Baking<'_> {
     }
 
     /// Says why the measure does not lead through its range.
-    fn describe_failure(&self, along: &Along, error: &OutOfReach) -> String {
+    fn describe_failure(&self, along: &Variable, error: &OutOfReach) -> String {
         match &error.cause {
             Some(SolveError::TurningPoint { extreme, .. }) => format!(
                 "the measure turns back at {}, there is none beyond on this branch",

@@ -1,15 +1,15 @@
 //! Plots of a motion: the height of the wheel centre, and the angles of wheel and kingpin.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, End, Instants, Names, State, Unit};
-use crate::output::files::write_file;
+use crate::output::motion::record::{Outcome, record};
 use crate::output::plot::{Chart, Curve};
-use crate::output::record::{Outcome, record};
 use crate::output::rows::Forms;
+use crate::output::svg_folder::SvgFolder;
 use crate::quantities::{
     Axis, CAMBER, CASTER, CENTRE, Column, KINGPIN, Quantity, STEER_ANGLE, TOE, columns,
 };
@@ -23,8 +23,8 @@ pub const TIME: &str = "time t (s)";
 /// Plots with their names, made of a dense sequence of states for lines and of the states to mark.
 pub type Charts = Vec<(&'static str, Chart)>;
 
-/// Draws the recorded part of a motion into `folder` under names that begin with `stem`, and prints which files it wrote.
-/// Draws nothing if nothing was recorded or the user interrupts.
+/// Draws the recorded part of a motion into a folder, and returns the paths of the files. Draws nothing if nothing was recorded
+/// or the user interrupts.
 ///
 /// # Errors
 ///
@@ -32,7 +32,7 @@ pub type Charts = Vec<(&'static str, Chart)>;
 pub fn draw(
     mechanism: &dyn Kinematics,
     outcome: &Outcome,
-    (folder, stem): (&Path, &str),
+    folder: &SvgFolder<'_>,
     charts: impl Fn(&Description, [&[State]; 2]) -> Charts,
 ) -> Result<Vec<PathBuf>, Failure> {
     if outcome.solved == 0 || outcome.end == End::Cut {
@@ -40,34 +40,15 @@ pub fn draw(
     }
     let [first, _] = mechanism.instants.ends();
     let dense = Instants::dense(first, outcome.farthest(), DENSE);
-    let line = record(
-        mechanism,
-        &dense,
-        &Forms::default(),
-        DENSE,
-        &AtomicBool::new(false),
-    )?
-    .kept;
+    let never = AtomicBool::new(false);
+    let line = record(mechanism, &dense, &Forms::default(), DENSE, &never)?.kept;
     let every_instant_kept = outcome.kept.len() == outcome.solved;
     let marks = if every_instant_kept {
         outcome.kept.as_slice()
     } else {
         &[]
     };
-    let mut written = Vec::new();
-    for (name, chart) in charts(mechanism, [&line, marks]) {
-        if let Some(svg) = chart.svg() {
-            let path = path(folder, stem, name);
-            write_file(&path, &svg)?;
-            written.push(path);
-        }
-    }
-    Ok(written)
-}
-
-/// Returns the path of a plot.
-pub fn path(folder: &Path, stem: &str, name: &str) -> PathBuf {
-    folder.join(format!("{stem}_{name}.svg"))
+    folder.draw(charts(mechanism, [&line, marks]))
 }
 
 /// Returns the plots for any linkage; a quantity that it lacks has none.
@@ -97,10 +78,8 @@ fn height(mechanism: &Description, states: [&[State]; 2]) -> Chart {
     let curves = heights.zip(&names.wheels).map(|(height, wheel)| {
         let [_, centre] = wheel.points.axis;
         let name = named(&wheel.title(CENTRE.title), &names.points[centre]);
-        let mut curve = curve(name, &height, *unit, states);
-        let points = curve.line.iter_mut().chain(&mut curve.marks);
-        points.for_each(|(_, height)| *height *= up);
-        curve
+        let (scale, _) = height.dimension.display_scale(*unit);
+        over_time(name, states, |state| height.value(state) * scale * up)
     });
     Chart {
         title: format!("Height of the {}", CENTRE.title),
@@ -121,7 +100,8 @@ fn angle_chart(
         let name = with_points(column, names);
         let is_title = name == angle.title;
         let name = if is_title { String::new() } else { name };
-        curve(name, column, unit, states)
+        let (scale, _) = column.dimension.display_scale(unit);
+        over_time(name, states, |state| column.value(state) * scale)
     });
     Chart {
         title: capitalised(angle.title),
@@ -131,12 +111,10 @@ fn angle_chart(
     }
 }
 
-/// Returns the curve of a quantity over time in the unit of plots: a dense line, and marks.
-fn curve(name: String, column: &Column, unit: Unit, states: [&[State]; 2]) -> Curve {
-    let (scale, _) = column.dimension.display_scale(unit);
+/// Returns a curve over time, of a dense line and of marks; a value that is not finite is left out.
+pub fn over_time(name: String, states: [&[State]; 2], value: impl Fn(&State) -> f64) -> Curve {
     let [line, marks] = states.map(|states| {
-        let points = states.iter();
-        let points = points.map(|state| (state.t, column.value(state) * scale));
+        let points = states.iter().map(|state| (state.t, value(state)));
         points.filter(|(_, value)| value.is_finite()).collect()
     });
     Curve {

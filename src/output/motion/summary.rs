@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::mechanism::{Description, Unit};
-use crate::output::record::Outcome;
+use crate::output::motion::record::Outcome;
 use crate::output::text_table::{TextColumn, in_parts};
 
 use crate::quantities::{Shown, WIDTH, catalogue, columns};

@@ -1,11 +1,10 @@
 //! What the command line asks for, carried out on a mechanism.
 
-mod along;
 mod curve;
-mod doubt;
 mod drive;
 mod measure;
 mod surface;
+mod variable;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -19,32 +18,19 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Angle, Description, Drive, Unit};
 use crate::number::exact;
 
-use along::Along;
+use variable::Variable;
 
-pub use drive::Wished;
+pub use drive::WishedDrive;
 pub use measure::WishedMeasure;
 
 /// Digits of a range that is proposed, rounded to lie within the possible one.
 const DIGITS: usize = 12;
 
-/// What to bake of the mechanism of a file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Request {
-    /// The variables on which the baked functions depend.
-    pub along: Variables,
-    /// The largest error of a point, m.
-    pub tolerance: f64,
-    /// How many derivatives are continuous where segments join.
-    pub continuity: Continuity,
-    /// The points to bake.
-    pub wish: Wish,
-}
-
 /// The variables on which the baked functions depend.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Variables {
     /// One drive for a curve, two for a surface.
-    Drives(Vec<Wished>),
+    Drives(Vec<WishedDrive>),
     /// A measure in place of a drive, for a curve.
     Measure(WishedMeasure),
 }
@@ -62,14 +48,20 @@ impl Variables {
     }
 }
 
-/// An order with the mechanism and the name of its file.
+/// What to bake of the mechanism of a file.
 pub struct Baking<'a> {
     /// The file's name.
     pub file: &'a str,
     /// The mechanism.
     pub mechanism: &'a dyn Kinematics,
-    /// What to bake.
-    pub request: &'a Request,
+    /// The variables on which the baked functions depend.
+    pub variables: Variables,
+    /// The largest error of a point, m.
+    pub tolerance: f64,
+    /// How many derivatives are continuous where segments join.
+    pub continuity: Continuity,
+    /// The points to bake.
+    pub wish: Wish,
     /// Set when the user interrupts the program.
     pub interrupted: &'a AtomicBool,
 }
@@ -94,7 +86,7 @@ impl Baking<'_> {
             angle: Angle::Radian,
             ..*unit
         };
-        let (along, baked) = match &self.request.along {
+        let (along, baked) = match &self.variables {
             Variables::Drives(drives) => self.by_drives(drives)?,
             Variables::Measure(wished) => {
                 let along = self.along_measure(wished)?;
@@ -103,7 +95,7 @@ impl Baking<'_> {
             }
         };
         let arguments = along.iter().map(|along| self.ranged(along, inside));
-        let wheel = match self.request.wish {
+        let wheel = match self.wish {
             Wish::Wheel(number) => names.wheels.get(number),
             Wish::AllPoints => None,
         };
@@ -128,13 +120,13 @@ impl Baking<'_> {
 
     /// Refuses a tolerance that is not positive, and the wheel of a listing without one.
     fn check(&self) -> Result<(), Failure> {
-        let tolerance = self.request.tolerance;
+        let tolerance = self.tolerance;
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             let message =
                 format!("--tolerance {tolerance} is not a positive number of metres, as 1e-6");
             return Err(self.refuse(&message));
         }
-        if self.request.wish != Wish::AllPoints && self.mechanism.names.wheels.is_empty() {
+        if self.wish != Wish::AllPoints && self.mechanism.names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );
@@ -143,7 +135,7 @@ impl Baking<'_> {
     }
 
     /// Lists the drives that nothing moves with the values at which they are held, in a unit.
-    fn held(&self, along: &[Along], unit: Unit) -> String {
+    fn held(&self, along: &[Variable], unit: Unit) -> String {
         let drives = self.mechanism.names.drives.iter().enumerate();
         let held = drives.filter(|(drive, _)| along.iter().all(|along| along.drive != *drive));
         let held = held.map(|(drive, Drive { name, kind })| {
@@ -154,9 +146,9 @@ impl Baking<'_> {
     }
 
     /// Returns the ranges of the drives and the baked functions.
-    fn by_drives(&self, drives: &[Wished]) -> Result<(Vec<Along>, Table), Failure> {
+    fn by_drives(&self, drives: &[WishedDrive]) -> Result<(Vec<Variable>, Table), Failure> {
         let drives = drives.iter().map(|wished| self.along_drive(wished));
-        let drives = drives.collect::<Result<Vec<Along>, Failure>>()?;
+        let drives = drives.collect::<Result<Vec<Variable>, Failure>>()?;
         let baked = match drives.as_slice() {
             [along] => Table::Curve(self.curve(along)?),
             [first, second] if first.drive != second.drive => {
@@ -188,7 +180,7 @@ impl Baking<'_> {
     }
 
     fn refuse(&self, message: &str) -> Failure {
-        Failure::Input(format!("{}: {message}", self.file))
+        Failure::input(self.file, message)
     }
 }
 

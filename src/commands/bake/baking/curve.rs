@@ -3,7 +3,7 @@
 use crate::bake::fit::{MOST_SEGMENTS, Unmet};
 use crate::bake::widest::widest;
 use crate::bake::{Baked, Exact, OutOfReach, Wanted, bake};
-use crate::commands::bake::request::{Along, Baking, DIGITS};
+use crate::commands::bake::baking::{Baking, DIGITS, Variable};
 use crate::failure::Failure;
 use crate::mechanism::advice;
 use crate::number::{number, rounded};
@@ -15,13 +15,13 @@ pub(super) struct Within {
 }
 
 impl Baking<'_> {
-    pub(super) fn curve(&self, along: &Along) -> Result<Baked, Failure> {
+    pub(super) fn curve(&self, along: &Variable) -> Result<Baked, Failure> {
         let metre = self.mechanism.unit.metre();
         let wanted = Wanted {
             range: along.local,
-            tolerance: self.request.tolerance * metre,
+            tolerance: self.tolerance * metre,
             metre,
-            continuity: self.request.continuity,
+            continuity: self.continuity,
         };
         let path = self.path(along, wanted.range).map_err(Unmet::from);
         let baked = path.and_then(|path| bake(&wanted, &*path));
@@ -29,7 +29,7 @@ impl Baking<'_> {
         Ok(baked.moved(self.mechanism.origin.into(), along.range))
     }
 
-    fn unmet(&self, along: &Along, wanted: &Wanted, unmet: &Unmet) -> Failure {
+    fn unmet(&self, along: &Variable, wanted: &Wanted, unmet: &Unmet) -> Failure {
         let (of_reach, within) = match along.measure {
             Some(_) => self.reach_of_measure(along, unmet),
             None => self.reach_of_drive(along, unmet),
@@ -37,7 +37,7 @@ impl Baking<'_> {
         let reason = match unmet {
             Unmet::TooManySegments { at } => format!(
                 "{MOST_SEGMENTS} segments do not meet {} m about {}",
-                rounded(self.request.tolerance, 3),
+                rounded(self.tolerance, 3),
                 self.in_words(along, *at)
             ),
             Unmet::OutOfReach(_) => of_reach,
@@ -56,7 +56,7 @@ impl Baking<'_> {
     }
 
     /// Says what limits a drive, and how far it leads the mechanism.
-    fn reach_of_drive(&self, along: &Along, unmet: &Unmet) -> (String, Within) {
+    fn reach_of_drive(&self, along: &Variable, unmet: &Unmet) -> (String, Within) {
         let (range, locks) = self.reach(along);
         let kept = locks.each_ref().map(Option::is_none);
         match unmet {
@@ -74,7 +74,7 @@ impl Baking<'_> {
 
     /// Returns the part of a range through which the drive leads the mechanism, and for either end, in words, what limits
     /// it.
-    pub(super) fn reach(&self, along: &Along) -> ([f64; 2], [Option<String>; 2]) {
+    pub(super) fn reach(&self, along: &Variable) -> ([f64; 2], [Option<String>; 2]) {
         let mut locks = [None, None];
         let now = self.first(along.drive);
         let [from, to] = along.local;
@@ -101,7 +101,7 @@ impl Baking<'_> {
     }
 
     /// Returns the part of a range that can be baked, in a few digits, in the file's coordinates and units.
-    fn possible(&self, along: &Along, wanted: &Wanted, within: &Within) -> Option<[String; 2]> {
+    fn possible(&self, along: &Variable, wanted: &Wanted, within: &Within) -> Option<[String; 2]> {
         let in_file = |end| self.in_file(along, end);
         let ends = possible_in_few_digits(within.range, within.kept, in_file, |range| {
             let path = self.path(along, range).ok()?;
@@ -110,13 +110,13 @@ impl Baking<'_> {
         Some(ends.map(|end| rounded(end, DIGITS)))
     }
 
-    fn path(&self, along: &Along, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let wish = self.request.wish;
+    fn path(&self, along: &Variable, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
+        let wish = self.wish;
         self.mechanism.path(along.drive, along.measure, range, wish)
     }
 
     /// Says at which value, within the reach of the drive, the solver lost the motion.
-    fn lost_between(&self, along: &Along, error: &OutOfReach) -> String {
+    fn lost_between(&self, along: &Variable, error: &OutOfReach) -> String {
         let [from, to] = error.reached.map(|end| number(self.in_file(along, end)));
         let cause = self.cause(error.cause);
         format!("the motion is lost between {from} and {to}{cause}")

@@ -2,13 +2,13 @@
 
 use crate::bake::source::Ranged;
 use crate::characteristics::Span;
-use crate::commands::bake::request::Baking;
+use crate::commands::bake::baking::Baking;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::number::number;
 
 /// A drive, or a measure that leads in place of it, over its range.
-pub(super) struct Along {
+pub(super) struct Variable {
     pub(super) drive: usize,
     /// The measure, which takes the drive's place.
     pub(super) measure: Option<usize>,
@@ -20,7 +20,7 @@ pub(super) struct Along {
 
 impl Baking<'_> {
     /// Describes a drive or a measure and its range; `unit` is that of the baked functions.
-    pub(super) fn ranged(&self, along: &Along, unit: Unit) -> Ranged {
+    pub(super) fn ranged(&self, along: &Variable, unit: Unit) -> Ranged {
         let drive = &self.mechanism.names.drives[along.drive];
         Ranged {
             name: self.name(along).to_owned(),
@@ -30,7 +30,7 @@ impl Baking<'_> {
         }
     }
 
-    pub(super) fn name(&self, along: &Along) -> &str {
+    pub(super) fn name(&self, along: &Variable) -> &str {
         let names = &self.mechanism.names;
         match along.measure {
             Some(measure) => &names.measures[measure].name,
@@ -38,7 +38,7 @@ impl Baking<'_> {
         }
     }
 
-    pub(super) fn dimension(&self, along: &Along) -> Dimension {
+    pub(super) fn dimension(&self, along: &Variable) -> Dimension {
         let names = &self.mechanism.names;
         match along.measure {
             Some(measure) => names.measures[measure].kind.into(),
@@ -47,7 +47,7 @@ impl Baking<'_> {
     }
 
     /// Converts a local value to the file's coordinates and units.
-    pub(super) fn in_file(&self, along: &Along, local: f64) -> f64 {
+    pub(super) fn in_file(&self, along: &Variable, local: f64) -> f64 {
         let offset = match along.measure {
             Some(measure) => self.mechanism.measure_offsets[measure],
             None => self.mechanism.drive_offsets[along.drive],
@@ -56,7 +56,7 @@ impl Baking<'_> {
     }
 
     /// Formats a local value with its unit.
-    pub(super) fn in_words(&self, along: &Along, local: f64) -> String {
+    pub(super) fn in_words(&self, along: &Variable, local: f64) -> String {
         let (name, value) = (self.name(along), number(self.in_file(along, local)));
         let symbol = self.dimension(along).symbol(self.mechanism.unit);
         format!("{name} = {value} {symbol}")

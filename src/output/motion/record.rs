@@ -7,10 +7,10 @@ use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, End, Instants, State};
 use crate::number::number;
+use crate::output::file_table::{Column, Table};
 use crate::output::heading::Header;
 use crate::output::progress::Progress;
 use crate::output::rows::Forms;
-use crate::output::table::{Column, Table};
 use crate::quantities::{self, Shown, catalogue};
 
 /// The result of a motion.
