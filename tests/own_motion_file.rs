@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
-use suspension::commands::assemblies::listed::{self, list};
+use suspension::commands::assemblies::search::{self, list};
 use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::load::load_own;
@@ -202,12 +202,12 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
 #[test]
 fn assemblies_far_from_the_origin_are_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let wish = listed::Wish {
+        let wish = search::Wish {
             drive: Some("bump".to_owned()),
             at: vec![0.2 + away[2]],
         };
         let mut listed = Vec::new();
-        let mut keep = |at: &listed::Listed| {
+        let mut keep = |at: &search::Listed| {
             listed.push(at.clone());
             Ok(())
         };

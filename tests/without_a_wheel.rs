@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
-use suspension::commands::assemblies::listed::{self, list};
+use suspension::commands::assemblies::search::{self, list};
 use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
@@ -96,7 +96,7 @@ fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
     let listed = list(
         mechanism,
         "a.toml",
-        &listed::Wish::default(),
+        &search::Wish::default(),
         &false.into(),
         &mut |listed| {
             assemblies = listed.assemblies.len();

@@ -1,7 +1,7 @@
 //! `suspension assemblies`: all ways to assemble a mechanism.
 
-pub mod listed;
 mod report;
+pub mod search;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -21,8 +21,8 @@ use crate::output::heading::Header;
 use crate::output::notes::noted;
 use crate::output::rows::Forms;
 use crate::output::target::Target;
-use listed::{Wish, list};
 use report::Report;
+use search::{Wish, list};
 
 /// The arguments of `suspension assemblies`.
 #[derive(Args, Clone, Debug)]

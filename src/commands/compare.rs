@@ -1,15 +1,15 @@
 //! `suspension compare`: two suspensions side by side, or one beside measured numbers.
 
-mod by_wheel;
 mod comparison;
 mod curve_pair;
 mod differences;
 mod measured;
 mod notes;
+mod over_wheel_travel;
 mod page;
 mod report;
 mod short_name;
-mod side;
+mod suspension;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -23,7 +23,7 @@ use crate::load::{Loaded, load};
 use crate::output::destinations::Destinations;
 use crate::output::notes::noted;
 use report::Report;
-use side::Side;
+use suspension::Suspension;
 
 /// The arguments of `suspension compare`.
 #[derive(Args, Clone, Debug)]
@@ -119,7 +119,7 @@ impl Arguments {
         let side = |(source, loaded): (&Source, &Loaded<'_>)| {
             let mechanism = noted(loaded.at_design_in(first.axes())?);
             let converted = converted([loaded, first]);
-            Side::compute(
+            Suspension::compute(
                 &*mechanism,
                 (source, converted),
                 spans,

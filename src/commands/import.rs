@@ -30,7 +30,7 @@ use crate::file::Source;
 use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input};
 use crate::output::target::Target;
-use crate::side::{End, Side};
+use crate::vehicle_corner::{End, Side};
 use choice::choose;
 use corner_points::CornerPoints;
 use hardpoints::Hardpoints;

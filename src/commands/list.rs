@@ -10,7 +10,7 @@ use suspension_runtime::{Listing, catalogue};
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::layouts::first_sentence;
+use crate::listing_description::first_sentence;
 use crate::load::load;
 use crate::mechanism::Axes;
 use crate::output::files::print;

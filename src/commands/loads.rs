@@ -1,11 +1,11 @@
 //! `suspension loads`: the forces in a mechanism under the load cases of its file.
 
+mod case_results;
 mod drawing;
-mod found;
-mod leading;
-mod line;
 mod notes;
+mod place_columns;
 mod report;
+mod report_lines;
 mod run;
 mod table;
 mod unloaded;

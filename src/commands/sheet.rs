@@ -1,9 +1,9 @@
 //! `suspension sheet`: the kinematics of a suspension on one page.
 
+mod by_quantity;
 mod curves;
 mod derivatives;
 mod far_apart;
-mod grouped;
 mod page;
 
 use std::path::PathBuf;

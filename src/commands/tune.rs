@@ -1,7 +1,7 @@
 //! `suspension tune`: hardpoints moved within boxes until curves are met.
 
 mod report;
-mod rewritten;
+mod rewritten_file;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -22,7 +22,7 @@ use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
 use report::Report;
-use rewritten::rewritten;
+use rewritten_file::rewritten;
 
 /// The arguments of `suspension tune`.
 #[derive(Args, Clone, Debug)]
@@ -168,7 +168,7 @@ fn check(at: &Path, text: &str, (mechanism, tuned): (&Description, &Tuned)) -> R
     let points = loaded.at_design()?.points();
     let is_near = |[a, b]: [&nalgebra::Vector3<f64>; 2]| {
         let size = 1.0 + a.amax().max(b.amax());
-        (a - b).amax() <= rewritten::ROUNDING * size
+        (a - b).amax() <= rewritten_file::ROUNDING * size
     };
     let mut pairs = points.iter().zip(&tuned.points);
     let off = pairs.position(|(a, b)| !is_near([a, b]));

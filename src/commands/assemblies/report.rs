@@ -1,7 +1,7 @@
 //! Assemblies as text and as rows of a table.
 
 use crate::assemblies::PartTally;
-use crate::commands::assemblies::listed::Listed;
+use crate::commands::assemblies::search::Listed;
 use crate::file::Dimension;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};

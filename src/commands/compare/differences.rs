@@ -1,7 +1,7 @@
 //! Quantities that both suspensions have, side by side.
 
 use crate::characteristics::{Curves, Line, Title};
-use crate::commands::compare::side::Side;
+use crate::commands::compare::suspension::Suspension;
 use crate::mechanism::ends;
 
 /// A number of both suspensions.
@@ -125,18 +125,18 @@ pub(super) fn title_of_both([a, b]: [&Title; 2]) -> String {
 pub(super) const ALIKE: f64 = 0.1;
 
 /// Pairs curves by their titles, or else by the purpose of their drives.
-pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
+pub(super) fn same_ways<'a>([a, b]: [&'a Suspension; 2]) -> Vec<[&'a Curves; 2]> {
     let pair = |curves: &'a Curves| Some([curves, counterpart(curves, a, b)?]);
     a.curves.iter().filter_map(pair).collect()
 }
 
 /// Returns the curves of a side that have no counterpart in the other.
-pub(super) fn unmatched<'a>(side: &'a Side, other: &Side) -> Vec<&'a Curves> {
+pub(super) fn unmatched<'a>(side: &'a Suspension, other: &Suspension) -> Vec<&'a Curves> {
     let is_alone = |curves: &&Curves| counterpart(curves, side, other).is_none();
     side.curves.iter().filter(is_alone).collect()
 }
 
-fn counterpart<'b>(curves: &Curves, own: &Side, other: &'b Side) -> Option<&'b Curves> {
+fn counterpart<'b>(curves: &Curves, own: &Suspension, other: &'b Suspension) -> Option<&'b Curves> {
     let does = curves.way.does;
     let theirs = || {
         other

@@ -3,13 +3,13 @@
 mod columns;
 mod course;
 mod heading;
-mod leads;
-mod places;
+mod measured_quantity;
+mod model_at_places;
+mod out_of_reach;
+mod position_columns;
 mod quantities;
-mod quantity;
-mod reach;
 mod rig_names;
-mod smooth;
+mod smoothing;
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -25,10 +25,10 @@ use crate::number::counted;
 use crate::output::notes::noted;
 use columns::{Known, tell_doubts};
 use course::{Course, followed};
-use leads::divide;
-use places::Places;
+use measured_quantity::Quantity;
+use model_at_places::Places;
+use position_columns::divide;
 use quantities::quantities;
-use quantity::Quantity;
 
 /// Returns whether a file is a table, by the end of its name.
 pub(super) fn is_table(path: &Path) -> bool {

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::choice::Choice;
 use crate::mechanism::{Axes, extent};
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The points of a corner, in ISO 8855.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use super::hardpoints::{Hardpoint, Hardpoints};
 use super::names::Names;
 use super::spelling::spelled;
 use crate::failure::Failure;
-use crate::side::{End, Section, Side, end_of};
+use crate::vehicle_corner::{End, Section, Side, end_of};
 
 impl Hardpoints<'_> {
     /// Notes that a line names an end of the vehicle.

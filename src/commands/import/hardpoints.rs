@@ -8,7 +8,7 @@ use super::spelling::key_of;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-use crate::side::{End, Section, Side, Sides, remedy};
+use crate::vehicle_corner::{End, Section, Side, Sides, remedy};
 
 /// A point of a file.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ use super::stand_in::{Spin, stand_in};
 use crate::load;
 use crate::mechanism::Length;
 use crate::number::rounded;
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The data that the file has for a corner.
 pub(super) struct ImportedCorner<'a> {

@@ -10,7 +10,7 @@ use suspension_listing::did_you_mean::nearest;
 use super::layout::Layout;
 use super::spelling::is_on_ground;
 use crate::failure::Failure;
-use crate::side::{Section, Side};
+use crate::vehicle_corner::{Section, Side};
 use words::Words;
 
 /// The contents of `names.toml`.

@@ -4,7 +4,7 @@ use super::choice::Choice;
 use super::names::Arrangement;
 use crate::mechanism::Axes;
 use crate::number::number;
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The direction of one axis, as a pair of points shows it.
 struct Clue {

@@ -7,7 +7,7 @@ use super::imported_corner::ImportedCorner;
 use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
 use super::rack::RACK;
-use crate::layouts::first_sentence;
+use crate::listing_description::first_sentence;
 use crate::load::only_on_wrong_side;
 use crate::mechanism::{Axes, Length};
 use crate::number::rounded;

@@ -2,7 +2,7 @@
 
 use super::hardpoints::{Hardpoints, Number};
 use super::names::Names;
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;

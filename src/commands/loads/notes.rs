@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::commands::loads::found::Found;
+use crate::commands::loads::case_results::CaseResults;
 use crate::loads::{By, OneSided, Structure};
 use crate::mechanism::{Names, listed};
 
@@ -10,7 +10,7 @@ use crate::mechanism::{Names, listed};
 pub(super) fn notes(
     names: &Names,
     structure: &Structure<'_>,
-    found: &[Option<Found<'_>>],
+    found: &[Option<CaseResults<'_>>],
 ) -> Vec<String> {
     let by_springs = alike(found, |found| some(&found.unborne.by_springs));
     let by_springs = by_springs
@@ -48,8 +48,8 @@ fn some<T>(list: &[T]) -> Option<&[T]> {
 
 /// Groups the cases that have the same of something.
 fn alike<'a, K: Ord>(
-    found: &'a [Option<Found<'_>>],
-    of: impl Fn(&'a Found<'_>) -> Option<K>,
+    found: &'a [Option<CaseResults<'_>>],
+    of: impl Fn(&'a CaseResults<'_>) -> Option<K>,
 ) -> BTreeMap<K, Vec<&'a str>> {
     let mut cases: BTreeMap<K, Vec<&str>> = BTreeMap::new();
     for found in found.iter().flatten() {
@@ -62,7 +62,7 @@ fn alike<'a, K: Ord>(
 
 /// Returns the springs that do not act although a place stretches or twists them; those that could bear the load of a drive have
 /// a note of their own.
-fn left_out(found: &Found<'_>) -> Vec<usize> {
+fn left_out(found: &CaseResults<'_>) -> Vec<usize> {
     let is_noted = |spring: &usize| {
         let mut noted = found.unborne.by_springs.iter();
         noted.any(|(_, by)| by == spring)
@@ -184,7 +184,7 @@ fn bears_nothing(names: &Names, springs: &[usize], cases: &[&str]) -> String {
 fn shared_along_lines(
     names: &Names,
     structure: &Structure<'_>,
-    found: &[Option<Found<'_>>],
+    found: &[Option<CaseResults<'_>>],
 ) -> impl Iterator<Item = String> {
     let bears = |part: By| found.iter().flatten().any(|found| found.bears(part));
     let name = |part: By| format!("`{}`", structure.name_of(part, names));

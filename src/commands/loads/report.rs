@@ -1,8 +1,8 @@
 //! The report of a load case as text.
 
-use crate::commands::loads::found::{Extreme, Found};
-use crate::commands::loads::leading::Leading;
-use crate::commands::loads::line::{Line, shown, table};
+use crate::commands::loads::case_results::{CaseResults, Extreme};
+use crate::commands::loads::place_columns::PlaceColumns;
+use crate::commands::loads::report_lines::{Line, shown, table};
 use crate::commands::loads::unloaded::Unloaded;
 use crate::file::Dimension;
 use crate::loads::{Case, Structure};
@@ -14,12 +14,12 @@ pub(super) struct Report<'a> {
     pub(super) structure: &'a Structure<'a>,
     /// The chassis points that drives move.
     pub(super) driven: Vec<usize>,
-    pub(super) leading: &'a Leading,
+    pub(super) leading: &'a PlaceColumns,
 }
 
 impl Report<'_> {
     /// Returns the report of a case over all places that have an answer.
-    pub(super) fn text(&self, found: &Found<'_>) -> String {
+    pub(super) fn text(&self, found: &CaseResults<'_>) -> String {
         let [drives, measures, links, joints, moments, on_chassis] = self.lines(found);
         let mut unloaded = Unloaded::new(found);
         let inside = [links, joints, moments].map(|lines| unloaded.remove_from(lines));
@@ -51,8 +51,8 @@ impl Report<'_> {
     }
 
     /// Returns the lines of drives, measures, links, joints, moments about angles, and forces on chassis points: in the
-    /// order of [`Found::ranges`].
-    fn lines(&self, found: &Found<'_>) -> [Vec<Line>; 6] {
+    /// order of [`CaseResults::ranges`].
+    fn lines(&self, found: &CaseResults<'_>) -> [Vec<Line>; 6] {
         let (first, structure) = (&found.first, self.structure);
         let names = &self.mechanism.names;
         let mut ranges = found.ranges.iter();
@@ -90,7 +90,7 @@ impl Report<'_> {
     }
 
     /// Returns the name of the case, its place or the number of places, and what the places have in common.
-    fn heading(&self, found: &Found<'_>) -> String {
+    fn heading(&self, found: &CaseResults<'_>) -> String {
         let common = self
             .leading
             .in_words(&found.place, |number| !found.varies[number]);
@@ -111,7 +111,7 @@ impl Report<'_> {
         name: &str,
         unit: &'static str,
         range: Option<&[Extreme; 2]>,
-        found: &Found<'_>,
+        found: &CaseResults<'_>,
     ) -> Line {
         let extremes = range.map_or(&[][..], |range| &range[..found.places.min(2)]);
         let numbers = extremes.iter().map(|extreme| extreme.value);
@@ -130,7 +130,7 @@ impl Report<'_> {
         }
     }
 
-    fn places(&self, range: &[Extreme; 2], found: &Found<'_>) -> [String; 2] {
+    fn places(&self, range: &[Extreme; 2], found: &CaseResults<'_>) -> [String; 2] {
         range.each_ref().map(|extreme| {
             self.leading
                 .in_words(&extreme.place, |number| found.varies[number])
@@ -148,7 +148,7 @@ impl Report<'_> {
     }
 
     /// Returns a note if internal forces are so large that a lock must be near.
-    fn lock_note(&self, found: &Found<'_>) -> String {
+    fn lock_note(&self, found: &CaseResults<'_>) -> String {
         /// Arms and rockers alone make forces several times as large as the load.
         const MANY: f64 = 100.0;
         let Extreme { value: most, place } = &found.amplification;

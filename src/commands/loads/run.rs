@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_runtime::Listing;
 
+use crate::commands::loads::case_results::{CaseResults, without_answer};
 use crate::commands::loads::drawing::drawing;
-use crate::commands::loads::found::{Found, without_answer};
-use crate::commands::loads::leading::Leading;
 use crate::commands::loads::notes::notes;
+use crate::commands::loads::place_columns::PlaceColumns;
 use crate::commands::loads::report::Report;
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
@@ -48,7 +48,7 @@ impl<'a> Run<'a> {
     ) -> Result<(), Failure> {
         let grid = grid(self.mechanism, self.source, drives, absolute)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let leading = Leading::new(self.mechanism, &[&DRIVES]);
+        let leading = PlaceColumns::new(self.mechanism, &[&DRIVES]);
         let mut found = self.none_found();
         let mut read = |place: &dyn Place| {
             progress.step();
@@ -84,7 +84,7 @@ impl<'a> Run<'a> {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &self.mechanism.instants;
-        let leading = Leading::new(self.mechanism, &[&TIME, &DRIVES]);
+        let leading = PlaceColumns::new(self.mechanism, &[&TIME, &DRIVES]);
         let mut found = self.none_found();
         let is_over = || interrupted.load(Ordering::Relaxed);
         let go_on = |is_over| match is_over {
@@ -127,7 +127,7 @@ impl<'a> Run<'a> {
         self.ended(failure, &found, is_any)
     }
 
-    fn none_found(&self) -> Vec<Option<Found<'a>>> {
+    fn none_found(&self) -> Vec<Option<CaseResults<'a>>> {
         self.cases.iter().map(|_| None).collect()
     }
 
@@ -140,7 +140,7 @@ impl<'a> Run<'a> {
     /// Starts the results of cases at their first answer.
     fn start(
         &self,
-        found: &mut [Option<Found<'a>>],
+        found: &mut [Option<CaseResults<'a>>],
         outcomes: &[Option<Outcome>],
         (state, at): (&State, &Rc<[f64]>),
     ) {
@@ -148,7 +148,7 @@ impl<'a> Run<'a> {
             if let (None, Some(outcome)) = (&found, outcome) {
                 let first = (state, outcome);
                 let unborne = self.structure.unborne(self.mechanism, case, first);
-                *found = Some(Found::new((case, unborne), outcome.clone(), at));
+                *found = Some(CaseResults::new((case, unborne), outcome.clone(), at));
             }
         }
     }
@@ -157,8 +157,8 @@ impl<'a> Run<'a> {
     fn rows(
         &self,
         forms: &Forms,
-        leading: &Leading,
-        found: &[Option<Found<'_>>],
+        leading: &PlaceColumns,
+        found: &[Option<CaseResults<'_>>],
     ) -> Result<Option<Rows>, Failure> {
         if forms.is_empty() || found.iter().all(Option::is_none) {
             return Ok(None);
@@ -170,10 +170,10 @@ impl<'a> Run<'a> {
     /// Ends the table, draws the cases at the `first` place, and prints the reports.
     fn finish(
         &self,
-        (forms, leading): (&Forms, &Leading),
+        (forms, leading): (&Forms, &PlaceColumns),
         rows: Option<Rows>,
         first: Option<(State, Vec<Option<Outcome>>)>,
-        found: &[Option<Found<'_>>],
+        found: &[Option<CaseResults<'_>>],
     ) -> Result<(), Failure> {
         if let Some(rows) = rows {
             rows.finish()?;
@@ -213,7 +213,7 @@ impl<'a> Run<'a> {
     fn ended(
         &self,
         failure: Option<Failure>,
-        found: &[Option<Found<'_>>],
+        found: &[Option<CaseResults<'_>>],
         is_any: bool,
     ) -> Result<(), Failure> {
         let each = self.cases.iter().zip(found);
@@ -230,7 +230,11 @@ impl<'a> Run<'a> {
 }
 
 /// Adds a place to the results of each case.
-fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: (&State, &Rc<[f64]>)) {
+fn count(
+    found: &mut [Option<CaseResults<'_>>],
+    outcomes: &[Option<Outcome>],
+    at: (&State, &Rc<[f64]>),
+) {
     for (found, outcome) in found.iter_mut().zip(outcomes) {
         if let (Some(found), Some(outcome)) = (found, outcome) {
             found.add(outcome, at);

@@ -1,7 +1,7 @@
 //! The table of loads: one row per place.
 
-use crate::commands::loads::found::{Found, along, vectors};
-use crate::commands::loads::leading::Leading;
+use crate::commands::loads::case_results::{CaseResults, along, vectors};
+use crate::commands::loads::place_columns::PlaceColumns;
 use crate::commands::loads::report::unit_of;
 use crate::kinematics::Kinematics;
 use crate::loads::{Outcome, Structure};
@@ -11,8 +11,8 @@ use crate::output::heading::Heading;
 pub(super) fn headings(
     mechanism: &dyn Kinematics,
     structure: &Structure<'_>,
-    leading: &Leading,
-    found: &[Option<Found<'_>>],
+    leading: &PlaceColumns,
+    found: &[Option<CaseResults<'_>>],
 ) -> Vec<Heading> {
     let found = found.iter().flatten();
     let names = found.flat_map(|found| names(mechanism, structure, found));
@@ -23,7 +23,7 @@ pub(super) fn headings(
 /// here.
 pub(super) fn row(
     place: &[f64],
-    found: &[Option<Found<'_>>],
+    found: &[Option<CaseResults<'_>>],
     outcomes: &[Option<Outcome>],
 ) -> Vec<f64> {
     let mut row = place.to_vec();
@@ -38,7 +38,11 @@ pub(super) fn row(
 }
 
 /// Returns the names of a case's columns.
-fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_>) -> Vec<String> {
+fn names(
+    mechanism: &dyn Kinematics,
+    structure: &Structure<'_>,
+    found: &CaseResults<'_>,
+) -> Vec<String> {
     let (case, shape, statements) = (&found.case.name, &found.first, &structure.statements);
     let drives = mechanism.names.drives.iter();
     let drives = drives.map(|drive| {

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Does, Line, Parameter, Title};
+use crate::commands::sheet::by_quantity::grouped;
 use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
-use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Wheel};
 use crate::output::colour::Colour;
 use crate::output::page::charts;

@@ -4,9 +4,9 @@ use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
 use crate::characteristics::{Curves, Derivative, Parameter, Rises};
+use crate::commands::sheet::by_quantity::grouped;
 use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
-use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Names};
 use crate::output::motion::plots::capitalised;
 use crate::output::page::{numbers, page};

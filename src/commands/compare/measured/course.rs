@@ -1,7 +1,7 @@
 //! What the places of a table are counted along.
 
 use super::columns::Known;
-use super::smooth::smoothed;
+use super::smoothing::smoothed;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced, listed};
 use crate::number::number;

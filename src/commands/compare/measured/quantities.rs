@@ -2,9 +2,9 @@
 
 use super::columns::Known;
 use super::course::{Course, numbers};
-use super::places::Places;
-use super::quantity::Quantity;
-use super::reach::out_of_reach;
+use super::measured_quantity::Quantity;
+use super::model_at_places::Places;
+use super::out_of_reach::out_of_reach;
 use crate::commands::compare::differences::Place;
 use crate::failure::Failure;
 use crate::measured_table::MeasuredTable;

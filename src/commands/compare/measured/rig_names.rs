@@ -1,7 +1,7 @@
 //! Names by which rigs call what the model calls otherwise.
 
 use crate::mechanism::{Axle, Description, Wheel};
-use crate::side::Section;
+use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
 const OF_RIGS: [(&[&str], &[&str]); 20] = [

@@ -8,7 +8,7 @@ use crate::commands::import::spelling::spelled;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
-use crate::side::end_of;
+use crate::vehicle_corner::end_of;
 
 /// Returns whether a text is a subsystem file.
 pub(super) fn is_subsystem(text: &str) -> bool {

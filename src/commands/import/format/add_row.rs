@@ -7,7 +7,7 @@ use crate::commands::import::length_units::{length, unit};
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::key_of;
 use crate::failure::Failure;
-use crate::side::Section;
+use crate::vehicle_corner::Section;
 
 /// Adds the point or the number of a row under a name; skips other rows.
 ///

@@ -4,7 +4,7 @@ use super::row::Row;
 use crate::commands::import::hardpoints::Hardpoints;
 use crate::commands::import::spelling::key_of;
 use crate::failure::Failure;
-use crate::side::Sides;
+use crate::vehicle_corner::Sides;
 
 const LONE_SIGN: &str = "the sign before the number stands alone: write it at the number, or leave it out if it is a dash";
 

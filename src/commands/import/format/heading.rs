@@ -1,7 +1,7 @@
 //! Headings of tables: the axle and side of the rows below, the unit of lengths, the order of columns.
 
 use crate::commands::import::length_units::{is_unit, unit};
-use crate::side::{End, Section, Side, end_of};
+use crate::vehicle_corner::{End, Section, Side, end_of};
 
 /// Words of a suspension in headings.
 const OF_SUSPENSION: [&str; 5] = ["suspension", "axle", "corner", "hardpoints", "geometry"];

@@ -10,7 +10,7 @@ use crate::commands::import::hardpoints::Hardpoints;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-use crate::side::Sides;
+use crate::vehicle_corner::Sides;
 
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];

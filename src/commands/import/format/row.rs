@@ -10,7 +10,7 @@ use super::fields::{
 use crate::commands::import::length_units::unit;
 use crate::commands::import::spelling::spelled;
 use crate::decimals::Decimals;
-use crate::side::sides_of;
+use crate::vehicle_corner::sides_of;
 
 /// The beginnings of a remark, and the end of a row in LaTeX.
 const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];

@@ -3,7 +3,7 @@
 use super::heading::end_of_heading;
 use super::row::Row;
 use crate::commands::import::spelling::spelled;
-use crate::side::{End, Sides, corner_of, sides_of};
+use crate::vehicle_corner::{End, Sides, corner_of, sides_of};
 
 impl Row<'_> {
     /// Returns whether the line is a title with a number in it, such as `FS 2024 - rear suspension`.

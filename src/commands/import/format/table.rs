@@ -22,7 +22,7 @@ use crate::commands::import::spelling::{key_of, spelled};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::Axes;
-use crate::side::Section;
+use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
 use angles::check_angle;
 use columns::Columns;

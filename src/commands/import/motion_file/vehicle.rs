@@ -2,7 +2,7 @@
 
 use crate::commands::import::imported_corner::ImportedCorner;
 use crate::commands::import::stand_in::number;
-use crate::side::End;
+use crate::vehicle_corner::End;
 
 /// What a file says about the vehicle.
 #[derive(Debug)]

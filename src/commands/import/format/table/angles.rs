@@ -6,7 +6,7 @@ use crate::commands::import::hardpoints::Hardpoints;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{key_of, spelled};
 use crate::failure::Failure;
-use crate::side::{Section, sides_of};
+use crate::vehicle_corner::{Section, sides_of};
 
 /// Words of another angle or sign, wherever they stand in the row; an apostrophe behind a number stands for minutes.
 const OTHER: [&str; 22] = [

@@ -2,7 +2,7 @@
 
 use crate::commands::import::format::fields::{BETWEEN_COLUMNS, is_number};
 use crate::commands::import::spelling::spelled;
-use crate::side::Section;
+use crate::vehicle_corner::Section;
 
 /// The columns of x, y and z, which are beside each other: those of one point, or of one in each group of columns.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use crate::commands::import::format::row::Line;
 use crate::commands::import::length_units::is_unit;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{key_of, spelled};
-use crate::side::Section;
+use crate::vehicle_corner::Section;
 
 /// Puts a line for each point in place of lines with x, y and z below a line of names, which may stand over several such blocks.
 pub(super) fn with_names_in_rows<'a>(

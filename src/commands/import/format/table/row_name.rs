@@ -5,7 +5,7 @@ use crate::commands::import::format::row::Row;
 use crate::commands::import::length_units::unit;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{is_on_ground, key_of, spelled};
-use crate::side::{Section, sides_of};
+use crate::vehicle_corner::{Section, sides_of};
 
 /// Returns the name of a row: together with the columns before it, as in `Tie rod, inner`, or with the `heading` above it,
 /// if that is known, or else its own.

@@ -9,7 +9,7 @@ use crate::loads::{By, Case, Outcome, Unborne};
 use crate::mechanism::State;
 
 /// The results of a case over all places that have an answer.
-pub(super) struct Found<'a> {
+pub(super) struct CaseResults<'a> {
     pub(super) case: &'a Case,
     /// The outcome at the first place: the parts are the same at all places.
     pub(super) first: Outcome,
@@ -38,7 +38,7 @@ pub(super) struct Extreme {
     pub(super) place: Rc<[f64]>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> CaseResults<'a> {
     /// Starts the results of a case, before the first place is counted.
     pub(super) fn new(
         (case, unborne): (&'a Case, Unborne),
@@ -110,7 +110,7 @@ impl Extreme {
     }
 }
 
-/// Returns a number for each part, in the order of [`Found::ranges`].
+/// Returns a number for each part, in the order of [`CaseResults::ranges`].
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
     along(outcome).chain(vectors(outcome).map(Vector3::norm))
 }

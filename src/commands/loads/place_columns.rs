@@ -6,12 +6,12 @@ use crate::number::number;
 use crate::quantities::{self, Column, Quantity, value_in_file};
 
 /// The quantities in the first columns of each row.
-pub(super) struct Leading {
+pub(super) struct PlaceColumns {
     columns: Vec<Column>,
     unit: Unit,
 }
 
-impl Leading {
+impl PlaceColumns {
     pub(super) fn new(mechanism: &dyn Kinematics, quantities: &[&'static Quantity]) -> Self {
         Self {
             columns: quantities::columns(quantities.iter().copied(), &mechanism.names),

@@ -15,7 +15,7 @@ use crate::output::notes::{noted_unmet_range, print_notes};
 use crate::quantities::{Axis, CENTRE, TOE};
 
 /// The compared results of a suspension, with lengths in the unit of the first.
-pub(super) struct Side {
+pub(super) struct Suspension {
     pub(super) file: String,
     pub(super) linkage: String,
     /// From which unit or axes to which the numbers were converted; `None` if they were not.
@@ -47,7 +47,7 @@ pub(super) struct Side {
     pub(super) failure: Option<Failure>,
 }
 
-impl Side {
+impl Suspension {
     /// Computes the results of a file's mechanism, with lengths in `unit`; `converted` names the other conversions.
     pub(super) fn compute(
         mechanism: &dyn Kinematics,

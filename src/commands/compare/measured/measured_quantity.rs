@@ -1,6 +1,6 @@
 //! A measured quantity beside that of the model.
 
-use super::smooth::smoothed;
+use super::smoothing::smoothed;
 use crate::commands::compare::differences::{Difference, Place};
 use crate::output::plot::{Chart, Curve};
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::commands::loads::found::Found;
+use crate::commands::loads::case_results::CaseResults;
 use crate::number::fixed;
 use crate::output::text_table::{TextColumn, laid_out};
 
@@ -21,7 +21,7 @@ pub(super) struct Line {
 
 impl Line {
     /// Makes the same line for a force or a moment, at a single place with its components.
-    pub(super) fn with_vector(self, vector: &Vector3<f64>, found: &Found<'_>) -> Self {
+    pub(super) fn with_vector(self, vector: &Vector3<f64>, found: &CaseResults<'_>) -> Self {
         match found.places {
             1 => Self {
                 numbers: vector.iter().copied().collect(),
