@@ -14,4 +14,4 @@ mod svg;
 pub mod svg_folder;
 pub mod text_table;
 
-pub use suspension_tables::{csv_file, files, heading, records, rows, target};
+pub use suspension_tables::{files, heading, records, rows, target};

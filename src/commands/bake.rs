@@ -105,7 +105,11 @@ impl Arguments {
             let _shown = Busy::new("baking");
             baking.execute()?
         };
-        let language = Language::from(self.language);
+        let language = match self.language {
+            Form::Rust => Language::Rust,
+            Form::C => Language::C,
+            Form::Toml => Language::Toml,
+        };
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let of_wheel: String = of_wheel.collect();
         let ending = format!("{of_wheel}_{}.{}", sheet.subject(), language.extension());
@@ -196,16 +200,6 @@ fn own_value(called: char) -> impl TypedValueParser<Value = f64> {
     number(format!(
         "{called} is a number, the drive's own value in the file's units, as 0.30"
     ))
-}
-
-impl From<Form> for Language {
-    fn from(form: Form) -> Self {
-        match form {
-            Form::Rust => Self::Rust,
-            Form::C => Self::C,
-            Form::Toml => Self::Toml,
-        }
-    }
 }
 
 const NOTES: &str = r#"The file has polynomials of degree five over segments of equal length, as few as meet the tolerance, and a header that

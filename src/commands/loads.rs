@@ -3,6 +3,7 @@
 mod case_results;
 mod drawing;
 mod notes;
+mod parts;
 mod place_columns;
 mod report;
 mod report_lines;

@@ -21,7 +21,6 @@ use crate::output::rows::Forms;
 use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use paper::Paper;
-use timing::Timing;
 
 /// The name and the text of the motion file of the published motion.
 const BUILT_IN: (&str, &str) = (
@@ -65,19 +64,8 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     report.push_str(&figures::text(&mechanism.names, &outcome.kept));
     report.push('\n');
     report.push_str(&summary::totals(&outcome, mechanism.unit));
-    if let Some(timing) = timing::time_a_step(mechanism) {
-        report.push_str(&in_words(&timing));
-    }
+    report.extend(timing::text(mechanism));
     print(&report)?;
     announce(&written);
     Ok(())
-}
-
-fn in_words(timing: &Timing) -> String {
-    format!(
-        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {} steps of 1 ms;\n             this build is quick to make, not the fastest: docs/speed.md has the times of others)\n",
-        timing.per_step.as_secs_f64() * 1e6,
-        timing.passes,
-        timing.steps,
-    )
 }

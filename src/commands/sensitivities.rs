@@ -14,9 +14,8 @@ use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::report_of_singular;
 use crate::option::whole_number;
-use crate::output::csv_file::{CsvFile, format_in_full};
+use crate::output::destinations::tables;
 use crate::output::files::{announce, print};
-use crate::output::heading::Heading;
 use crate::output::notes::{noted, print_notes};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
@@ -63,11 +62,9 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let csv = self.csv.clone().map(Target::from);
+        let forms = tables([self.csv.as_ref(), None, None]);
         let loaded = load(&source)?;
-        if let Some(csv) = &csv {
-            csv.refuse_input("--csv")?;
-        }
+        forms.check()?;
         let mechanism = &*noted(loaded.at_design()?);
         if !mechanism.is_determined() {
             return Err(Failure::Solver(format!(
@@ -86,7 +83,7 @@ impl Arguments {
         let found = sensitivities(mechanism, &changes, interrupted, || progress.step());
         let found = found.ok_or_else(stopped)?;
         drop(progress);
-        let report = Report {
+        let mut report = Report {
             file: source.name(),
             mechanism,
             found: &found,
@@ -94,20 +91,15 @@ impl Arguments {
         };
         let known = report.check(&self.of);
         known.map_err(|message| Failure::input(source.name(), message))?;
-        let scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
+        report.scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());
         }
-        let report = Report {
-            scatter: scatter.as_ref(),
-            ..report
-        };
-        if csv != Some(Target::Stdout) {
+        if forms.csv != Some(Target::Stdout) {
             print(&report.text(&self.of, self.largest))?;
         }
-        if let Some(target) = &csv {
-            write(&report, &found, target)?;
-        }
+        report.write(&forms)?;
+        announce(forms.files().map(|(path, _)| path));
         Ok(())
     }
 
@@ -149,31 +141,6 @@ impl Arguments {
             drawn,
         })
     }
-}
-
-fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<(), Failure> {
-    let columns = report.numbers().map(|number| number.csv_name);
-    let names = ["changed".to_owned()].into_iter().chain(columns);
-    let headings: Vec<Heading> = names.map(Heading::new).collect();
-    let mut table = CsvFile::create(target, &headings)?;
-    let mut row = |name: &str, numbers: Vec<f64>| {
-        let numbers: Vec<String> = numbers.into_iter().map(format_in_full).collect();
-        table.record([name].into_iter().chain(numbers.iter().map(String::as_str)))
-    };
-    for each in &found.each {
-        let numbers = report.numbers();
-        let numbers = numbers.map(|at| each.of[(at.column, at.number)] * at.in_file);
-        row(&each.change.name, numbers.collect())?;
-    }
-    let scatter = report.scatter.into_iter();
-    for (name, deviations) in scatter.flat_map(Scatter::rows) {
-        let numbers = report.numbers();
-        let numbers = numbers.map(|at| deviations[at.column][at.number] * at.in_file.abs());
-        row(name, numbers.collect())?;
-    }
-    table.finish()?;
-    announce(target.path());
-    Ok(())
 }
 
 const SAMPLES: usize = 1000;

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use nalgebra::Vector3;
-
+use crate::commands::loads::parts::{Part, parts};
 use crate::loads::{By, Case, Outcome, Unborne};
 use crate::mechanism::State;
 
@@ -24,8 +23,7 @@ pub(super) struct CaseResults<'a> {
     /// The numbers of the first place, and which of them vary over the places.
     pub(super) place: Rc<[f64]>,
     pub(super) varies: Vec<bool>,
-    /// The least and the greatest force on each drive, in each measure and in each link, and of the magnitudes of each
-    /// joint's force, each moment about an angle and the force on each chassis point.
+    /// The least and the greatest load of each of the [`parts`], of loads in space that of their magnitudes.
     pub(super) ranges: Vec<[Extreme; 2]>,
     /// The largest [`Outcome::amplification`].
     pub(super) amplification: Extreme,
@@ -90,9 +88,10 @@ impl<'a> CaseResults<'a> {
 
     /// Whether a part exerts a force at a joint, at any place.
     pub(super) fn bears(&self, part: By) -> bool {
-        let at_joints = self.ranges.iter().skip(along(&self.first).count());
-        let mut joints = self.first.joints.iter().zip(at_joints);
-        joints.any(|((by, ..), range)| *by == part && Extreme::largest(range) != 0.0)
+        let mut each = parts(&self.first).zip(&self.ranges);
+        each.any(|((loaded, _), range)| {
+            matches!(loaded, Part::Joint(by, _) if by == part) && Extreme::largest(range) != 0.0
+        })
     }
 }
 
@@ -112,23 +111,7 @@ impl Extreme {
 
 /// Returns a number for each part, in the order of [`CaseResults::ranges`].
 fn sizes(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    along(outcome).chain(vectors(outcome).map(Vector3::norm))
-}
-
-/// Returns the forces in joints, the moments and the forces on chassis points.
-pub(super) fn vectors(outcome: &Outcome) -> impl Iterator<Item = &Vector3<f64>> {
-    let joints = outcome.joints.iter().map(|(.., force)| force);
-    let moments = outcome.moments.iter().map(|(.., moment)| moment);
-    let on_chassis = outcome.on_chassis.iter().map(|(_, force)| force);
-    joints.chain(moments).chain(on_chassis)
-}
-
-/// Returns the forces on drives, in measures and in links.
-pub(super) fn along(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    let drives = outcome.on_drives.iter().copied();
-    let bearing = outcome.in_measures.iter().map(|(_, along)| *along);
-    let links = outcome.links.iter().map(|(_, force)| *force);
-    drives.chain(bearing).chain(links)
+    parts(outcome).map(|(_, load)| load.size())
 }
 
 /// Returns a sentence on the cases without an answer; `None` if all have one.

@@ -1,8 +1,5 @@
 //! Lines of numbers under headings.
 
-use nalgebra::Vector3;
-
-use crate::commands::loads::case_results::CaseResults;
 use crate::number::fixed;
 use crate::output::text_table::{TextColumn, laid_out};
 
@@ -17,19 +14,6 @@ pub(super) struct Line {
     pub(super) places: [String; 2],
     /// The largest magnitude over all places.
     pub(super) largest: f64,
-}
-
-impl Line {
-    /// Makes the same line for a force or a moment, at a single place with its components.
-    pub(super) fn with_vector(self, vector: &Vector3<f64>, found: &CaseResults<'_>) -> Self {
-        match found.places {
-            1 => Self {
-                numbers: vector.iter().copied().collect(),
-                ..self
-            },
-            _ => self,
-        }
-    }
 }
 
 pub(super) fn shown(force: f64) -> String {

@@ -9,7 +9,7 @@ use crate::commands::sheet::curves::over;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::motion::plots::capitalised;
-use crate::output::page::{numbers, page};
+use crate::output::page::{cut_short, numbers, page};
 use crate::quantities::{Quantity, from_design};
 
 pub(super) struct Page<'a> {
@@ -59,9 +59,7 @@ impl Page<'_> {
                 p { strong { "The file's own motion is out of reach: " } (why) }
             }
             @if let Some(note) = &self.shorter_roll { p { (capitalised(note)) "." } }
-            @for missing in &self.missing {
-                p { strong { "The curves are cut short: " } (missing) }
-            }
+            (cut_short(&self.missing))
             h2 { "At the design position: " (self.drives) }
             div.scrolled { (self.table()) }
             (self.quantities_with_curves_only())
