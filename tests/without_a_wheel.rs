@@ -74,10 +74,7 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
         text.contains("  height\n") && !text.contains("camber"),
         "{text}"
     );
-    let plots = SvgFolder {
-        folder: folder.path(),
-        stem: "a",
-    };
+    let plots = SvgFolder::new(folder.path(), Path::new("a.toml"));
     let written = draw(mechanism, &outcome, &plots, height_and_angles).expect("no plots");
     assert_eq!(written, [] as [&Path; 0], "there is nothing to draw");
 }

@@ -56,7 +56,7 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([self.csv.as_ref(), None, None]);
+        let forms = tables([&self.csv, &None, &None]);
         let loaded = load(&source)?;
         forms.check()?;
         let wish = Wish {

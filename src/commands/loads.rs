@@ -22,7 +22,7 @@ use crate::grid::Swept;
 use crate::load::load;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
-use crate::output::default_path::{name_of, target};
+use crate::output::default_path::target;
 use crate::output::destinations::tables;
 use crate::output::notes::noted;
 use crate::output::rows::Forms;
@@ -86,17 +86,14 @@ impl Arguments {
             let sprung = mechanism.at_start(&mut sprung).flatten();
             return Err(source.refuse(&(0..0), no_case(&mechanism.names, sprung)));
         }
-        let (stem, drawings) = (name_of(&self.file), self.drawings.as_deref());
+        let drawings = self.drawings.as_deref();
         let run = Run {
             source: source.name(),
             mechanism,
             listing: loaded.listing(),
             structure: &structure,
             cases: &cases,
-            drawings: drawings.map(|folder| SvgFolder {
-                folder,
-                stem: &stem,
-            }),
+            drawings: drawings.map(|folder| SvgFolder::new(folder, &self.file)),
         };
         if self.motion {
             run.run_motion(&forms, interrupted)
@@ -112,7 +109,7 @@ impl Arguments {
             "_loads.csv"
         };
         let is_grid = self.motion || !self.drives.is_empty();
-        let mut forms = tables([self.csv.as_ref(), self.json.as_ref(), None]);
+        let mut forms = tables([&self.csv, &self.json, &None]);
         if is_grid && forms.is_empty() {
             forms.csv = Some(target(None, &self.file, ending));
         }

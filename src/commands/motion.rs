@@ -12,7 +12,6 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::output::default_path::name_of;
 use crate::output::destinations::tables;
 use crate::output::files::{announce, print};
 use crate::output::motion::plots::{draw, height_and_angles};
@@ -59,10 +58,7 @@ impl Arguments {
     /// See [`Failure`]. If the solver stops or the user interrupts, the files hold what was solved.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let Self {
-            csv, json, parquet, ..
-        } = &self;
-        let forms = tables([csv.as_ref(), json.as_ref(), parquet.as_ref()]);
+        let forms = tables([&self.csv, &self.json, &self.parquet]);
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = noted(loaded.at_first_instant()?);
@@ -77,12 +73,8 @@ impl Arguments {
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &mechanism.instants;
-        let stem = name_of(&self.file);
         let plots = self.plots.as_deref();
-        let plots = plots.map(|folder| SvgFolder {
-            folder,
-            stem: &stem,
-        });
+        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
         if let Some(folder) = &plots {
             let charts = height_and_angles(mechanism, [&[], &[]]);
             folder.refuse_tables(forms, charts.iter().map(|(name, _)| *name))?;

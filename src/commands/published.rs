@@ -6,20 +6,20 @@ mod figures;
 pub mod paper;
 mod timing;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
+use crate::output::default_path::in_out;
+use crate::output::destinations::tables;
 use crate::output::files::{announce, print};
 use crate::output::motion::plots::draw;
 use crate::output::motion::record::record;
 use crate::output::motion::summary;
 use crate::output::notes::noted;
-use crate::output::rows::Forms;
 use crate::output::svg_folder::SvgFolder;
-use crate::output::target::Target;
 use paper::Paper;
 
 /// The name and the text of the motion file of the published motion.
@@ -27,9 +27,6 @@ const BUILT_IN: (&str, &str) = (
     "examples/attia2003.toml",
     include_str!("../../examples/attia2003.toml"),
 );
-
-/// The folder of the results, and the beginning of the files' names.
-const WRITTEN: (&str, &str) = ("out", "attia2003");
 
 /// Solves the published motion, compares it with the paper and writes `out/attia2003*`.
 ///
@@ -41,12 +38,8 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let source = Source::new(name, text);
     let loaded = load(&source)?;
     let mechanism = &*noted(loaded.at_first_instant()?);
-    let (folder, stem) = WRITTEN;
-    let csv = PathBuf::from(format!("{folder}/{stem}.csv"));
-    let forms = Forms {
-        csv: Some(Target::File(csv.clone())),
-        ..Forms::default()
-    };
+    let csv = in_out(Path::new(name), ".csv");
+    let forms = tables([&Some(csv.clone()), &None, &None]);
     let instants = &mechanism.instants;
     let keep = instants.count();
     let outcome = record(mechanism, instants, &forms, keep, interrupted)?;
@@ -54,10 +47,7 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
         return Err(failure);
     }
     let mut written = vec![csv];
-    let folder = SvgFolder {
-        folder: Path::new(folder),
-        stem,
-    };
+    let folder = SvgFolder::new(Path::new("out"), Path::new(name));
     written.extend(draw(mechanism, &outcome, &folder, figures::charts)?);
     let paper = Paper::built_in();
     let mut report = comparison::text(&paper, &mechanism.names, &outcome.kept);

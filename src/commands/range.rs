@@ -14,7 +14,6 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
-use crate::output::default_path::name_of;
 use crate::output::destinations::tables;
 use crate::output::file_table::{Column, Table};
 use crate::output::files::{announce, print};
@@ -54,7 +53,7 @@ impl Arguments {
     /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([self.csv.as_ref(), None, None]);
+        let forms = tables([&self.csv, &None, &None]);
         let loaded = load(&source)?;
         forms.check()?;
         let mechanism = &*noted(loaded.within_reach()?);
@@ -88,12 +87,8 @@ impl Arguments {
         forms: &Forms,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let stem = name_of(&self.file);
         let plots = self.plots.as_deref();
-        let plots = plots.map(|folder| SvgFolder {
-            folder,
-            stem: &stem,
-        });
+        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
         let name = |drive: &str| format!("range_{drive}");
         if let Some(folder) = &plots {
             let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);

@@ -66,10 +66,7 @@ impl Arguments {
     /// interrupt.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let Self {
-            csv, json, parquet, ..
-        } = &self;
-        let mut forms = tables([csv.as_ref(), json.as_ref(), parquet.as_ref()]);
+        let mut forms = tables([&self.csv, &self.json, &self.parquet]);
         if forms.is_empty() {
             forms.csv = Some(target(None, &self.file, "_sweep.csv"));
         }

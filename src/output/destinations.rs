@@ -8,13 +8,9 @@ use crate::output::rows::Forms;
 use crate::output::target::Target;
 
 /// Returns the destinations of tables that the options `--csv`, `--json` and `--parquet` name.
-pub fn tables([csv, json, parquet]: [Option<&PathBuf>; 3]) -> Forms {
-    let target = |path: Option<&PathBuf>| path.cloned().map(Target::from);
-    Forms {
-        csv: target(csv),
-        json: target(json),
-        parquet: target(parquet),
-    }
+pub fn tables(options: [&Option<PathBuf>; 3]) -> Forms {
+    let [csv, json, parquet] = options.map(|path| path.clone().map(Target::from));
+    Forms { csv, json, parquet }
 }
 
 /// The files that the options `--csv`, `--json` and `--html` name.
@@ -32,7 +28,7 @@ impl Destinations {
     ///
     /// [`Failure::Input`] for a file that was read, and for one place that two options name.
     pub fn new([csv, json, html]: [&Option<PathBuf>; 3]) -> Result<Self, Failure> {
-        let forms = tables([csv.as_ref(), json.as_ref(), None]);
+        let forms = tables([csv, json, &None]);
         let html = html.clone().map(Target::from);
         forms.check_with(html.as_ref(), "--html")?;
         Ok(Self { forms, html })

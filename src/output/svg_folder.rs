@@ -1,21 +1,27 @@
 //! Drawings and plots in a folder that an option names.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
+use crate::output::default_path::name_of;
 use crate::output::files::{refuse_plot, write_file};
 use crate::output::plot::Chart;
 use crate::output::rows::Forms;
 
 /// A folder, and the beginning of the names of the files in it.
 pub struct SvgFolder<'a> {
-    /// The folder, which is created if it is missing.
-    pub folder: &'a Path,
-    /// The name of the motion file.
-    pub stem: &'a str,
+    folder: &'a Path,
+    stem: Cow<'a, str>,
 }
 
-impl SvgFolder<'_> {
+impl<'a> SvgFolder<'a> {
+    /// The files in the folder for a motion file, whose name theirs begin with. The folder is created if it is missing.
+    pub fn new(folder: &'a Path, file: &'a Path) -> Self {
+        let stem = name_of(file);
+        Self { folder, stem }
+    }
+
     fn path(&self, name: &str) -> PathBuf {
         self.folder.join(format!("{}_{name}.svg", self.stem))
     }
@@ -25,10 +31,10 @@ impl SvgFolder<'_> {
     /// # Errors
     ///
     /// [`Failure::Input`].
-    pub fn refuse_tables<'a>(
+    pub fn refuse_tables<'n>(
         &self,
         tables: &Forms,
-        plots: impl IntoIterator<Item = &'a str>,
+        plots: impl IntoIterator<Item = &'n str>,
     ) -> Result<(), Failure> {
         let plots = plots.into_iter().map(|name| self.path(name));
         let plots: Vec<PathBuf> = plots.collect();

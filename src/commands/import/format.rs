@@ -5,6 +5,7 @@ mod add_row;
 mod ambiguous_rows;
 mod fields;
 mod heading;
+mod lines;
 mod lotus;
 mod row;
 mod row_corner;

@@ -121,23 +121,19 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
             "is {y} at `{name}` on the chassis, but {at} at `{of}`"
         ));
     }
-    match choice.point("axle") {
-        Some(axle) => {
-            let [x, y, z] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
-            let (name, of) = (&axle.name, &centre.name);
-            let camber = z.atan2(y).to_degrees();
-            if x <= y && camber > MOST_CAMBER {
-                return Err(format!(
-                    "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
-                     no point of the spin axis, give it a name that import does not know"
-                ));
-            }
-            if x <= y {
-                return Ok(());
-            }
-            is_swapped(format!("from `{name}` to `{of}` it changes less than x"))
-        }
-        None => Ok(()),
+    let Some(axle) = choice.point("axle") else {
+        return Ok(());
+    };
+    let [x, y, z] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
+    let (name, of) = (&axle.name, &centre.name);
+    let camber = z.atan2(y).to_degrees();
+    match x <= y {
+        false => is_swapped(format!("from `{name}` to `{of}` it changes less than x")),
+        true if camber > MOST_CAMBER => Err(format!(
+            "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
+             no point of the spin axis, give it a name that import does not know"
+        )),
+        true => Ok(()),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Subsystem files of Adams/Car: blocks of hardpoints, parameters and units.
 
 use super::add_row::add;
-use super::row::{Row, lines};
+use super::lines::lines;
+use super::row::Row;
 use crate::commands::import::hardpoints::Hardpoints;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::spelled;

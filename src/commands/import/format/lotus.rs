@@ -5,7 +5,8 @@
 //! `FRONT SUSPENSION` or `REAR SUSPENSION` is followed by a number, the points' coordinates in the same order, in
 //! millimetres, and the tyre's rolling radius.
 
-use super::row::{Placed, Row, lines};
+use super::lines::{Placed, lines};
+use super::row::Row;
 use crate::commands::import::hardpoints::Hardpoints;
 use crate::failure::Failure;
 use crate::file::Source;

@@ -1,22 +1,16 @@
 //! A line of a table: a name and numbers, with any separators.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use super::fields::{
     MINUS, fields, has_empty_coordinate, has_number_in_parentheses, number, without_axes,
     without_units,
 };
+use super::lines::without_remark;
 use crate::commands::import::length_units::unit;
 use crate::commands::import::spelling::spelled;
 use crate::decimals::Decimals;
 use crate::vehicle_corner::sides_of;
-
-/// The beginnings of a remark, and the end of a row in LaTeX.
-const REMARKS: [&str; 5] = ["#", "//", "%", "!", "\\\\"];
-
-/// The beginning of a line that is a remark in Adams/Car; elsewhere it stands around numbers in LaTeX.
-const REMARK_LINE: char = '$';
 
 /// The separators of fields, among them those of tables in Markdown and LaTeX; numbers may have a decimal comma between all
 /// but commas and blanks.
@@ -24,12 +18,6 @@ const SEPARATORS: [char; 6] = [';', '\t', '|', '&', ',', ' '];
 
 /// The most points in a row: one for each corner of a vehicle.
 const MOST_POINTS: usize = 4;
-
-/// A part of a file, with its place.
-pub(super) type Placed<T> = (Range<usize>, T);
-
-/// A line of a file, or one that takes the place of several.
-pub(super) type Line<'a> = Placed<Cow<'a, str>>;
 
 /// A line that has been split into fields.
 #[derive(Debug)]
@@ -46,36 +34,6 @@ pub(super) struct Row<'a> {
     pub(super) has_empty_coordinate: bool,
     /// The place of the line in its file.
     pub(super) place: Range<usize>,
-}
-
-/// Returns the trimmed lines of a text, each with its place.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = Placed<&str>> {
-    trimmed_lines(text, char::is_whitespace)
-}
-
-/// Returns the lines of a text without the blanks around them, but with tabs: cells that are empty.
-pub(super) fn lines_with_tabs(text: &str) -> impl Iterator<Item = Placed<&str>> {
-    trimmed_lines(text, |c| c.is_whitespace() && c != '\t')
-}
-
-fn trimmed_lines(text: &str, is_blank: fn(char) -> bool) -> impl Iterator<Item = Placed<&str>> {
-    let mut start = 0;
-    text.split_inclusive('\n').map(move |line| {
-        let from = start;
-        start += line.len();
-        let line = line.trim_end_matches(is_blank);
-        let own = line.trim_start_matches(|c: char| is_blank(c) || c == '\u{feff}');
-        (from + line.len() - own.len()..from + line.len(), own)
-    })
-}
-
-/// Returns a line without its remark.
-pub(super) fn without_remark(line: &str) -> &str {
-    let starts = REMARKS.iter().filter_map(|remark| line.find(remark));
-    match line.trim_start().starts_with(REMARK_LINE) {
-        true => "",
-        false => &line[..starts.min().unwrap_or(line.len())],
-    }
 }
 
 impl<'a> Row<'a> {

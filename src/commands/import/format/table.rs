@@ -15,7 +15,8 @@ use super::add_row::add;
 use super::heading::{
     check_columns, column_groups, end_of_heading, side_of_heading, units_of_heading,
 };
-use super::row::{Row, lines_with_tabs};
+use super::lines::lines_with_tabs;
+use super::row::Row;
 use crate::commands::import::hardpoints::Hardpoints;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{key_of, spelled};

@@ -1,7 +1,7 @@
 //! Commands of Adams/View in which points are made: `point create point_name = .car.hpl_lca_front location = 1, 2, 3`.
 
 use crate::commands::import::format::fields::is_number;
-use crate::commands::import::format::row::{Line, Placed};
+use crate::commands::import::format::lines::{Line, Placed};
 
 /// The sign at the end of a line that goes on in the next one.
 const GOES_ON: char = '&';

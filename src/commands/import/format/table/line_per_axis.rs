@@ -1,7 +1,7 @@
 //! Points whose coordinates have a line each, as in `lca_front_x = 130` or, in YAML and JSON, below the name of the point.
 
 use crate::commands::import::format::fields::is_number;
-use crate::commands::import::format::row::{Line, without_remark};
+use crate::commands::import::format::lines::{Line, without_remark};
 use crate::commands::import::length_units::is_unit;
 
 /// Joins three lines with x, y and z of one point to one line with its name and three numbers.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::commands::import::format::fields::{BETWEEN_COLUMNS, is_number};
-use crate::commands::import::format::row::Line;
+use crate::commands::import::format::lines::Line;
 use crate::commands::import::length_units::is_unit;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{key_of, spelled};

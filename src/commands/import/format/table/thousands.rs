@@ -1,6 +1,7 @@
 //! Numbers such as `1,250`, which are one or one thousand.
 
-use crate::commands::import::format::row::{Placed, Row};
+use crate::commands::import::format::lines::Placed;
+use crate::commands::import::format::row::Row;
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::key_of;
 use crate::decimals::Decimals;
