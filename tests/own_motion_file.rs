@@ -202,7 +202,7 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
 #[test]
 fn assemblies_far_from_the_origin_are_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let wish = search::Wish {
+        let wish = search::Request {
             drive: Some("bump".to_owned()),
             at: vec![0.2 + away[2]],
         };

@@ -12,7 +12,7 @@ use suspension::load::load;
 use suspension::output::motion::plots::{draw, height_and_angles};
 use suspension::output::motion::record::record;
 use suspension::output::motion::summary;
-use suspension::output::rows::Forms;
+use suspension::output::rows::TableTargets;
 use suspension::output::svg_folder::SvgFolder;
 use suspension::output::target::Target;
 
@@ -52,12 +52,12 @@ fn a_motion_without_a_wheel_has_columns_of_points_alone() {
 fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.csv");
-    let forms = Forms {
+    let tables = TableTargets {
         csv: Some(Target::File(path.clone())),
-        ..Forms::default()
+        ..TableTargets::default()
     };
     let never = AtomicBool::new(false);
-    let outcome = record(mechanism, &mechanism.instants, &forms, 12, &never);
+    let outcome = record(mechanism, &mechanism.instants, &tables, 12, &never);
     let outcome = outcome.expect("a table");
     let table = std::fs::read_to_string(path).expect("a table");
     assert_eq!(
@@ -93,7 +93,7 @@ fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
     let listed = list(
         mechanism,
         "a.toml",
-        &search::Wish::default(),
+        &search::Request::default(),
         &false.into(),
         &mut |listed| {
             assemblies = listed.assemblies.len();

@@ -14,15 +14,15 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
 use crate::option::number;
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::file_table::Table;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
-use crate::output::notes::noted;
-use crate::output::rows::Forms;
+use crate::output::notes::with_notes_printed;
+use crate::output::rows::TableTargets;
 use crate::output::target::Target;
 use report::Report;
-use search::{Wish, list};
+use search::{Request, list};
 
 /// The arguments of `suspension assemblies`.
 #[derive(Args, Clone, Debug)]
@@ -56,15 +56,15 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([&self.csv, &None, &None]);
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let wish = Wish {
+        tables.check()?;
+        let request = Request {
             drive: self.drive,
             at: self.at,
         };
-        let mechanism = noted(loaded.at_first_instant()?);
-        enumerate(&*mechanism, source.name(), &wish, &forms, interrupted)
+        let mechanism = with_notes_printed(loaded.at_first_instant()?);
+        enumerate(&*mechanism, source.name(), &request, &tables, interrupted)
     }
 }
 
@@ -72,16 +72,16 @@ impl Arguments {
 fn enumerate(
     mechanism: &dyn Kinematics,
     source: &str,
-    wish: &Wish,
-    forms: &Forms,
+    request: &Request,
+    tables: &TableTargets,
     interrupted: &AtomicBool,
 ) -> Result<(), Failure> {
     let Description { names, unit, .. } = &**mechanism;
     let columns = report::columns(names, *unit);
-    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
+    let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
     let report = Report::new(names, *unit);
-    let done = list(mechanism, source, wish, interrupted, &mut |listed| {
-        if forms.csv != Some(Target::Stdout) {
+    let done = list(mechanism, source, request, interrupted, &mut |listed| {
+        if tables.csv != Some(Target::Stdout) {
             print(&format!("{}\n", report.text(listed)))?;
         }
         let mut assemblies = listed.assemblies.iter();
@@ -89,7 +89,7 @@ fn enumerate(
     });
     if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
         table.finish()?;
-        announce(forms.files().map(|(path, _)| path));
+        announce(tables.files().map(|(path, _)| path));
     }
     done
 }

@@ -17,7 +17,7 @@ use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::option::{derivatives, number};
 use crate::output::default_path::in_out;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;
 use crate::output::target::Target;
 use baking::{Baking, Variables, WishedDrive, WishedMeasure};
@@ -98,7 +98,7 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let mechanism = &*noted(loaded.at_first_instant()?);
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
         loaded.check_driven("suspension bake", mechanism)?;
         let baking = self.baking((source.name(), mechanism), interrupted)?;
         let sheet = {

@@ -21,7 +21,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{Loaded, load};
 use crate::output::destinations::Destinations;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use report::Report;
 use suspension::Suspension;
 
@@ -84,7 +84,7 @@ impl Arguments {
         };
         to.write(
             || report.text(),
-            |forms| report.write(forms),
+            |tables| report.write(tables),
             || page::html(&report),
         )?;
         failure.map_or(Ok(()), Err)
@@ -117,7 +117,7 @@ impl Arguments {
         let [(a, first), _] = files;
         let spans = [self.travel, self.steer];
         let side = |(source, loaded): (&Source, &Loaded<'_>)| {
-            let mechanism = noted(loaded.at_design_in(first.axes())?);
+            let mechanism = with_notes_printed(loaded.at_design_in(first.axes())?);
             let converted = converted([loaded, first]);
             Suspension::compute(
                 &*mechanism,

@@ -11,7 +11,7 @@ use crate::option::positive;
 use crate::output::default_path::target;
 use crate::output::drawing::drawing_of;
 use crate::output::files::announce;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 
 /// The arguments of `suspension draw`.
 #[derive(Args, Clone, Debug)]
@@ -44,7 +44,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = noted(loaded.within_reach()?);
+        let mechanism = with_notes_printed(loaded.within_reach()?);
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
         out.write(&drawing.whole(source.name())?)?;
         announce(out.path());

@@ -35,7 +35,7 @@ use choice::choose;
 use corner_points::CornerPoints;
 use hardpoints::Hardpoints;
 use help::NOTES;
-use imported_corner::{ImportedCorner, Other};
+use imported_corner::{ImportedCorner, OtherSide};
 use motion_file::{write_axle, write_corner};
 use names::Names;
 use orientation::orientation;
@@ -153,7 +153,7 @@ impl Arguments {
     ) -> Result<Vec<PathBuf>, Failure> {
         let mut one = self.corner(stated, names, self.first_side())?;
         let other = one.other_side();
-        let unlike = matches!(other, Other::Unlike(_)) && self.side.is_none();
+        let unlike = matches!(other, OtherSide::Unlike(_)) && self.side.is_none();
         if self.side.is_none() {
             one.notes.extend(other.side_note(self.axle));
         }

@@ -23,9 +23,9 @@ use crate::load::load;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
 use crate::output::default_path::target;
-use crate::output::destinations::tables;
-use crate::output::notes::noted;
-use crate::output::rows::Forms;
+use crate::output::destinations::table_targets;
+use crate::output::notes::with_notes_printed;
+use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 use run::Run;
 
@@ -70,15 +70,15 @@ impl Arguments {
     /// See [`Failure`]. The tables omit places that have no configuration.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = self.forms();
+        let tables = self.tables();
         let loaded = load(&source)?;
-        forms.check()?;
+        tables.check()?;
         let mechanism = if self.motion {
             loaded.at_first_instant()
         } else {
             loaded.at_design()
         };
-        let mechanism = &*noted(mechanism?);
+        let mechanism = &*with_notes_printed(mechanism?);
         let cases = loaded.load_cases(mechanism)?;
         let structure = Structure::new(loaded.listing());
         if cases.is_empty() {
@@ -96,24 +96,24 @@ impl Arguments {
             drawings: drawings.map(|folder| SvgFolder::new(folder, &self.file)),
         };
         if self.motion {
-            run.run_motion(&forms, interrupted)
+            run.run_motion(&tables, interrupted)
         } else {
-            run.run_grid((&self.drives, self.absolute), &forms, interrupted)
+            run.run_grid((&self.drives, self.absolute), &tables, interrupted)
         }
     }
 
-    fn forms(&self) -> Forms {
+    fn tables(&self) -> TableTargets {
         let ending = if self.motion {
             "_loads_motion.csv"
         } else {
             "_loads.csv"
         };
         let is_grid = self.motion || !self.drives.is_empty();
-        let mut forms = tables([&self.csv, &self.json, &None]);
-        if is_grid && forms.is_empty() {
-            forms.csv = Some(target(None, &self.file, ending));
+        let mut tables = table_targets([&self.csv, &self.json, &None]);
+        if is_grid && tables.is_empty() {
+            tables.csv = Some(target(None, &self.file, ending));
         }
-        forms
+        tables
     }
 }
 

@@ -12,13 +12,13 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
 use crate::output::motion::plots::{draw, height_and_angles};
 use crate::output::motion::record::record;
 use crate::output::motion::summary;
-use crate::output::notes::noted;
-use crate::output::rows::Forms;
+use crate::output::notes::with_notes_printed;
+use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 
 /// The arguments of `suspension motion`.
@@ -58,18 +58,18 @@ impl Arguments {
     /// See [`Failure`]. If the solver stops or the user interrupts, the files hold what was solved.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([&self.csv, &self.json, &self.parquet]);
+        let tables = table_targets([&self.csv, &self.json, &self.parquet]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = noted(loaded.at_first_instant()?);
-        self.solve(&*mechanism, source.name(), &forms, interrupted)
+        tables.check()?;
+        let mechanism = with_notes_printed(loaded.at_first_instant()?);
+        self.solve(&*mechanism, source.name(), &tables, interrupted)
     }
 
     fn solve(
         &self,
         mechanism: &dyn Kinematics,
         source: &str,
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &mechanism.instants;
@@ -77,17 +77,17 @@ impl Arguments {
         let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
         if let Some(folder) = &plots {
             let charts = height_and_angles(mechanism, [&[], &[]]);
-            folder.refuse_tables(forms, charts.iter().map(|(name, _)| *name))?;
+            folder.refuse_tables(tables, charts.iter().map(|(name, _)| *name))?;
         }
-        let outcome = record(mechanism, instants, forms, KEPT, interrupted)?;
-        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
+        let outcome = record(mechanism, instants, tables, KEPT, interrupted)?;
+        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = &plots {
             written.extend(draw(mechanism, &outcome, folder, height_and_angles)?);
         }
-        if forms.is_empty() && plots.is_none() {
+        if tables.is_empty() && plots.is_none() {
             print(&summary::text(mechanism, &outcome))?;
         }
         announce(&written);
-        outcome.failure(source, forms).map_or(Ok(()), Err)
+        outcome.failure(source, tables).map_or(Ok(()), Err)
     }
 }

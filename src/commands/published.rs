@@ -13,12 +13,12 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
 use crate::output::default_path::in_out;
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
 use crate::output::motion::plots::draw;
 use crate::output::motion::record::record;
 use crate::output::motion::summary;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::svg_folder::SvgFolder;
 use paper::Paper;
 
@@ -37,13 +37,13 @@ pub fn run(interrupted: &AtomicBool) -> Result<(), Failure> {
     let (name, text) = BUILT_IN;
     let source = Source::new(name, text);
     let loaded = load(&source)?;
-    let mechanism = &*noted(loaded.at_first_instant()?);
+    let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
     let csv = in_out(Path::new(name), ".csv");
-    let forms = tables([&Some(csv.clone()), &None, &None]);
+    let tables = table_targets([&Some(csv.clone()), &None, &None]);
     let instants = &mechanism.instants;
     let keep = instants.count();
-    let outcome = record(mechanism, instants, &forms, keep, interrupted)?;
-    if let Some(failure) = outcome.failure(name, &forms) {
+    let outcome = record(mechanism, instants, &tables, keep, interrupted)?;
+    if let Some(failure) = outcome.failure(name, &tables) {
         return Err(failure);
     }
     let mut written = vec![csv];

@@ -14,13 +14,13 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::file_table::{Column, Table};
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
@@ -53,13 +53,13 @@ impl Arguments {
     /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([&self.csv, &None, &None]);
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = &*noted(loaded.within_reach()?);
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.within_reach()?);
         let chosen = self.chosen(&mechanism.names);
         let chosen = chosen.map_err(|message| Failure::input(source.name(), message))?;
-        let ranges = self.ranges((mechanism, &chosen), &forms, interrupted);
+        let ranges = self.ranges((mechanism, &chosen), &tables, interrupted);
         ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
         if interrupted.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted(format!(
@@ -84,7 +84,7 @@ impl Arguments {
     fn ranges(
         &self,
         (mechanism, chosen): (&dyn Kinematics, &[usize]),
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let plots = self.plots.as_deref();
@@ -93,7 +93,7 @@ impl Arguments {
         if let Some(folder) = &plots {
             let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
             let names: Vec<String> = drives.map(|drive| name(&drive.name)).collect();
-            folder.refuse_tables(forms, names.iter().map(String::as_str))?;
+            folder.refuse_tables(tables, names.iter().map(String::as_str))?;
         }
         let ranges = {
             let _shown = Busy::new("following the curve of each drive");
@@ -101,15 +101,15 @@ impl Arguments {
             let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
             ranges.collect::<Result<Vec<_>, _>>()?
         };
-        table(mechanism, &ranges, forms)?;
-        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
+        table(mechanism, &ranges, tables)?;
+        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = &plots {
             let charts = ranges.iter();
             let charts = charts
                 .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
             written.extend(folder.draw(charts)?);
         }
-        if forms.csv != Some(Target::Stdout) {
+        if tables.csv != Some(Target::Stdout) {
             print(&report::text(mechanism, &ranges))?;
         }
         announce(&written);
@@ -137,9 +137,13 @@ fn no_start(mechanism: &Description, file: &str, failure: Failure) -> Failure {
     Failure::Solver(format!("{file}: {why}; {remedy}"))
 }
 
-fn table(mechanism: &Description, ranges: &[DriveRange], forms: &Forms) -> Result<(), Failure> {
+fn table(
+    mechanism: &Description,
+    ranges: &[DriveRange],
+    tables: &TableTargets,
+) -> Result<(), Failure> {
     let columns = columns(&mechanism.names, mechanism.unit);
-    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
+    let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()

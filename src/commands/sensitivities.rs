@@ -14,9 +14,9 @@ use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::report_of_singular;
 use crate::option::whole_number;
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
-use crate::output::notes::{noted, print_notes};
+use crate::output::notes::{print_notes, with_notes_printed};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::sensitivities::{Sensitivities, sensitivities};
@@ -62,10 +62,10 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = tables([&self.csv, &None, &None]);
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = &*noted(loaded.at_design()?);
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         if !mechanism.is_determined() {
             return Err(Failure::Solver(format!(
                 "{}: the design position is singular, where quantities have no derivatives; {}",
@@ -95,11 +95,11 @@ impl Arguments {
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());
         }
-        if forms.csv != Some(Target::Stdout) {
+        if tables.csv != Some(Target::Stdout) {
             print(&report.text(&self.of, self.largest))?;
         }
-        report.write(&forms)?;
-        announce(forms.files().map(|(path, _)| path));
+        report.write(&tables)?;
+        announce(tables.files().map(|(path, _)| path));
         Ok(())
     }
 

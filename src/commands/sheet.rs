@@ -23,7 +23,7 @@ use crate::mechanism::State;
 use crate::output::default_path::target;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
-use crate::output::notes::{noted, noted_unmet_range, print_notes, print_notes_on};
+use crate::output::notes::{print_notes, print_notes_on, print_unmet_range, with_notes_printed};
 use page::Page;
 
 /// The arguments of `suspension sheet`.
@@ -59,7 +59,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = noted(loaded.at_design()?);
+        let mechanism = with_notes_printed(loaded.at_design()?);
         let motion_ends = loaded.own_motion_ends(interrupted)?;
         print_notes(&motion_ends);
         let (page, missing) = self.page(
@@ -108,7 +108,7 @@ impl Arguments {
             rises: Rises::compute(mechanism, &parameters),
             parameters,
         };
-        Ok((page.html(), noted_unmet_range(&ways, name)))
+        Ok((page.html(), print_unmet_range(&ways, name)))
     }
 }
 

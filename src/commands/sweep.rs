@@ -14,12 +14,12 @@ use crate::load::load;
 use crate::mechanism::{DerivativeOrder, Description};
 use crate::option::derivatives;
 use crate::output::default_path::target;
-use crate::output::destinations::tables;
+use crate::output::destinations::table_targets;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Progress;
-use crate::output::rows::{Forms, Rows};
+use crate::output::rows::{Rows, TableTargets};
 
 /// The arguments of `suspension sweep`.
 #[derive(Args, Clone, Debug)]
@@ -66,21 +66,21 @@ impl Arguments {
     /// interrupt.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let mut forms = tables([&self.csv, &self.json, &self.parquet]);
-        if forms.is_empty() {
-            forms.csv = Some(target(None, &self.file, "_sweep.csv"));
+        let mut tables = table_targets([&self.csv, &self.json, &self.parquet]);
+        if tables.is_empty() {
+            tables.csv = Some(target(None, &self.file, "_sweep.csv"));
         }
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = &*noted(loaded.at_design()?);
-        self.sweep(mechanism, source.name(), &forms, interrupted)
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
+        self.sweep(mechanism, source.name(), &tables, interrupted)
     }
 
     fn sweep(
         &self,
         mechanism: &dyn Kinematics,
         source: &str,
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(mechanism, source, &self.drives, self.absolute)?;
@@ -94,8 +94,8 @@ impl Arguments {
             progress.step();
             table.row(place)
         });
-        write(mechanism, &table, &visited.places, forms)?;
-        announce(forms.files().map(|(path, _)| path));
+        write(mechanism, &table, &visited.places, tables)?;
+        announce(tables.files().map(|(path, _)| path));
         visited.failure(source).map_or(Ok(()), Err)
     }
 }
@@ -105,14 +105,14 @@ fn write(
     mechanism: &Description,
     table: &GridTable,
     rows: &[Option<Vec<f64>>],
-    forms: &Forms,
+    tables: &TableTargets,
 ) -> Result<(), Failure> {
     let headings: Vec<Heading> = table
         .names(mechanism)
         .into_iter()
         .map(Heading::new)
         .collect();
-    let mut file = Rows::create(forms, &Header::new(mechanism), &headings)?;
+    let mut file = Rows::create(tables, &Header::new(mechanism), &headings)?;
     for row in rows.iter().flatten() {
         file.add(row)?;
     }

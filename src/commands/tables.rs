@@ -18,7 +18,7 @@ use crate::load::load;
 use crate::mechanism::{Pair, report_of_singular};
 use crate::output::default_path::target;
 use crate::output::files::announce;
-use crate::output::notes::{noted, noted_unmet_range, print_notes};
+use crate::output::notes::{print_notes, print_unmet_range, with_notes_printed};
 use wheel::Wheel;
 
 /// The arguments of `suspension tables`.
@@ -75,7 +75,7 @@ impl Arguments {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         target.refuse_input("--out")?;
-        let mechanism = noted(loaded.at_design()?);
+        let mechanism = with_notes_printed(loaded.at_design()?);
         let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
         target.write(&text)?;
         announce(target.path());
@@ -122,7 +122,7 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => noted_unmet_range(slice::from_ref(&travel), file),
+            Program::Carsim => print_unmet_range(slice::from_ref(&travel), file),
             Program::Carmaker => None,
         };
         Ok((text, missing))

@@ -17,7 +17,7 @@ use crate::mechanism::{Axis, CountedFrom, Description};
 use crate::number::number;
 use crate::output::default_path::name_of;
 use crate::output::files::{announce, print, refuse_existing};
-use crate::output::notes::{noted, print_notes, print_notes_on};
+use crate::output::notes::{print_notes, print_notes_on, with_notes_printed};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
@@ -52,7 +52,7 @@ impl Arguments {
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
-        let mechanism = &*noted(loaded.at_design()?);
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         let (moves, targets) = loaded.tuning(mechanism)?;
         out.refuse_input("--out")?;
         if let Some(path) = out.path() {

@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::{describe_one_sided, load};
 use crate::output::destinations::Destinations;
-use crate::output::notes::{noted, print_notes_on};
+use crate::output::notes::{print_notes_on, with_notes_printed};
 use crate::quantities::is_first_in_curves;
 use report::Report;
 use study::{Spans, Study};
@@ -81,7 +81,7 @@ impl Arguments {
         let file = source.name();
         let loaded = load(&source)?;
         let to = Destinations::new([&self.csv, &self.json, &self.html])?;
-        let mechanism = &*noted(loaded.at_design()?);
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         if self.steer.is_some() && mechanism.names.vehicle.steer.is_empty() {
             return Err(no_steering(file));
         }
@@ -105,7 +105,7 @@ impl Arguments {
         };
         to.write(
             || report(&printed).text(!self.of.is_empty()),
-            |forms| report(&written).write(forms),
+            |tables| report(&written).write(tables),
             || page::html(&report(&written), self.of.is_empty()),
         )?;
         study.failure(&varied).map_or(Ok(()), Err)

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::mechanism::{State, Unit};
 use crate::output::heading::{Header, Heading};
-use crate::output::rows::{Forms, Rows};
+use crate::output::rows::{Rows, TableTargets};
 use crate::quantities::{self, value_in_file};
 
 /// A column: a name and a function from an item to a number.
@@ -55,16 +55,16 @@ impl<T: 'static> Table<T> {
     ///
     /// See [`Failure::writing`].
     pub fn create(
-        forms: &Forms,
+        tables: &TableTargets,
         header: &Header,
         mut columns: Vec<Column<T>>,
     ) -> Result<Self, Failure> {
-        if forms.is_empty() {
+        if tables.is_empty() {
             columns.clear();
         }
         let headings = columns.iter().map(|column| column.heading.clone());
         Ok(Self {
-            rows: Rows::create(forms, header, &headings.collect::<Vec<_>>())?,
+            rows: Rows::create(tables, header, &headings.collect::<Vec<_>>())?,
             columns,
             row: Vec::new(),
         })

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::output::default_path::name_of;
 use crate::output::files::{refuse_plot, write_file};
 use crate::output::plot::Chart;
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 
 /// A folder, and the beginning of the names of the files in it.
 pub struct SvgFolder<'a> {
@@ -33,7 +33,7 @@ impl<'a> SvgFolder<'a> {
     /// [`Failure::Input`].
     pub fn refuse_tables<'n>(
         &self,
-        tables: &Forms,
+        tables: &TableTargets,
         plots: impl IntoIterator<Item = &'n str>,
     ) -> Result<(), Failure> {
         let plots = plots.into_iter().map(|name| self.path(name));

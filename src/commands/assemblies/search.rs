@@ -10,7 +10,7 @@ use crate::output::progress::search::Search;
 
 /// A request for assemblies.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Wish {
+pub struct Request {
     /// The drive; `None` if the linkage has only one.
     pub drive: Option<String>,
     /// Values of the drive; empty for the drives at the file's first instant.
@@ -40,11 +40,11 @@ pub type OnListed<'a> = dyn FnMut(&Listed) -> Result<(), Failure> + 'a;
 pub fn list(
     mechanism: &dyn Kinematics,
     file: &str,
-    wish: &Wish,
+    request: &Request,
     interrupted: &AtomicBool,
     on_listed: &mut OnListed<'_>,
 ) -> Result<(), Failure> {
-    let places = places(mechanism, file, wish)?;
+    let places = places(mechanism, file, request)?;
     let progress = Search::new(file, interrupted);
     let watch = |stage, count| progress.goes_on(stage, count);
     let mut nowhere = Vec::new();
@@ -82,13 +82,17 @@ pub fn list(
 }
 
 /// Returns the drives at each requested value, or at the first instant if none is requested, in local coordinates.
-fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec<f64>>, Failure> {
+fn places(
+    mechanism: &dyn Kinematics,
+    file: &str,
+    request: &Request,
+) -> Result<Vec<Vec<f64>>, Failure> {
     let first = mechanism.first_drives();
-    if wish.at.is_empty() {
+    if request.at.is_empty() {
         return Ok(vec![first]);
     }
     let refuse = |message: String| Failure::input(file, message);
-    let drive = mechanism.names.chosen_drive(wish.drive.as_deref());
+    let drive = mechanism.names.chosen_drive(request.drive.as_deref());
     let drive = drive.map_err(refuse)?;
     let (kind, unit) = (mechanism.names.drives[drive].kind, mechanism.unit);
     let with = |value: &f64| {
@@ -102,5 +106,5 @@ fn places(mechanism: &dyn Kinematics, file: &str, wish: &Wish) -> Result<Vec<Vec
         drives[drive] = inside - mechanism.drive_offsets[drive];
         Ok(drives)
     };
-    wish.at.iter().map(with).collect()
+    request.at.iter().map(with).collect()
 }

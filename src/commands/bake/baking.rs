@@ -86,15 +86,16 @@ impl Baking<'_> {
             angle: Angle::Radian,
             ..*unit
         };
-        let (along, baked) = match &self.variables {
-            Variables::Drives(drives) => self.by_drives(drives)?,
-            Variables::Measure(wished) => {
-                let along = self.along_measure(wished)?;
-                let baked = Table::Curve(self.curve(&along)?);
-                (vec![along], baked)
-            }
+        let variables = match &self.variables {
+            Variables::Drives(drives) => drives
+                .iter()
+                .map(|wished| self.along_drive(wished))
+                .collect::<Result<Vec<_>, _>>()?,
+            Variables::Measure(wished) => vec![self.along_measure(wished)?],
         };
-        let arguments = along.iter().map(|along| self.ranged(along, inside));
+        let baked = self.table(&variables)?;
+        let arguments = variables.iter();
+        let arguments = arguments.map(|variable| self.ranged(variable, inside));
         let wheel = match self.wish {
             Wish::Wheel(number) => names.wheels.get(number),
             Wish::AllPoints => None,
@@ -108,7 +109,7 @@ impl Baking<'_> {
                 arguments: arguments.collect(),
                 unit: unit.symbol(),
                 axes: self.mechanism.axes.meaning(),
-                held: self.held(&along, inside),
+                held: self.held(&variables, inside),
             },
             baked,
         };
@@ -135,9 +136,9 @@ impl Baking<'_> {
     }
 
     /// Lists the drives that nothing moves with the values at which they are held, in a unit.
-    fn held(&self, along: &[Variable], unit: Unit) -> String {
+    fn held(&self, variables: &[Variable], unit: Unit) -> String {
         let drives = self.mechanism.names.drives.iter().enumerate();
-        let held = drives.filter(|(drive, _)| along.iter().all(|along| along.drive != *drive));
+        let held = drives.filter(|(drive, _)| variables.iter().all(|one| one.drive != *drive));
         let held = held.map(|(drive, Drive { name, kind })| {
             let value = exact(self.given(drive, self.first(drive)));
             format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
@@ -145,18 +146,14 @@ impl Baking<'_> {
         held.collect::<Vec<_>>().join(", ")
     }
 
-    /// Returns the ranges of the drives and the baked functions.
-    fn by_drives(&self, drives: &[WishedDrive]) -> Result<(Vec<Variable>, Table), Failure> {
-        let drives = drives.iter().map(|wished| self.along_drive(wished));
-        let drives = drives.collect::<Result<Vec<Variable>, Failure>>()?;
-        let baked = match drives.as_slice() {
-            [along] => Table::Curve(self.curve(along)?),
+    fn table(&self, variables: &[Variable]) -> Result<Table, Failure> {
+        match variables {
+            [one] => Ok(Table::Curve(self.curve(one)?)),
             [first, second] if first.drive != second.drive => {
-                Table::Surface(self.surface([first, second])?)
+                Ok(Table::Surface(self.surface([first, second])?))
             }
-            _ => return Err(self.refuse("--drive names one drive, or two different ones")),
-        };
-        Ok((drives, baked))
+            _ => Err(self.refuse("--drive names one drive, or two different ones")),
+        }
     }
 
     /// Converts a drive's local value to the file's coordinates.

@@ -3,7 +3,7 @@
 use crate::characteristics::{Curves, Line, Parameter};
 use crate::commands::compare::curve_pair::CurvePair;
 use crate::commands::compare::differences::{
-    ALIKE, Difference, Part, both, pairs, same_ways, title_of_both,
+    ALIKE, Difference, Part, pair_by_title, pairs, same_ways, title_of_both,
 };
 use crate::commands::compare::notes::{legend, notes};
 use crate::commands::compare::report::Report;
@@ -148,6 +148,6 @@ fn of_parameters([a, b]: [&Suspension; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<
             rms: None,
         })
     };
-    let both = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
-    both.into_iter().filter_map(difference).collect()
+    let pairs = pair_by_title([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    pairs.into_iter().filter_map(difference).collect()
 }

@@ -104,7 +104,7 @@ impl Part {
 }
 
 /// Pairs what both sides have, wheel by wheel. A wheel without a name is paired with every wheel of the other side.
-pub(super) fn both<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
+pub(super) fn pair_by_title<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
     let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
     pairs.filter(|pair| is_same(pair.map(title))).collect()
 }
@@ -155,7 +155,7 @@ fn counterpart<'b>(curves: &Curves, own: &Suspension, other: &'b Suspension) -> 
 
 /// Pairs the lines of the same name and unit, of which neither is cut near infinity.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
-    let mut pairs = both([&a.lines, &b.lines], |line| &line.title);
+    let mut pairs = pair_by_title([&a.lines, &b.lines], |line| &line.title);
     pairs.retain(|[a, b]| a.symbol == b.symbol && !a.is_cut && !b.is_cut);
     pairs
 }

@@ -1,7 +1,7 @@
 //! What is said above the tables of two suspensions.
 
 use crate::characteristics::{Curves, Parameter};
-use crate::commands::compare::differences::{both, is_same, same_ways, unmatched};
+use crate::commands::compare::differences::{is_same, pair_by_title, same_ways, unmatched};
 use crate::commands::compare::over_wheel_travel::{are_unlike, by_wheel, rises};
 use crate::commands::compare::suspension::Suspension;
 use crate::file::Dimension;
@@ -40,13 +40,13 @@ pub(super) fn notes(sides: [&Suspension; 2]) -> Vec<String> {
     let small_steer = curves.filter_map(Curves::without_small_steer).next();
     let shorter_roll = sides.into_iter().find_map(|side| side.shorter_roll.clone());
     let notes = notes.chain(small_steer).chain(shorter_roll);
-    let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
+    let notes = notes.chain(only_in(a, b, "A")).chain(only_in(b, a, "B"));
     notes.collect()
 }
 
 /// Names the quantities that only `own` has, in a sentence in which `called` is its file; `None` if the other has all of
 /// them.
-fn alone(own: &Suspension, other: &Suspension, called: &str) -> Option<String> {
+fn only_in(own: &Suspension, other: &Suspension, called: &str) -> Option<String> {
     let has = |parameter: &Parameter| {
         let mut theirs = other.parameters.iter();
         theirs.any(|of_other| {
@@ -107,7 +107,7 @@ fn opposite_steering(sides: [&Suspension; 2]) -> Option<String> {
 
 /// Notes that a wheel on the left is compared with one on the right.
 fn opposite_sides_note([a, b]: [&Suspension; 2]) -> Option<String> {
-    let centres = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    let centres = pair_by_title([&a.parameters, &b.parameters], |parameter| &parameter.title);
     let across = centres.into_iter().filter(|[a, b]| {
         let is_across = |parameter: &Parameter| parameter.is(&CENTRE, Axis::Y);
         is_across(a) && is_across(b) && a.value * b.value < 0.0

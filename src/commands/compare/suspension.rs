@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, Unit, Wheel, listed};
-use crate::output::notes::{noted_unmet_range, print_notes};
+use crate::output::notes::{print_notes, print_unmet_range};
 use crate::quantities::{Axis, CENTRE, TOE};
 
 /// The compared results of a suspension, with lengths in the unit of the first.
@@ -86,7 +86,7 @@ impl Suspension {
             lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
             shorter_roll: shorter_roll(mechanism, spans[0]),
             missing: missing.collect(),
-            failure: noted_unmet_range(&along, file),
+            failure: print_unmet_range(&along, file),
             rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),

@@ -29,7 +29,7 @@ pub(super) struct ImportedCorner<'a> {
 }
 
 /// The data of a file on the other side of the vehicle.
-pub(super) enum Other {
+pub(super) enum OtherSide {
     Nothing,
     /// The file lacks some of its points.
     Part,
@@ -45,7 +45,7 @@ const WIDEST: f64 = 1.2;
 /// The largest deviation from a mirror image, as a part of the suspension's size: files round their numbers.
 const ROUNDING: f64 = 1e-6;
 
-impl Other {
+impl OtherSide {
     /// Returns a sentence on the other side for the user.
     pub(super) fn side_note(&self, is_axle: bool) -> Option<String> {
         match self {
@@ -90,16 +90,16 @@ impl ImportedCorner<'_> {
     }
 
     /// Compares the points of the layout with those of the other side.
-    pub(super) fn other_side(&self) -> Other {
+    pub(super) fn other_side(&self) -> OtherSide {
         let found = self.choice.found.iter().map(|(_, point)| *point);
         let sided = found.filter(|point| point.side.is_some());
         let images: Vec<_> = sided.map(|point| (point, self.image(point))).collect();
         let count = images.iter().filter(|(_, image)| image.is_some()).count();
         if count == 0 {
-            return Other::Nothing;
+            return OtherSide::Nothing;
         }
         if count < images.len() {
-            return Other::Part;
+            return OtherSide::Part;
         }
         let mut pairs = images
             .into_iter()
@@ -107,8 +107,10 @@ impl ImportedCorner<'_> {
         let point = pairs.find(|(point, image)| !self.is_mirrored(point, image));
         let point = point.map(|(_, image)| (&image.name, &image.place));
         match point.or_else(|| self.unlike_number()) {
-            Some((name, place)) => Other::Unlike(format!("`{name}` ({})", self.stated.line(place))),
-            None => Other::Image,
+            Some((name, place)) => {
+                OtherSide::Unlike(format!("`{name}` ({})", self.stated.line(place)))
+            }
+            None => OtherSide::Image,
         }
     }
 

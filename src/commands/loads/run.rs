@@ -22,7 +22,7 @@ use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::print_notes_on;
 use crate::output::progress::Progress;
-use crate::output::rows::{Forms, Rows};
+use crate::output::rows::{Rows, TableTargets};
 use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
@@ -43,7 +43,7 @@ impl<'a> Run<'a> {
     pub(super) fn run_grid(
         &self,
         (drives, absolute): (&[Swept], bool),
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(self.mechanism, self.source, drives, absolute)?;
@@ -65,7 +65,7 @@ impl<'a> Run<'a> {
             .visit(&grid, DerivativeOrder::First, interrupted, &mut read);
         let failure = visited.failure(self.source);
         let is_any = visited.places.iter().any(Option::is_some);
-        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut rows = self.rows(tables, &leading, &found)?;
         let mut first = None;
         for (at, outcomes, drawn) in visited.places.into_iter().flatten() {
             if let Some(rows) = &mut rows {
@@ -73,14 +73,14 @@ impl<'a> Run<'a> {
             }
             first = first.or_else(|| Some((drawn?, outcomes)));
         }
-        self.finish((forms, &leading), rows, first, &found)?;
+        self.finish((tables, &leading), rows, first, &found)?;
         self.ended(failure, &found, is_any)
     }
 
     /// Computes the loads at each instant of the motion.
     pub(super) fn run_motion(
         &self,
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &self.mechanism.instants;
@@ -104,7 +104,7 @@ impl<'a> Run<'a> {
             let message = format!("{}: interrupted; nothing was written", self.source);
             return Err(Failure::Interrupted(message));
         }
-        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut rows = self.rows(tables, &leading, &found)?;
         let mut first = None;
         let mut progress = Progress::new(instants.count(), "instants");
         let end = self.mechanism.move_through(instants, &mut |state| {
@@ -122,7 +122,7 @@ impl<'a> Run<'a> {
             Some(_) => "the rows up to there were written",
             None => "nothing was written",
         };
-        self.finish((forms, &leading), rows, first, &found)?;
+        self.finish((tables, &leading), rows, first, &found)?;
         let failure = end.failure(self.source, done);
         self.ended(failure, &found, is_any)
     }
@@ -156,28 +156,28 @@ impl<'a> Run<'a> {
     /// Creates the table if the user wants one and a case has an answer.
     fn rows(
         &self,
-        forms: &Forms,
+        tables: &TableTargets,
         leading: &PlaceColumns,
         found: &[Option<CaseResults<'_>>],
     ) -> Result<Option<Rows>, Failure> {
-        if forms.is_empty() || found.iter().all(Option::is_none) {
+        if tables.is_empty() || found.iter().all(Option::is_none) {
             return Ok(None);
         }
         let headings = headings(self.mechanism, self.structure, leading, found);
-        Rows::create(forms, &Header::new(self.mechanism), &headings).map(Some)
+        Rows::create(tables, &Header::new(self.mechanism), &headings).map(Some)
     }
 
     /// Ends the table, draws the cases at the `first` place, and prints the reports.
     fn finish(
         &self,
-        (forms, leading): (&Forms, &PlaceColumns),
+        (tables, leading): (&TableTargets, &PlaceColumns),
         rows: Option<Rows>,
         first: Option<(State, Vec<Option<Outcome>>)>,
         found: &[Option<CaseResults<'_>>],
     ) -> Result<(), Failure> {
         if let Some(rows) = rows {
             rows.finish()?;
-            announce(forms.files().map(|(path, _)| path));
+            announce(tables.files().map(|(path, _)| path));
         }
         if let (Some(folder), Some((state, outcomes))) = (&self.drawings, &first) {
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
@@ -189,7 +189,7 @@ impl<'a> Run<'a> {
         }
         let notes = notes(&self.mechanism.names, self.structure, found);
         print_notes_on(self.source, notes);
-        if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
+        if [&tables.csv, &tables.json].contains(&&Some(Target::Stdout)) {
             return Ok(());
         }
         let report = Report {

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
 use crate::output::records::{self, Field};
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::quantities::{TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
 
@@ -81,7 +81,7 @@ impl Report<'_> {
     }
 
     /// Writes a record for each change, and for each deviation, with all numbers in the units of the file.
-    pub(super) fn write(&self, forms: &Forms) -> Result<(), Failure> {
+    pub(super) fn write(&self, tables: &TableTargets) -> Result<(), Failure> {
         let numbers: Vec<DesignNumber> = self.numbers().collect();
         let record = |name: &str, of: &dyn Fn(&DesignNumber) -> f64| {
             let numbers = numbers.iter().map(|at| Field::Number(Some(of(at))));
@@ -102,7 +102,7 @@ impl Report<'_> {
         let records: Vec<Vec<Field>> = changes.chain(scatter).collect();
         let names = numbers.iter().map(|number| number.csv_name.as_str());
         let names: Vec<&str> = ["changed"].into_iter().chain(names).collect();
-        records::write(forms, &(), &names, &records)
+        records::write(tables, &(), &names, &records)
     }
 
     /// Says why moving an end of a tie rod does not change the toe at the design position; empty if `numbers` has no toe or

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use crate::characteristics::{Curves, Derivative, Parameter, Rises};
 use crate::commands::sheet::by_quantity::grouped;
-use crate::commands::sheet::curves::over;
+use crate::commands::sheet::curves::section;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::motion::plots::capitalised;
@@ -64,7 +64,7 @@ impl Page<'_> {
             div.scrolled { (self.table()) }
             (self.quantities_with_curves_only())
             @for curves in &self.curves {
-                (over(curves, &self.parameters, self.mechanism))
+                (section(curves, &self.parameters, self.mechanism))
             }
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())

@@ -8,7 +8,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, End, Instants, Names, State, Unit};
 use crate::output::motion::record::{Outcome, record};
 use crate::output::plot::{Chart, Curve};
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 use crate::quantities::{
     Axis, CAMBER, CASTER, CENTRE, Column, KINGPIN, Quantity, STEER_ANGLE, TOE, columns,
@@ -41,7 +41,7 @@ pub fn draw(
     let [first, _] = mechanism.instants.ends();
     let dense = Instants::dense(first, outcome.farthest(), DENSE);
     let never = AtomicBool::new(false);
-    let line = record(mechanism, &dense, &Forms::default(), DENSE, &never)?.kept;
+    let line = record(mechanism, &dense, &TableTargets::default(), DENSE, &never)?.kept;
     let every_instant_kept = outcome.kept.len() == outcome.solved;
     let marks = if every_instant_kept {
         outcome.kept.as_slice()

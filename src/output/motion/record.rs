@@ -10,7 +10,7 @@ use crate::number::number;
 use crate::output::file_table::{Column, Table};
 use crate::output::heading::Header;
 use crate::output::progress::Progress;
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::quantities::{self, Shown, catalogue};
 
 /// The result of a motion.
@@ -32,7 +32,7 @@ pub struct Outcome {
     pub kept: Vec<State>,
 }
 
-/// Moves through the instants, writes every state in all `forms` and keeps about `keep` of them.
+/// Moves through the instants, writes every state in all `tables` and keeps about `keep` of them.
 ///
 /// A file is complete and has its name even if the solver stops or the user interrupts.
 ///
@@ -42,11 +42,11 @@ pub struct Outcome {
 pub fn record(
     mechanism: &dyn Kinematics,
     instants: &Instants,
-    forms: &Forms,
+    tables: &TableTargets,
     keep: usize,
     interrupted: &AtomicBool,
 ) -> Result<Outcome, Failure> {
-    let mut table = Table::create(forms, &Header::new(mechanism), columns_of(mechanism))?;
+    let mut table = Table::create(tables, &Header::new(mechanism), columns_of(mechanism))?;
     let [first, _] = instants.ends();
     let mut outcome = Outcome {
         end: End::Complete,
@@ -111,8 +111,8 @@ impl Outcome {
 
     /// Returns the failure of a motion that did not reach its last instant. It says that rows are kept if a table was
     /// written.
-    pub fn failure(&self, source: &str, forms: &Forms) -> Option<Failure> {
-        let done = self.done_in_words(!forms.is_empty());
+    pub fn failure(&self, source: &str, tables: &TableTargets) -> Option<Failure> {
+        let done = self.done_in_words(!tables.is_empty());
         self.end.failure(source, &done)
     }
 

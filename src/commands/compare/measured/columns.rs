@@ -18,7 +18,7 @@ use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
 /// A column that the model knows.
-pub(super) struct Known {
+pub(super) struct KnownColumn {
     /// Its index in the table.
     pub(super) column: usize,
     pub(super) stated: Stated,
@@ -28,7 +28,7 @@ pub(super) struct Known {
     doubt: Option<String>,
 }
 
-impl Known {
+impl KnownColumn {
     /// Reads the columns of a table whose drives have changes or, if `absolute`, their own values; prints a note on the columns
     /// that are left out.
     ///
@@ -151,10 +151,10 @@ impl Known {
 }
 
 /// Prints the doubts on columns that lead, but not on the noise of one that a rig holds while another one changes.
-pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads: &[Known]) {
+pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads: &[KnownColumn]) {
     /// The most that is noise, as a part of the largest change.
     const NOISE: f64 = 0.1;
-    let largest = |lead: &Known| {
+    let largest = |lead: &KnownColumn| {
         let shares = lead.shares(mechanism).into_iter();
         shares.map(f64::abs).fold(0.0, f64::max)
     };

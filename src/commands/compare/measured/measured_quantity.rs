@@ -4,10 +4,10 @@ use super::smoothing::smoothed;
 use crate::commands::compare::differences::{Difference, Place};
 use crate::output::plot::{Chart, Curve};
 
-pub(super) struct Quantity {
+pub(super) struct MeasuredQuantity {
     pub(super) title: String,
     pub(super) symbol: String,
-    /// Places with the numbers of the model and of the table there.
+    /// MovedModel with the numbers of the model and of the table there.
     pub(super) places: Vec<Place>,
     /// How far along the course the places around one tell of its noise.
     pub(super) around: f64,
@@ -17,7 +17,7 @@ pub(super) struct Quantity {
     pub(super) curve: Vec<(f64, f64)>,
 }
 
-impl Quantity {
+impl MeasuredQuantity {
     /// Says that no place has a number of both.
     pub(super) fn unknown(&self) -> Option<String> {
         let title = &self.title;

@@ -4,18 +4,18 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::columns::Known;
+use super::columns::KnownColumn;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Axis, CountedFrom, DerivativeOrder, Grid, Place};
 use crate::quantities::{Column, Reader};
 
 /// What moves the model to places, which count from the design position.
-pub(super) struct Places<'a> {
+pub(super) struct MovedModel<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a dyn Kinematics,
     /// The columns that say where the model is.
-    pub(super) leads: &'a [Known],
+    pub(super) leads: &'a [KnownColumn],
     pub(super) interrupted: &'a AtomicBool,
 }
 
@@ -27,7 +27,7 @@ enum Arrival {
     Off(Option<DVector<f64>>),
 }
 
-impl Places<'_> {
+impl MovedModel<'_> {
     /// Reads quantities where the columns that lead have these numbers; `None` if the model does not reach the place.
     ///
     /// # Errors

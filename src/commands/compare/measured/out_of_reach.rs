@@ -1,6 +1,6 @@
 //! Measured places that the model does not reach.
 
-use super::columns::Known;
+use super::columns::KnownColumn;
 use super::course::numbers;
 use crate::failure::Failure;
 use crate::measured_table::MeasuredTable;
@@ -11,11 +11,11 @@ use crate::number::number;
 pub(super) fn out_of_reach(
     table: &MeasuredTable,
     file: &str,
-    leads: &[Known],
+    leads: &[KnownColumn],
     reached: &[bool],
 ) -> Option<Failure> {
     let line = reached.iter().position(|reached| !reached)?;
-    let away: Vec<&Known> = leads.iter().filter(|lead| lead.departs()).collect();
+    let away: Vec<&KnownColumn> = leads.iter().filter(|lead| lead.departs()).collect();
     let (column, message) = match away[..] {
         [] | [_] => {
             let lead = away.first().map_or(&leads[0], |lead| *lead);
@@ -27,7 +27,7 @@ pub(super) fn out_of_reach(
     Some(table.refuse_number(line, column, message))
 }
 
-fn of_one(lead: &Known, line: usize, reached: &[bool]) -> String {
+fn of_one(lead: &KnownColumn, line: usize, reached: &[bool]) -> String {
     let symbol = &lead.stated.symbol;
     let others = lead.numbers.iter().zip(reached);
     let others = ends(others.filter(|(_, reached)| **reached).map(|(at, _)| *at));
@@ -41,7 +41,7 @@ fn of_one(lead: &Known, line: usize, reached: &[bool]) -> String {
     )
 }
 
-fn of_several(leads: &[Known], line: usize, reached: &[bool]) -> String {
+fn of_several(leads: &[KnownColumn], line: usize, reached: &[bool]) -> String {
     let each = leads.iter().zip(numbers(leads, line));
     let each = each.map(|(lead, at)| {
         let stated = &lead.stated;

@@ -1,6 +1,6 @@
 //! The columns that say where the model is.
 
-use super::columns::Known;
+use super::columns::KnownColumn;
 use crate::characteristics::{Title, columns_of_positions};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
@@ -18,10 +18,10 @@ use crate::quantities::{Column, WHEEL_TRAVEL};
 pub(super) fn divide(
     table: &MeasuredTable,
     mechanism: &dyn Kinematics,
-    known: Vec<Known>,
-) -> Result<[Vec<Known>; 2], Failure> {
-    let (mut leads, others): (Vec<Known>, Vec<Known>) =
-        known.into_iter().partition(Known::is_drive);
+    known: Vec<KnownColumn>,
+) -> Result<[Vec<KnownColumn>; 2], Failure> {
+    let (mut leads, others): (Vec<KnownColumn>, Vec<KnownColumn>) =
+        known.into_iter().partition(KnownColumn::is_drive);
     for (index, lead) in leads.iter().enumerate() {
         check_alone(table, mechanism, &leads[..index], lead)?;
     }
@@ -29,10 +29,10 @@ pub(super) fn divide(
     let mut undecided = others.iter().filter(|known| is_undecided(known)).count();
     for mut known in others {
         let drive = match known.stated.named.drives.first() {
-            Some(own) => unless_taken(mechanism, &leads, (&known, *own)),
+            Some(own) => own_or_free_drive(mechanism, &leads, (&known, *own)),
             None if is_undecided(&known) => {
                 undecided -= 1;
-                among_lifting(mechanism, &leads, (&known, undecided))
+                lifting_drive(mechanism, &leads, (&known, undecided))
             }
             None => Ok(None),
         };
@@ -48,7 +48,7 @@ pub(super) fn divide(
     }
     leads.sort_by_key(|known| known.column);
     if leads.is_empty() {
-        return Err(table.refuse_heading(0, none(mechanism)));
+        return Err(table.refuse_heading(0, no_position_column(mechanism)));
     }
     Ok([leads, compared])
 }
@@ -57,11 +57,11 @@ pub(super) fn divide(
 fn check_alone(
     table: &MeasuredTable,
     mechanism: &dyn Kinematics,
-    others: &[Known],
-    lead: &Known,
+    others: &[KnownColumn],
+    lead: &KnownColumn,
 ) -> Result<(), Failure> {
     let mut drives = lead.stated.named.drives.iter().map(|(drive, _)| *drive);
-    let both = drives.find_map(|drive| Some((drive, moving(others, drive)?)));
+    let both = drives.find_map(|drive| Some((drive, column_moving(others, drive)?)));
     both.map_or(Ok(()), |(drive, other)| {
         let message = format!(
             "`{}` and `{}` both say where `{}` is; empty the heading of one",
@@ -71,7 +71,7 @@ fn check_alone(
     })
 }
 
-fn moving(leads: &[Known], drive: usize) -> Option<&Known> {
+fn column_moving(leads: &[KnownColumn], drive: usize) -> Option<&KnownColumn> {
     let mut leads = leads.iter();
     leads.find(|lead| {
         lead.stated
@@ -87,12 +87,12 @@ type Share = (usize, f64);
 
 /// Returns the own drive of wheel travel or of the steering wheel; `None` if a column of a drive moves it, and another drive
 /// if the travel of another wheel does.
-fn unless_taken(
+fn own_or_free_drive(
     mechanism: &dyn Kinematics,
-    leads: &[Known],
-    (known, own): (&Known, Share),
+    leads: &[KnownColumn],
+    (known, own): (&KnownColumn, Share),
 ) -> Result<Option<Share>, String> {
-    let other = moving(leads, own.0);
+    let other = column_moving(leads, own.0);
     match (other, known.travel()) {
         (None, _) => Ok(Some(own)),
         (Some(other), Some(travel)) if !other.is_drive() => {
@@ -111,16 +111,16 @@ fn unless_taken(
 }
 
 /// Whether it is the travel of a wheel for which no drive is known.
-fn is_undecided(known: &Known) -> bool {
+fn is_undecided(known: &KnownColumn) -> bool {
     known.travel().is_some() && known.stated.named.drives.is_empty()
 }
 
 /// Returns one of the drives that lift a wheel, such as heave and roll, if there are as many as columns for them: this one
 /// and those still `to_come`; `None` if columns of drives move all.
-fn among_lifting(
+fn lifting_drive(
     mechanism: &dyn Kinematics,
-    leads: &[Known],
-    (known, to_come): (&Known, usize),
+    leads: &[KnownColumn],
+    (known, to_come): (&KnownColumn, usize),
 ) -> Result<Option<Share>, String> {
     let wheel = known.travel().and_then(|travel| travel.wheel.as_deref());
     let mut wheels = mechanism.names.wheels.iter();
@@ -129,7 +129,7 @@ fn among_lifting(
     };
     let drives = wheel.lifted_by.iter().copied();
     let free: Vec<usize> = drives
-        .filter(|drive| moving(leads, *drive).is_none())
+        .filter(|drive| column_moving(leads, *drive).is_none())
         .collect();
     match free[..] {
         [] => Ok(None),
@@ -143,19 +143,24 @@ fn among_lifting(
 }
 
 /// Returns a drive that no column moves and that lifts the wheel without steering one, such as roll beside heave.
-fn other_drive(mechanism: &dyn Kinematics, leads: &[Known], travel: &Column) -> Option<usize> {
+fn other_drive(
+    mechanism: &dyn Kinematics,
+    leads: &[KnownColumn],
+    travel: &Column,
+) -> Option<usize> {
     /// The least travel per change of a drive that rounding does not make, relative to lengths of the mechanism.
     const LIFTS: f64 = 1e-6;
     let names = &mechanism.names;
-    let mut drives = (0..names.drives.len())
-        .filter(|drive| !names.vehicle.steer.contains(drive) && moving(leads, *drive).is_none());
+    let mut drives = (0..names.drives.len()).filter(|drive| {
+        !names.vehicle.steer.contains(drive) && column_moving(leads, *drive).is_none()
+    });
     drives.find(|drive| {
         let rate = mechanism.at_start(&mut |place| Some(travel.along(&place.per(*drive)?).rate));
         rate.flatten().is_some_and(|rate| rate.abs() > LIFTS)
     })
 }
 
-fn none(mechanism: &dyn Kinematics) -> String {
+fn no_position_column(mechanism: &dyn Kinematics) -> String {
     let names = &mechanism.names;
     let drives = names.drive_names().join(", ");
     let columns = columns_of_positions(mechanism);

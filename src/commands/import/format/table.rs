@@ -2,7 +2,7 @@
 
 mod adams_view;
 mod angles;
-mod columns;
+mod coordinate_columns;
 mod line_per_axis;
 mod names_as_columns;
 mod row_name;
@@ -26,7 +26,7 @@ use crate::mechanism::Axes;
 use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
 use angles::check_angle;
-use columns::Columns;
+use coordinate_columns::CoordinateColumns;
 use line_per_axis::joined;
 use names_as_columns::with_names_in_rows;
 use row_name::{name_of, with_whole_name};
@@ -71,7 +71,7 @@ struct Table<'a, 'n> {
     /// The last heading that may be a part of names.
     heading: String,
     /// The columns of coordinates, if a heading names them.
-    columns: Option<Columns>,
+    columns: Option<CoordinateColumns>,
     /// The corners of the groups of columns, if a heading names them.
     groups: Vec<Section>,
     thousands: Thousands,
@@ -98,7 +98,7 @@ impl Table<'_, '_> {
         self.read_row(&row, line, section)?;
         if row.numbers().is_empty() || row.is_title() {
             self.read_heading(&row, &self.names.heading_in_english(&spelled(line)))?;
-            self.columns = Columns::of_heading(line).or(take(&mut self.columns));
+            self.columns = CoordinateColumns::of_heading(line).or(take(&mut self.columns));
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use super::draft::Draft;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::load::load;
-use crate::output::notes::{noted, print_notes_on};
+use crate::output::notes::{print_notes_on, with_notes_printed};
 
 /// Returns the text of the motion file at the path `out`.
 pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Failure> {
@@ -19,7 +19,7 @@ pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Fail
     let text = moved.map_err(|failure| with_line(failure, &unmoved))?;
     let written = file(&text);
     let loaded = load(&written)?;
-    noted(loaded.at_design()?);
+    with_notes_printed(loaded.at_design()?);
     if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
         tell(format_args!(
             "note: {why}; state a shorter motion under [drives]"

@@ -6,7 +6,7 @@ use crate::vehicle_corner::Section;
 
 /// The columns of x, y and z, which are beside each other: those of one point, or of one in each group of columns.
 #[derive(Debug)]
-pub(super) struct Columns {
+pub(super) struct CoordinateColumns {
     separator: char,
     /// The number of all columns.
     count: usize,
@@ -14,7 +14,7 @@ pub(super) struct Columns {
     x: Vec<usize>,
 }
 
-impl Columns {
+impl CoordinateColumns {
     /// Returns the columns that a heading names; `None` if it names none.
     pub(super) fn of_heading(line: &str) -> Option<Self> {
         let mut found = BETWEEN_COLUMNS.into_iter().filter_map(|separator| {
