@@ -21,7 +21,6 @@ use crate::output::heading::Header;
 use crate::output::notes::with_notes_printed;
 use crate::output::rows::TableTargets;
 use crate::output::target::Target;
-use report::Report;
 use search::{Request, list};
 
 /// The arguments of `suspension assemblies`.
@@ -79,10 +78,9 @@ fn enumerate(
     let Description { names, unit, .. } = &**mechanism;
     let columns = report::columns(names, *unit);
     let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
-    let report = Report::new(names, *unit);
     let done = list(mechanism, source, request, interrupted, &mut |listed| {
         if tables.csv != Some(Target::Stdout) {
-            print(&format!("{}\n", report.text(listed)))?;
+            print(&format!("{}\n", report::text(names, *unit, listed)))?;
         }
         let mut assemblies = listed.assemblies.iter();
         assemblies.try_for_each(|assembly| table.add(assembly))

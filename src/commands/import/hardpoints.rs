@@ -55,10 +55,6 @@ pub(super) struct Hardpoints<'a> {
     pub(super) ends: Vec<(End, Range<usize>)>,
     /// The end of the vehicle that `--end` names.
     pub(super) wanted: Option<End>,
-    /// The corners of the rows that are read next; a row may say more about itself.
-    pub(super) section: Section,
-    /// The corners of the groups of columns in which the row has coordinates; none if there are no groups.
-    pub(super) groups: Vec<Section>,
     /// The last heading that says nothing that import knows.
     pub(super) unread_heading: Option<Range<usize>>,
     /// Whether the file's angles are in radians.
@@ -78,17 +74,16 @@ impl<'a> Hardpoints<'a> {
             unit: None,
             ends: Vec::new(),
             wanted: None,
-            section: Section::default(),
-            groups: Vec::new(),
             unread_heading: None,
             radians: false,
             usual,
         }
     }
 
-    /// Adds a point, on both sides if it is mirrored. Skips centres of mass.
+    /// Adds a point of a section, on both sides if it is mirrored. Skips centres of mass.
     pub(super) fn add_point(
         &mut self,
+        section: Section,
         name: &str,
         sides: Sides,
         at: [f64; 3],
@@ -103,16 +98,15 @@ impl<'a> Hardpoints<'a> {
             (Sides::Unsaid, Sides::Mirrored) => {
                 vec![(Some(Side::Left), at), (Some(Side::Right), [x, 0.0 - y, z])]
             }
-            _ => vec![(self.side_of_row(prefixed, sides), at)],
+            _ => vec![(side_of_row(section, prefixed, sides), at)],
         };
-        let end = self.section.end;
         let name: String = name.chars().filter(|c| !c.is_control()).collect();
         self.points
             .extend(each.into_iter().map(|(side, at)| Hardpoint {
                 name: name.clone(),
                 key: key.clone(),
                 side,
-                end,
+                end: section.end,
                 at,
                 place: place.clone(),
             }));
@@ -139,9 +133,10 @@ impl<'a> Hardpoints<'a> {
         }
     }
 
-    /// Adds a number, which has a unit if it is a length whose unit its row states.
+    /// Adds a number of a section, which has a unit if it is a length whose unit its row states.
     pub(super) fn add_number(
         &mut self,
+        section: Section,
         name: &str,
         sides: Sides,
         (value, unit): (f64, Option<Length>),
@@ -151,20 +146,12 @@ impl<'a> Hardpoints<'a> {
         self.numbers.push(Number {
             name: name.to_owned(),
             key,
-            side: self.side_of_row(prefixed, sides),
-            end: self.section.end,
+            side: side_of_row(section, prefixed, sides),
+            end: section.end,
             value,
             unit,
             place,
         });
-    }
-
-    /// Returns the side of a row: of its name, or else of its fields, or else of the heading above it.
-    fn side_of_row(&self, prefixed: Sides, sides: Sides) -> Option<Side> {
-        match (prefixed, sides) {
-            (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
-            _ => self.section.side,
-        }
     }
 
     /// Refuses two values of one number on the same side.
@@ -235,5 +222,13 @@ impl<'a> Hardpoints<'a> {
         let place = self.source.place(place);
         let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
         line.unwrap_or(place)
+    }
+}
+
+/// Returns the side of a row: of its name, or else of its fields, or else of the heading above it.
+fn side_of_row(section: Section, prefixed: Sides, sides: Sides) -> Option<Side> {
+    match (prefixed, sides) {
+        (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
+        _ => section.side,
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn add(
     }
     let places = match is_number {
         true => Vec::new(),
-        false => placed(row, &stated.groups),
+        false => placed(row),
     };
     if places.is_empty()
         && !is_number
@@ -46,12 +46,10 @@ pub(super) fn add(
     }
     match row.numbers()[..] {
         _ if !places.is_empty() && !key.is_empty() => {
-            let section = stated.section;
             for (group, at) in places {
-                stated.section = group.or(section);
-                stated.add_point(name, row.sides(), at, row.place.clone());
+                let section = group.or(row.section);
+                stated.add_point(section, name, row.sides(), at, row.place.clone());
             }
-            stated.section = section;
         }
         _ if is_number && row.has_digits() => add_numbers(stated, row, name, names)?,
         _ if is_point && row.begins_a_number() => {
@@ -80,25 +78,23 @@ fn add_numbers(
     let unit = row.units.first().map(|unit| length(unit)).transpose();
     let unit = unit.map_err(|message| stated.source.refuse(&row.place, message))?;
     let values = row.numbers_behind_name();
-    let groups = match (values.len(), &stated.groups[..]) {
+    let groups = match (values.len(), &row.groups[..]) {
         (1, [] | [_, _, ..]) => vec![Section::default()],
         (_, groups) => groups.to_vec(),
     };
     if values.len() != groups.len() || values.is_empty() {
         return Err(misread(stated, name, row, names));
     }
-    let section = stated.section;
     for (value, group) in values.into_iter().zip(groups) {
-        stated.section = group.or(section);
-        stated.add_number(name, row.sides(), (value, unit), row.place.clone());
+        let section = group.or(row.section);
+        stated.add_number(section, name, row.sides(), (value, unit), row.place.clone());
     }
-    stated.section = section;
     Ok(())
 }
 
 /// Returns the coordinates of a row's points with their corners.
-fn placed(row: &Row<'_>, groups: &[Section]) -> Vec<(Section, [f64; 3])> {
-    match (&row.places()[..], groups) {
+fn placed(row: &Row<'_>) -> Vec<(Section, [f64; 3])> {
+    match (&row.places()[..], &row.groups[..]) {
         ([at], [group]) => vec![(*group, *at)],
         ([at], _) => vec![(Section::default(), *at)],
         (places, groups) if places.len() == groups.len() => {

@@ -52,16 +52,15 @@ pub(super) fn check_group(
     row: &Row<'_>,
     (name, y): (&str, f64),
 ) -> Result<(), Failure> {
-    let [one, others @ ..] = stated.groups.as_slice() else {
+    let [one, others @ ..] = row.groups.as_slice() else {
         return Ok(());
     };
     let Some(other) = others.last() else {
         return Ok(());
     };
     let has_side = row.sides() != Sides::Unsaid || key_of(name).1 != Sides::Unsaid;
-    let has_side = has_side || stated.section.side.is_some() || y == 0.0;
-    let is_clear = (others.iter().all(|group| group.end == one.end)
-        || stated.section.end.is_some())
+    let has_side = has_side || row.section.side.is_some() || y == 0.0;
+    let is_clear = (others.iter().all(|group| group.end == one.end) || row.section.end.is_some())
         && (others.iter().all(|group| group.side == one.side) || has_side);
     if is_clear {
         return Ok(());

@@ -11,7 +11,7 @@ use crate::commands::import::hardpoints::Hardpoints;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-use crate::vehicle_corner::Sides;
+use crate::vehicle_corner::{Section, Sides};
 
 const TEMPLATE: &str = "TEMP_SETTINGS";
 const SUSPENSIONS: [&str; 2] = ["FRONT SUSPENSION", "REAR SUSPENSION"];
@@ -44,10 +44,17 @@ pub(super) fn read(source: &Source) -> Result<Hardpoints<'_>, Failure> {
     let mut stated = Hardpoints::new(source, Axes::Adams);
     stated.unit = Some(Length::Millimetre);
     for (name, (place, at)) in names.iter().zip(suspension.coordinates) {
-        stated.add_point(name, Sides::Unsaid, at, place);
+        stated.add_point(Section::default(), name, Sides::Unsaid, at, place);
     }
     if let Some((place, radius)) = suspension.radius {
-        stated.add_number("rolling_radius", Sides::Unsaid, (radius, None), place);
+        let section = Section::default();
+        stated.add_number(
+            section,
+            "rolling_radius",
+            Sides::Unsaid,
+            (radius, None),
+            place,
+        );
     }
     Ok(stated)
 }

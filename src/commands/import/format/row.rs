@@ -10,7 +10,7 @@ use super::lines::without_remark;
 use crate::commands::import::length_units::unit;
 use crate::commands::import::spelling::spelled;
 use crate::decimals::Decimals;
-use crate::vehicle_corner::sides_of;
+use crate::vehicle_corner::{Section, sides_of};
 
 /// The separators of fields, among them those of tables in Markdown and LaTeX; numbers may have a decimal comma between all
 /// but commas and blanks.
@@ -34,6 +34,10 @@ pub(super) struct Row<'a> {
     pub(super) has_empty_coordinate: bool,
     /// The place of the line in its file.
     pub(super) place: Range<usize>,
+    /// The corners of the row, as far as it and the headings say.
+    pub(super) section: Section,
+    /// The corners of the groups of columns in which the row has coordinates; none if there are no groups.
+    pub(super) groups: Vec<Section>,
 }
 
 impl<'a> Row<'a> {
@@ -54,6 +58,8 @@ impl<'a> Row<'a> {
                 has_number_in_parentheses,
                 has_empty_coordinate: separator != ' ' && has_empty_coordinate(line, separator),
                 place: place.clone(),
+                section: Section::default(),
+                groups: Vec::new(),
             }
         });
         let mut rows: Vec<Self> = rows.collect();
@@ -68,6 +74,7 @@ impl<'a> Row<'a> {
             fields: fields.to_vec(),
             units: self.units.clone(),
             place: self.place.clone(),
+            groups: self.groups.clone(),
             ..*self
         };
         let (first, places) = self.found()?;

@@ -83,19 +83,19 @@ impl Table<'_, '_> {
         let columns = self.columns.as_ref();
         let line = &*columns.map_or(line.into(), |columns| columns.without_others(line));
         let (named, remarked) = with_whole_name(line, self.names);
-        let row = Row {
+        let mut row = Row {
             decimals: self.thousands.decimals,
             ..Row::parse(place.clone(), &named)
         };
-        self.stated.groups = self.groups_of(&row, whole);
+        row.groups = self.groups_of(&row, whole);
         let section = remarked.or(self.section);
         if let Some(rows) = self.side_by_side(&row)? {
-            for (row, group) in rows.iter().zip(self.groups.clone()) {
-                self.read_row(row, line, group.or(section))?;
+            for (mut row, group) in rows.into_iter().zip(self.groups.clone()) {
+                self.read_row(&mut row, line, group.or(section))?;
             }
             return Ok(());
         }
-        self.read_row(&row, line, section)?;
+        self.read_row(&mut row, line, section)?;
         if row.numbers().is_empty() || row.is_title() {
             self.read_heading(&row, &self.names.heading_in_english(&spelled(line)))?;
             self.columns = CoordinateColumns::of_heading(line).or(take(&mut self.columns));
@@ -127,8 +127,8 @@ impl Table<'_, '_> {
         }
     }
 
-    fn read_row(&mut self, row: &Row<'_>, line: &str, section: Section) -> Result<(), Failure> {
-        self.stated.section = Section {
+    fn read_row(&mut self, row: &mut Row<'_>, line: &str, section: Section) -> Result<(), Failure> {
+        row.section = Section {
             end: row.end().or(section.end),
             ..section
         };
@@ -138,8 +138,7 @@ impl Table<'_, '_> {
         if self.names.is_point(&key_of(&name).0) {
             self.thousands.add(row);
         }
-        self.stated
-            .add_end(self.stated.section.end, row.place.clone());
+        self.stated.add_end(row.section.end, row.place.clone());
         Ok(())
     }
 
