@@ -11,7 +11,7 @@ pub mod cli;
 pub mod commands;
 pub mod grid;
 mod listing_description;
-mod option;
+mod option_numbers;
 pub mod output;
 mod vehicle_corner;
 

@@ -1,5 +1,6 @@
 //! Output for the user: CSV and JSON files, plots, summaries, progress.
 
+pub mod capitalised;
 pub mod colour;
 pub mod default_path;
 pub mod destinations;

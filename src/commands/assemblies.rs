@@ -10,18 +10,16 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::Description;
-use crate::option::number;
+use crate::option_numbers::number;
 use crate::output::destinations::table_targets;
 use crate::output::file_table::Table;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::with_notes_printed;
-use crate::output::rows::TableTargets;
 use crate::output::target::Target;
-use search::{Request, list};
+use search::{Listed, Request, list};
 
 /// The arguments of `suspension assemblies`.
 #[derive(Args, Clone, Debug)]
@@ -62,34 +60,25 @@ impl Arguments {
             drive: self.drive,
             at: self.at,
         };
-        let mechanism = with_notes_printed(loaded.at_first_instant()?);
-        enumerate(&*mechanism, source.name(), &request, &tables, interrupted)
-    }
-}
-
-/// Prints or writes the assemblies as they are found.
-fn enumerate(
-    mechanism: &dyn Kinematics,
-    source: &str,
-    request: &Request,
-    tables: &TableTargets,
-    interrupted: &AtomicBool,
-) -> Result<(), Failure> {
-    let Description { names, unit, .. } = &**mechanism;
-    let columns = report::columns(names, *unit);
-    let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
-    let done = list(mechanism, source, request, interrupted, &mut |listed| {
-        if tables.csv != Some(Target::Stdout) {
-            print(&format!("{}\n", report::text(names, *unit, listed)))?;
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
+        let Description { names, unit, .. } = &**mechanism;
+        let columns = report::columns(names, *unit);
+        let mut table = Table::create(&tables, &Header::new(mechanism), columns)?;
+        let mut on_listed = |listed: &Listed| {
+            if tables.csv != Some(Target::Stdout) {
+                print(&format!("{}\n", report::text(names, *unit, listed)))?;
+            }
+            let mut assemblies = listed.assemblies.iter();
+            assemblies.try_for_each(|assembly| table.add(assembly))
+        };
+        let file = source.name();
+        let done = list(mechanism, file, &request, interrupted, &mut on_listed);
+        if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
+            table.finish()?;
+            announce(tables.files().map(|(path, _)| path));
         }
-        let mut assemblies = listed.assemblies.iter();
-        assemblies.try_for_each(|assembly| table.add(assembly))
-    });
-    if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
-        table.finish()?;
-        announce(tables.files().map(|(path, _)| path));
+        done
     }
-    done
 }
 
 const NOTES: &str = "\

@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::option::{derivatives, number};
+use crate::option_numbers::{derivatives, number};
 use crate::output::default_path::in_out;
 use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;

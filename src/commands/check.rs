@@ -12,7 +12,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
-use crate::load::{Loaded, load};
+use crate::load::load;
 use crate::output::files::print;
 use crate::output::progress::Busy;
 use crate::output::progress::search::Search;
@@ -41,16 +41,7 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        self.check(&loaded, source.name(), interrupted)
-    }
-
-    fn check(
-        &self,
-        loaded: &Loaded<'_>,
-        name: &str,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let mechanism = &*loaded.at_design()?;
+        let (name, mechanism) = (source.name(), &*loaded.at_design()?);
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {

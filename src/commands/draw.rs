@@ -7,7 +7,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::load::load;
-use crate::option::positive;
+use crate::option_numbers::positive;
 use crate::output::default_path::target;
 use crate::output::drawing::drawing_of;
 use crate::output::files::announce;

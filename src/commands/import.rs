@@ -1,6 +1,5 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
-mod choice;
 mod corner_points;
 mod corner_words;
 mod format;
@@ -10,6 +9,7 @@ mod help;
 mod imported_corner;
 mod known_names;
 mod layout;
+mod layout_choice;
 mod length_units;
 mod motion_file;
 mod names;
@@ -31,11 +31,11 @@ use crate::mechanism::{Axes, Length};
 use crate::output::files::{announce, print, refuse_existing, refuse_input};
 use crate::output::target::Target;
 use crate::vehicle_corner::{End, Side};
-use choice::choose;
 use corner_points::CornerPoints;
 use hardpoints::Hardpoints;
 use help::NOTES;
 use imported_corner::{ImportedCorner, OtherSide};
+use layout_choice::choose;
 use motion_file::{write_axle, write_corner};
 use names::Names;
 use orientation::orientation;

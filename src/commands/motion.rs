@@ -10,7 +10,6 @@ pub use help::text as help;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
@@ -18,7 +17,6 @@ use crate::output::motion::plots::{draw, height_and_angles};
 use crate::output::motion::record::record;
 use crate::output::motion::summary;
 use crate::output::notes::with_notes_printed;
-use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
 
 /// The arguments of `suspension motion`.
@@ -61,25 +59,14 @@ impl Arguments {
         let tables = table_targets([&self.csv, &self.json, &self.parquet]);
         let loaded = load(&source)?;
         tables.check()?;
-        let mechanism = with_notes_printed(loaded.at_first_instant()?);
-        self.solve(&*mechanism, source.name(), &tables, interrupted)
-    }
-
-    fn solve(
-        &self,
-        mechanism: &dyn Kinematics,
-        source: &str,
-        tables: &TableTargets,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let instants = &mechanism.instants;
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
         let plots = self.plots.as_deref();
         let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
         if let Some(folder) = &plots {
             let charts = height_and_angles(mechanism, [&[], &[]]);
-            folder.refuse_tables(tables, charts.iter().map(|(name, _)| *name))?;
+            folder.refuse_tables(&tables, charts.iter().map(|(name, _)| *name))?;
         }
-        let outcome = record(mechanism, instants, tables, KEPT, interrupted)?;
+        let outcome = record(mechanism, &mechanism.instants, &tables, KEPT, interrupted)?;
         let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
         if let Some(folder) = &plots {
             written.extend(draw(mechanism, &outcome, folder, height_and_angles)?);
@@ -88,6 +75,7 @@ impl Arguments {
             print(&summary::text(mechanism, &outcome))?;
         }
         announce(&written);
-        outcome.failure(source, tables).map_or(Ok(()), Err)
+        let failure = outcome.failure(source.name(), &tables);
+        failure.map_or(Ok(()), Err)
     }
 }

@@ -11,7 +11,6 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
 use crate::load::load;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
 use crate::output::destinations::table_targets;
@@ -59,13 +58,36 @@ impl Arguments {
         let mechanism = &*with_notes_printed(loaded.within_reach()?);
         let chosen = self.chosen(&mechanism.names);
         let chosen = chosen.map_err(|message| Failure::input(source.name(), message))?;
-        let ranges = self.ranges((mechanism, &chosen), &tables, interrupted);
-        ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
+        let plots = self.plots.as_deref();
+        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
+        let name = |drive: &str| format!("range_{drive}");
+        if let Some(folder) = &plots {
+            let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
+            let names: Vec<String> = drives.map(|drive| name(&drive.name)).collect();
+            folder.refuse_tables(&tables, names.iter().map(String::as_str))?;
+        }
+        let ranges = {
+            let _shown = Busy::new("following the curve of each drive");
+            let drives = chosen.iter();
+            let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
+            ranges.collect::<Result<Vec<_>, _>>()
+        };
+        let ranges = ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
+        table(mechanism, &ranges, &tables)?;
+        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
+        if let Some(folder) = &plots {
+            let charts = ranges.iter();
+            let charts = charts
+                .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
+            written.extend(folder.draw(charts)?);
+        }
+        if tables.csv != Some(Target::Stdout) {
+            print(&report::text(mechanism, &ranges))?;
+        }
+        announce(&written);
         if interrupted.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted(format!(
-                "{}: interrupted; the curves are cut short",
-                source.name()
-            )));
+            let message = format!("{}: interrupted; the curves are cut short", source.name());
+            return Err(Failure::Interrupted(message));
         }
         Ok(())
     }
@@ -79,41 +101,6 @@ impl Arguments {
         let named = named.map(|name| names.chosen_drive(Some(name)));
         let chosen = named.collect::<Result<BTreeSet<usize>, _>>()?;
         Ok(chosen.into_iter().collect())
-    }
-
-    fn ranges(
-        &self,
-        (mechanism, chosen): (&dyn Kinematics, &[usize]),
-        tables: &TableTargets,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let plots = self.plots.as_deref();
-        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
-        let name = |drive: &str| format!("range_{drive}");
-        if let Some(folder) = &plots {
-            let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
-            let names: Vec<String> = drives.map(|drive| name(&drive.name)).collect();
-            folder.refuse_tables(tables, names.iter().map(String::as_str))?;
-        }
-        let ranges = {
-            let _shown = Busy::new("following the curve of each drive");
-            let drives = chosen.iter();
-            let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
-            ranges.collect::<Result<Vec<_>, _>>()?
-        };
-        table(mechanism, &ranges, tables)?;
-        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
-        if let Some(folder) = &plots {
-            let charts = ranges.iter();
-            let charts = charts
-                .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
-            written.extend(folder.draw(charts)?);
-        }
-        if tables.csv != Some(Target::Stdout) {
-            print(&report::text(mechanism, &ranges))?;
-        }
-        announce(&written);
-        Ok(())
     }
 }
 

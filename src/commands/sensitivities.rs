@@ -13,7 +13,7 @@ use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::load::{Loaded, load};
 use crate::mechanism::report_of_singular;
-use crate::option::whole_number;
+use crate::option_numbers::whole_number;
 use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
 use crate::output::notes::{print_notes, with_notes_printed};

@@ -9,17 +9,16 @@ use crate::characteristics::GridTable;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::{Swept, grid};
-use crate::kinematics::Kinematics;
 use crate::load::load;
-use crate::mechanism::{DerivativeOrder, Description};
-use crate::option::derivatives;
+use crate::mechanism::DerivativeOrder;
+use crate::option_numbers::derivatives;
 use crate::output::default_path::target;
 use crate::output::destinations::table_targets;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
 use crate::output::notes::with_notes_printed;
 use crate::output::progress::Progress;
-use crate::output::rows::{Rows, TableTargets};
+use crate::output::rows::Rows;
 
 /// The arguments of `suspension sweep`.
 #[derive(Args, Clone, Debug)]
@@ -73,17 +72,7 @@ impl Arguments {
         let loaded = load(&source)?;
         tables.check()?;
         let mechanism = &*with_notes_printed(loaded.at_design()?);
-        self.sweep(mechanism, source.name(), &tables, interrupted)
-    }
-
-    fn sweep(
-        &self,
-        mechanism: &dyn Kinematics,
-        source: &str,
-        tables: &TableTargets,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let grid = grid(mechanism, source, &self.drives, self.absolute)?;
+        let grid = grid(mechanism, source.name(), &self.drives, self.absolute)?;
         let table = GridTable::new(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
@@ -94,29 +83,19 @@ impl Arguments {
             progress.step();
             table.row(place)
         });
-        write(mechanism, &table, &visited.places, tables)?;
+        let headings: Vec<Heading> = table
+            .names(mechanism)
+            .into_iter()
+            .map(Heading::new)
+            .collect();
+        let mut rows = Rows::create(&tables, &Header::new(mechanism), &headings)?;
+        for row in visited.places.iter().flatten() {
+            rows.add(row)?;
+        }
+        rows.finish()?;
         announce(tables.files().map(|(path, _)| path));
-        visited.failure(source).map_or(Ok(()), Err)
+        visited.failure(source.name()).map_or(Ok(()), Err)
     }
-}
-
-/// Writes the rows of all places that have a configuration.
-fn write(
-    mechanism: &Description,
-    table: &GridTable,
-    rows: &[Option<Vec<f64>>],
-    tables: &TableTargets,
-) -> Result<(), Failure> {
-    let headings: Vec<Heading> = table
-        .names(mechanism)
-        .into_iter()
-        .map(Heading::new)
-        .collect();
-    let mut file = Rows::create(tables, &Header::new(mechanism), &headings)?;
-    for row in rows.iter().flatten() {
-        file.add(row)?;
-    }
-    file.finish()
 }
 
 const NOTES: &str = "\

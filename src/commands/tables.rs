@@ -2,7 +2,7 @@
 
 mod carmaker;
 mod carsim;
-mod wheel;
+mod wheel_motion;
 
 use std::path::PathBuf;
 use std::slice;
@@ -19,7 +19,7 @@ use crate::mechanism::{Pair, report_of_singular};
 use crate::output::default_path::target;
 use crate::output::files::announce;
 use crate::output::notes::{print_notes, print_unmet_range, with_notes_printed};
-use wheel::Wheel;
+use wheel_motion::WheelMotion;
 
 /// The arguments of `suspension tables`.
 #[derive(Args, Clone, Debug)]
@@ -109,7 +109,7 @@ impl Arguments {
                 report_of_singular(file)
             ))
         };
-        let of = |number: usize| Wheel::compute(mechanism, number, &travel);
+        let of = |number: usize| WheelMotion::compute(mechanism, number, &travel);
         let wheel = of(number).ok_or_else(locked)?;
         let text = match self.program {
             Program::Carsim => carsim::text(file, mechanism, &wheel),

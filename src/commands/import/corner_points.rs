@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::choice::Choice;
+use super::layout_choice::Choice;
 use crate::mechanism::{Axes, extent};
 use crate::vehicle_corner::Side;
 

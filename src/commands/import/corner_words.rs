@@ -1,8 +1,8 @@
 //! How the words of a file that name a corner are read: as a part of names, or not.
 
 use super::Arguments;
-use super::choice::lacking;
 use super::hardpoints::{Hardpoint, Hardpoints};
+use super::layout_choice::lacking;
 use super::names::Names;
 use crate::failure::Failure;
 

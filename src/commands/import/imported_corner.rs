@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::choice::Choice;
 use super::corner_points::CornerPoints;
 use super::hardpoints::{Hardpoint, Hardpoints, Number};
+use super::layout_choice::Choice;
 use super::names::Names;
 use super::orientation::Orientation;
 use super::stand_in::{Spin, stand_in};

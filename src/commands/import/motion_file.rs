@@ -1,7 +1,7 @@
 //! The motion file that an import writes.
 
 mod axle;
-mod checked;
+mod checked_text;
 mod draft;
 mod vehicle;
 
@@ -11,7 +11,7 @@ use super::imported_corner::ImportedCorner;
 use crate::failure::Failure;
 use crate::output::files::write_file;
 use axle::Axle;
-use checked::checked_text;
+use checked_text::checked_text;
 use draft::Draft;
 
 /// Writes the motion file of a corner; returns its path.

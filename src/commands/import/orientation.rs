@@ -1,6 +1,6 @@
 //! The axes of a file, deduced from the order of its points.
 
-use super::choice::Choice;
+use super::layout_choice::Choice;
 use super::names::Arrangement;
 use crate::mechanism::Axes;
 use crate::number::number;

@@ -2,7 +2,8 @@
 
 use crate::file::Dimension;
 use crate::mechanism::{Description, ends};
-use crate::output::motion::plots::{capitalised, upwards};
+use crate::output::capitalised::capitalised;
+use crate::output::motion::plots::upwards;
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, TOE, columns};
 use crate::reach::{DriveRange, Station};

@@ -8,7 +8,7 @@ use crate::commands::sheet::by_quantity::grouped;
 use crate::commands::sheet::curves::section;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
-use crate::output::motion::plots::capitalised;
+use crate::output::capitalised::capitalised;
 use crate::output::page::{cut_short, numbers, page};
 use crate::quantities::{Quantity, from_design};
 

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, End, Instants, Names, State, Unit};
+use crate::output::capitalised::capitalised;
 use crate::output::motion::record::{Outcome, record};
 use crate::output::plot::{Chart, Curve};
 use crate::output::rows::TableTargets;
@@ -149,11 +150,4 @@ fn named(what: &str, point: &str) -> String {
     } else {
         format!("{what} {point}")
     }
-}
-
-/// The text with a capital letter in front.
-pub fn capitalised(text: &str) -> String {
-    let mut characters = text.chars();
-    let first = characters.next().map(|first| first.to_ascii_uppercase());
-    first.into_iter().chain(characters).collect()
 }

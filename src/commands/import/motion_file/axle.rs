@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use suspension_core::linkages::LISTINGS;
 use suspension_runtime::Listing;
 
-use crate::commands::import::choice::Choice;
 use crate::commands::import::imported_corner::ImportedCorner;
+use crate::commands::import::layout_choice::Choice;
 use crate::commands::import::rack;
 use crate::commands::import::upper_wishbone::on_upper;
 use crate::failure::Failure;

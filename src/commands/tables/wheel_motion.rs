@@ -10,7 +10,7 @@ use crate::mechanism::{self, Axle, Place, State};
 use crate::number::without_rounding;
 
 /// The motion of a wheel.
-pub(super) struct Wheel {
+pub(super) struct WheelMotion {
     /// The name; empty if the wheel has none.
     pub(super) name: String,
     /// 1 on the left, -1 on the right.
@@ -48,7 +48,7 @@ pub(super) struct Rates {
     /// The derivative of the wheel centre's position.
     pub(super) velocity: Vector3<f64>,
     /// The derivatives of the carrier's angles about x, y and z, for rotations about z, then x, then the spin axis: the
-    /// first angle is [`Wheel::about_x`], the last one belongs to toe.
+    /// first angle is [`WheelMotion::about_x`], the last one belongs to toe.
     pub(super) angles: Vector3<f64>,
     /// The derivatives of the measures.
     pub(super) measures: Vec<f64>,
@@ -70,6 +70,17 @@ impl Rates {
             angles: self.angles + other.angles,
             measures: measures.map(|(a, b)| a + b).collect(),
         }
+    }
+
+    /// Returns whether these are the derivatives of the mirrored wheel; `way` is -1 if the variable changes its sign in the
+    /// mirror.
+    fn are_mirrored(&self, other: &Self, way: f64) -> bool {
+        let along = Vector3::new(way, -way, way);
+        let pairs = [
+            (self.velocity, other.velocity.component_mul(&along)),
+            (self.angles, other.angles.component_mul(&-along)),
+        ];
+        pairs.iter().all(|(a, b)| (a - b).amax() < ALIKE)
     }
 }
 
@@ -95,20 +106,7 @@ impl Points {
 /// The largest difference that counts as rounding, in metres and radians.
 const ALIKE: f64 = 1e-6;
 
-impl Rates {
-    /// Returns whether these are the derivatives of the mirrored wheel; `way` is -1 if the variable changes its sign in the
-    /// mirror.
-    fn are_mirrored(&self, other: &Self, way: f64) -> bool {
-        let along = Vector3::new(way, -way, way);
-        let pairs = [
-            (self.velocity, other.velocity.component_mul(&along)),
-            (self.angles, other.angles.component_mul(&-along)),
-        ];
-        pairs.iter().all(|(a, b)| (a - b).amax() < ALIKE)
-    }
-}
-
-impl Wheel {
+impl WheelMotion {
     /// Returns the word for its side.
     pub(super) fn side_in_words(&self) -> &'static str {
         if self.side < 0.0 { "right" } else { "left" }
