@@ -106,15 +106,23 @@ impl Arguments {
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| self.usual_place(file));
         self.check_place(&out)?;
-        let written = self.import(&stated, &out, &names)?;
+        let mut one = self.corner(&stated, &names, self.first_side())?;
+        let other = one.other_side();
+        let is_unlike = matches!(other, OtherSide::Unlike(_)) && self.side.is_none();
+        if self.side.is_none() {
+            one.notes.extend(other.side_note(self.axle));
+        }
+        let written = match self.axle || is_unlike {
+            true => write_axle([&one, &self.right_corner(&one)?], &out)?,
+            false => write_corner(&one, &out)?,
+        };
         announce(&written);
         Ok(())
     }
 
     /// Returns where the motion file goes if `--out` does not say: beside the file.
     fn usual_place(&self, file: &Path) -> PathBuf {
-        let stem = file.file_stem().unwrap_or_default().to_os_string();
-        let mut name = stem;
+        let mut name = file.file_stem().unwrap_or_default().to_os_string();
         if let Some(end) = self.end {
             name.push(format!("_{}", end.name()));
         }
@@ -137,30 +145,7 @@ impl Arguments {
 
     /// Returns the side of the corner that is imported, or that is first: the left one of an axle.
     fn first_side(&self) -> Option<Side> {
-        if self.axle {
-            Some(Side::Left)
-        } else {
-            self.side
-        }
-    }
-
-    /// Writes the motion file and the listing that it includes.
-    fn import(
-        &self,
-        stated: &Hardpoints<'_>,
-        out: &Path,
-        names: &Names,
-    ) -> Result<Vec<PathBuf>, Failure> {
-        let mut one = self.corner(stated, names, self.first_side())?;
-        let other = one.other_side();
-        let unlike = matches!(other, OtherSide::Unlike(_)) && self.side.is_none();
-        if self.side.is_none() {
-            one.notes.extend(other.side_note(self.axle));
-        }
-        if !self.axle && !unlike {
-            return write_corner(&one, out);
-        }
-        write_axle([&one, &self.right_corner(&one)?], out)
+        self.axle.then_some(Side::Left).or(self.side)
     }
 
     /// Reads the points of a corner from the file.
