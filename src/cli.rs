@@ -1,5 +1,8 @@
 //! The command line's options and help.
 
+mod mistyped;
+mod signals;
+
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
@@ -14,8 +17,8 @@ use crate::commands::{
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::interrupt;
-use crate::mistyped::with_suggestion;
-use crate::signals::catch_signals;
+use mistyped::with_suggestion;
+use signals::catch_signals;
 
 /// Suspension kinematics: positions, velocities and accelerations of a driven suspension.
 ///

@@ -3,12 +3,13 @@
 use std::str::FromStr;
 
 use crate::failure::Failure;
-use crate::file::{Dimension, tell};
+use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
     CountedFrom, Description, DriveAtDesign, Grid, GridAxis, MOST_PLACES, Unit, evenly_spaced,
     extent,
 };
+use crate::output::notes::print_notes_on;
 
 /// The name of what moves, a drive for example, and its values: `bump=-0.08:0.08:161`.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,9 +111,7 @@ pub fn grid(
         CountedFrom::Start
     };
     let grid = Grid::new(mechanism, axes, from).map_err(refuse)?;
-    for doubt in doubts {
-        tell(format_args!("note: {source}: {doubt}"));
-    }
+    print_notes_on(source, doubts);
     Ok(grid)
 }
 

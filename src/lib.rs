@@ -10,12 +10,10 @@ struct Readme;
 pub mod cli;
 pub mod commands;
 pub mod grid;
-pub mod layouts;
-mod mistyped;
-mod option;
+mod listing_description;
+mod option_numbers;
 pub mod output;
-mod side;
-mod signals;
+mod vehicle_corner;
 
 pub use suspension_mechanism::{
     assemblies, bake, characteristics, decimals, failure, file, interrupt, kinematics,

@@ -1,18 +1,18 @@
 //! Output for the user: CSV and JSON files, plots, summaries, progress.
 
-pub mod beside;
+pub mod capitalised;
 pub mod colour;
+pub mod default_path;
 pub mod destinations;
 pub mod drawing;
-pub mod figures;
+pub mod file_table;
+pub mod motion;
 pub mod notes;
 pub mod page;
 pub mod plot;
 pub mod progress;
-pub mod record;
-pub mod summary;
 mod svg;
-pub mod table;
+pub mod svg_folder;
 pub mod text_table;
 
-pub use suspension_tables::{csv_file, files, heading, records, rows, target};
+pub use suspension_tables::{files, heading, records, rows, target};

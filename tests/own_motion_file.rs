@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 
 use suspension::bake::source::Table;
 use suspension::bake::{Continuity, Wish};
-use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
+use suspension::commands::assemblies::search::{self, list};
+use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::mechanism::{Mechanism, State};
 use suspension::prepare::load_own;
@@ -171,20 +171,17 @@ fn ranges_far_from_the_origin_are_only_shifted() {
 #[test]
 fn a_baked_curve_far_from_the_origin_is_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let request = Request {
-            along: Variables::Drives(vec![Wished {
+        let baking = Baking {
+            file: "a.toml",
+            mechanism: &mechanism(away),
+            variables: Variables::Drives(vec![WishedDrive {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
             }]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
             wish: Wish::Wheel(0),
-        };
-        let baking = Baking {
             interrupted: &AtomicBool::new(false),
-            file: "a.toml",
-            mechanism: &mechanism(away),
-            request: &request,
         };
         let sheet = baking.execute().expect("a curve");
         match sheet.baked {
@@ -205,12 +202,12 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
 #[test]
 fn assemblies_far_from_the_origin_are_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let wish = listed::Wish {
+        let wish = search::Request {
             drive: Some("bump".to_owned()),
             at: vec![0.2 + away[2]],
         };
         let mut listed = Vec::new();
-        let mut keep = |at: &listed::Listed| {
+        let mut keep = |at: &search::Listed| {
             listed.push(at.clone());
             Ok(())
         };

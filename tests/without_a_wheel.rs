@@ -4,14 +4,15 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use suspension::bake::{Continuity, Wish};
-use suspension::commands::assemblies::listed::{self, list};
-use suspension::commands::bake::request::{Baking, Request, Variables, Wished};
+use suspension::commands::assemblies::search::{self, list};
+use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
-use suspension::output::figures::{draw, height_and_angles};
-use suspension::output::record::record;
-use suspension::output::rows::Forms;
-use suspension::output::summary;
+use suspension::output::motion::plots::{draw, height_and_angles};
+use suspension::output::motion::record::record;
+use suspension::output::motion::summary;
+use suspension::output::rows::TableTargets;
+use suspension::output::svg_folder::SvgFolder;
 use suspension::output::target::Target;
 use suspension::prepare::load;
 
@@ -43,15 +44,6 @@ fn with_mechanism<R>(work: impl FnOnce(&dyn Kinematics) -> R) -> R {
     work(&*loaded.at_first_instant().expect("a mechanism"))
 }
 
-fn request(wish: Wish) -> Request {
-    Request {
-        along: Variables::Drives(vec![Wished::default()]),
-        tolerance: 1e-6,
-        continuity: Continuity::Velocity,
-        wish,
-    }
-}
-
 #[test]
 fn a_motion_without_a_wheel_has_columns_of_points_alone() {
     with_mechanism(has_columns_of_points_alone);
@@ -60,12 +52,12 @@ fn a_motion_without_a_wheel_has_columns_of_points_alone() {
 fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.csv");
-    let forms = Forms {
+    let tables = TableTargets {
         csv: Some(Target::File(path.clone())),
-        ..Forms::default()
+        ..TableTargets::default()
     };
     let never = AtomicBool::new(false);
-    let outcome = record(mechanism, &mechanism.instants, &forms, 12, &never);
+    let outcome = record(mechanism, &mechanism.instants, &tables, 12, &never);
     let outcome = outcome.expect("a table");
     let table = std::fs::read_to_string(path).expect("a table");
     assert_eq!(
@@ -82,8 +74,8 @@ fn has_columns_of_points_alone(mechanism: &dyn Kinematics) {
         text.contains("  height\n") && !text.contains("camber"),
         "{text}"
     );
-    let files = (folder.path(), "a");
-    let written = draw(mechanism, &outcome, files, height_and_angles).expect("no plots");
+    let plots = SvgFolder::new(folder.path(), Path::new("a.toml"));
+    let written = draw(mechanism, &outcome, &plots, height_and_angles).expect("no plots");
     assert_eq!(written, [] as [&Path; 0], "there is nothing to draw");
 }
 
@@ -101,7 +93,7 @@ fn has_ends_and_assemblies(mechanism: &dyn Kinematics) {
     let listed = list(
         mechanism,
         "a.toml",
-        &listed::Wish::default(),
+        &search::Request::default(),
         &false.into(),
         &mut |listed| {
             assemblies = listed.assemblies.len();
@@ -120,10 +112,13 @@ fn without_a_wheel_points_are_baked_and_a_wheel_is_refused() {
 fn bakes_points_alone(mechanism: &dyn Kinematics) {
     let baked = |wish| {
         Baking {
-            interrupted: &AtomicBool::new(false),
             file: "a.toml",
             mechanism,
-            request: &request(wish),
+            variables: Variables::Drives(vec![WishedDrive::default()]),
+            tolerance: 1e-6,
+            continuity: Continuity::Velocity,
+            wish,
+            interrupted: &AtomicBool::new(false),
         }
         .execute()
     };

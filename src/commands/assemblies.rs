@@ -1,8 +1,7 @@
 //! `suspension assemblies`: all ways to assemble a mechanism.
 
-pub mod listed;
 mod report;
-pub mod watched;
+pub mod search;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -11,18 +10,16 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
 use crate::mechanism::Description;
-use crate::option::number;
+use crate::option_numbers::number;
+use crate::output::destinations::table_targets;
+use crate::output::file_table::Table;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
-use crate::output::notes::noted;
-use crate::output::rows::Forms;
-use crate::output::table::Table;
+use crate::output::notes::with_notes_printed;
 use crate::output::target::Target;
 use crate::prepare::load;
-use listed::{Wish, list};
-use report::Report;
+use search::{Listed, Request, list};
 
 /// The arguments of `suspension assemblies`.
 #[derive(Args, Clone, Debug)]
@@ -56,45 +53,32 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.map(Target::from),
-            ..Forms::default()
-        };
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let wish = Wish {
+        tables.check()?;
+        let request = Request {
             drive: self.drive,
             at: self.at,
         };
-        let mechanism = noted(loaded.at_first_instant()?);
-        enumerate(&*mechanism, source.name(), &wish, &forms, interrupted)
-    }
-}
-
-/// Prints or writes the assemblies as they are found.
-fn enumerate(
-    mechanism: &dyn Kinematics,
-    source: &str,
-    wish: &Wish,
-    forms: &Forms,
-    interrupted: &AtomicBool,
-) -> Result<(), Failure> {
-    let Description { names, unit, .. } = &**mechanism;
-    let columns = report::columns(names, *unit);
-    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
-    let report = Report::new(names, *unit);
-    let done = list(mechanism, source, wish, interrupted, &mut |listed| {
-        if forms.csv != Some(Target::Stdout) {
-            print(&format!("{}\n", report.text(listed)))?;
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
+        let Description { names, unit, .. } = &**mechanism;
+        let columns = report::columns(names, *unit);
+        let mut table = Table::create(&tables, &Header::new(mechanism), columns)?;
+        let mut on_listed = |listed: &Listed| {
+            if tables.csv != Some(Target::Stdout) {
+                print(&format!("{}\n", report::text(names, *unit, listed)))?;
+            }
+            let mut assemblies = listed.assemblies.iter();
+            assemblies.try_for_each(|assembly| table.add(assembly))
+        };
+        let file = source.name();
+        let done = list(mechanism, file, &request, interrupted, &mut on_listed);
+        if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
+            table.finish()?;
+            announce(tables.files().map(|(path, _)| path));
         }
-        let mut assemblies = listed.assemblies.iter();
-        assemblies.try_for_each(|assembly| table.add(assembly))
-    });
-    if let Ok(()) | Err(Failure::Interrupted(_) | Failure::Solver(_)) = done {
-        table.finish()?;
-        announce(forms.files().map(|(path, _)| path));
+        done
     }
-    done
 }
 
 const NOTES: &str = "\

@@ -1,6 +1,6 @@
 //! `suspension bake`: a motion along drives, or along a measure, as a source file.
 
-pub mod request;
+pub mod baking;
 mod wheel;
 
 use std::path::PathBuf;
@@ -14,13 +14,13 @@ use crate::bake::{Continuity, Wish};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
-use crate::option::{derivatives, number};
-use crate::output::beside::in_out;
-use crate::output::notes::noted;
+use crate::option_numbers::{derivatives, number};
+use crate::output::default_path::in_out;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;
 use crate::output::target::Target;
 use crate::prepare::load;
-use request::{Baking, Request, Wished, WishedMeasure};
+use baking::{Baking, Variables, WishedDrive, WishedMeasure};
 
 /// The arguments of `suspension bake`.
 #[derive(Args, Clone, Debug)]
@@ -31,7 +31,7 @@ pub struct Arguments {
     /// The drive, if the linkage has several; give it twice for a surface over two drives. The other drives are held as at
     /// the file's first instant. The range may follow the name, in place of --from and --to.
     #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
-    drives: Vec<Wished>,
+    drives: Vec<WishedDrive>,
     /// A measure of the listing, such as a damper's length, in place of the drive that --drive names, over a range of its
     /// own values in the file's units: the outputs are functions of the measure.
     #[arg(long, value_name = "MEASURE=FROM:TO", conflicts_with_all = ["from", "to"])]
@@ -98,19 +98,18 @@ impl Arguments {
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        let mechanism = &*noted(loaded.at_first_instant()?);
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
         loaded.check_driven("suspension bake", mechanism)?;
-        let baking = Baking {
-            file: source.name(),
-            mechanism,
-            request: &self.request(source.name(), mechanism)?,
-            interrupted,
-        };
+        let baking = self.baking((source.name(), mechanism), interrupted)?;
         let sheet = {
             let _shown = Busy::new("baking");
             baking.execute()?
         };
-        let language = Language::from(self.language);
+        let language = match self.language {
+            Form::Rust => Language::Rust,
+            Form::C => Language::C,
+            Form::Toml => Language::Toml,
+        };
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let of_wheel: String = of_wheel.collect();
         let ending = format!("{of_wheel}_{}.{}", sheet.subject(), language.extension());
@@ -126,14 +125,14 @@ impl Arguments {
         Ok(())
     }
 
-    fn variables(&self) -> Result<request::Variables, Failure> {
+    fn variables(&self) -> Result<Variables, Failure> {
         if let Some(along) = &self.along {
             return self.measure_variables(along);
         }
         let ends = [self.from, self.to];
         let mut drives = self.drives.clone();
         if drives.is_empty() {
-            drives.push(Wished::default());
+            drives.push(WishedDrive::default());
         }
         if ends.iter().any(Option::is_some) {
             let [only] = drives.as_mut_slice() else {
@@ -147,32 +146,37 @@ impl Arguments {
             }
             only.range = ends;
         }
-        Ok(request::Variables::Drives(drives))
+        Ok(Variables::Drives(drives))
     }
 
     /// Returns the measure with its range and the drive that it replaces.
-    fn measure_variables(&self, along: &WishedMeasure) -> Result<request::Variables, Failure> {
+    fn measure_variables(&self, along: &WishedMeasure) -> Result<Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
-            [Wished { drive, range }] if *range == [None; 2] => drive.clone(),
+            [WishedDrive { drive, range }] if *range == [None; 2] => drive.clone(),
             _ => {
                 let message = "--along takes the place of one drive; name this drive without a range: --drive NAME";
                 return Err(Failure::Input(message.to_owned()));
             }
         };
-        let along = along.clone();
-        Ok(request::Variables::Measure(WishedMeasure {
+        Ok(Variables::Measure(WishedMeasure {
             drive,
-            ..along
+            ..along.clone()
         }))
     }
 
-    fn request(&self, file: &str, mechanism: &dyn Kinematics) -> Result<Request, Failure> {
-        let along = self.variables()?;
-        let wheel = wheel::chosen(mechanism, &along, self.wheel.as_deref());
+    fn baking<'a>(
+        &self,
+        (file, mechanism): (&'a str, &'a dyn Kinematics),
+        interrupted: &'a AtomicBool,
+    ) -> Result<Baking<'a>, Failure> {
+        let variables = self.variables()?;
+        let wheel = wheel::chosen(mechanism, &variables, self.wheel.as_deref());
         let wheel = wheel.map_err(|message| Failure::input(file, message))?;
-        Ok(Request {
-            along,
+        Ok(Baking {
+            file,
+            mechanism,
+            variables,
             tolerance: self.tolerance,
             continuity: match self.continuity {
                 0 => Continuity::Position,
@@ -187,6 +191,7 @@ impl Arguments {
                     return Err(Failure::Input(message.to_owned()));
                 }
             },
+            interrupted,
         })
     }
 }
@@ -195,16 +200,6 @@ fn own_value(called: char) -> impl TypedValueParser<Value = f64> {
     number(format!(
         "{called} is a number, the drive's own value in the file's units, as 0.30"
     ))
-}
-
-impl From<Form> for Language {
-    fn from(form: Form) -> Self {
-        match form {
-            Form::Rust => Self::Rust,
-            Form::C => Self::C,
-            Form::Toml => Self::Toml,
-        }
-    }
 }
 
 const NOTES: &str = r#"The file has polynomials of degree five over segments of equal length, as few as meet the tolerance, and a header that

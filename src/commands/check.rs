@@ -9,13 +9,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 
-use crate::commands::assemblies::watched::Watched;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::output::files::print;
 use crate::output::progress::Busy;
-use crate::prepare::{Loaded, load};
+use crate::output::progress::search::Search;
+use crate::prepare::load;
 use crate::reach::DriveRange;
 use condition::Condition;
 use report::Report;
@@ -41,16 +41,7 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
-        self.check(&loaded, source.name(), interrupted)
-    }
-
-    fn check(
-        &self,
-        loaded: &Loaded<'_>,
-        name: &str,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let mechanism = &*loaded.at_design()?;
+        let (name, mechanism) = (source.name(), &*loaded.at_design()?);
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {
@@ -130,14 +121,14 @@ fn count_assemblies(
     if interrupted.load(Ordering::Relaxed) {
         return Ok(());
     }
-    let watched = Watched::new(report.file, interrupted);
-    let watch = |stage, count| watched.goes_on(stage, count);
+    let progress = Search::new(report.file, interrupted);
+    let watch = |stage, count| progress.goes_on(stage, count);
     let mut search = mechanism.assemblies(&watch);
     if let Some((_, tally)) = search.at(&mechanism.first_drives()) {
-        watched.clear();
+        progress.clear();
         print(&report.assemblies(&tally))?;
     }
-    watched.ended()
+    progress.ended()
 }
 
 const NOTES: &str = "\

@@ -1,15 +1,15 @@
 //! `suspension compare`: two suspensions side by side, or one beside measured numbers.
 
-mod by_wheel;
 mod comparison;
 mod curve_pair;
 mod differences;
 mod measured;
 mod notes;
+mod over_wheel_travel;
 mod page;
 mod report;
 mod short_name;
-mod side;
+mod suspension;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -20,10 +20,10 @@ use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::output::destinations::Destinations;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::prepare::{Loaded, load};
 use report::Report;
-use side::Side;
+use suspension::Suspension;
 
 /// The arguments of `suspension compare`.
 #[derive(Args, Clone, Debug)]
@@ -66,12 +66,18 @@ impl Arguments {
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let [a, b] = [Source::read(&self.a)?, Source::read(&self.b)?];
         let first = load(&a)?;
-        let second = if measured::is_table(&self.b) {
-            self.refuse_spans(&b)?;
-            None
-        } else {
-            self.refuse_absolute(&b)?;
-            Some(load(&b)?)
+        let refuse = |message: &str| Err(Failure::input(b.name(), message));
+        let second = match measured::is_table(&self.b) {
+            true if self.travel.is_some() || self.steer.is_some() => {
+                return refuse("the table states the places; leave --travel and --steer out");
+            }
+            true => None,
+            false if self.absolute => {
+                return refuse(
+                    "--absolute is for the drives of a table of measured numbers; leave it out",
+                );
+            }
+            false => Some(load(&b)?),
         };
         // Files that were read are known, and nothing is solved yet.
         let to = Destinations::new([&self.csv, &self.json, &self.html])?;
@@ -84,28 +90,10 @@ impl Arguments {
         };
         to.write(
             || report.text(),
-            |forms| report.write(forms),
+            |tables| report.write(tables),
             || page::html(&report),
         )?;
         failure.map_or(Ok(()), Err)
-    }
-
-    /// Refuses the options for curves, as a table has its own places.
-    fn refuse_spans(&self, table: &Source) -> Result<(), Failure> {
-        if self.travel.is_none() && self.steer.is_none() {
-            return Ok(());
-        }
-        let message = "the table states the places; leave --travel and --steer out";
-        Err(Failure::Input(format!("{}: {message}", table.name())))
-    }
-
-    /// Refuses the option for the values of a table.
-    fn refuse_absolute(&self, b: &Source) -> Result<(), Failure> {
-        (!self.absolute).then_some(()).ok_or_else(|| {
-            let message =
-                "--absolute is for the drives of a table of measured numbers; leave it out";
-            Failure::Input(format!("{}: {message}", b.name()))
-        })
     }
 
     /// Compares two suspensions; the failure is that of a mechanism which locks within the travel.
@@ -117,9 +105,9 @@ impl Arguments {
         let [(a, first), _] = files;
         let spans = [self.travel, self.steer];
         let side = |(source, loaded): (&Source, &Loaded<'_>)| {
-            let mechanism = noted(loaded.at_design_in(first.axes())?);
+            let mechanism = with_notes_printed(loaded.at_design_in(first.axes())?);
             let converted = converted([loaded, first]);
-            Side::compute(
+            Suspension::compute(
                 &*mechanism,
                 (source, converted),
                 spans,

@@ -6,12 +6,11 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::option::positive;
-use crate::output::beside::in_out;
-use crate::output::drawing::{SIZE, Seen, drawing_of};
+use crate::option_numbers::positive;
+use crate::output::default_path::target;
+use crate::output::drawing::drawing_of;
 use crate::output::files::announce;
-use crate::output::notes::noted;
-use crate::output::target::Target;
+use crate::output::notes::with_notes_printed;
 use crate::prepare::load;
 
 /// The arguments of `suspension draw`.
@@ -41,15 +40,13 @@ impl Arguments {
     ///
     /// See [`Failure`].
     pub fn run(self) -> Result<(), Failure> {
-        let out = self.out.clone();
-        let out = Target::from(out.unwrap_or_else(|| in_out(&self.file, ".svg")));
+        let out = target(self.out.as_deref(), &self.file, ".svg");
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = noted(loaded.within_reach()?);
+        let mechanism = with_notes_printed(loaded.within_reach()?);
         let drawing = drawing_of(&*mechanism, loaded.listing(), self.wheel_radius);
-        let nothing = || Failure::Solver(format!("{}: nothing to draw", source.name()));
-        out.write(&drawing.svg(Seen::Oblique, SIZE).ok_or_else(nothing)?)?;
+        out.write(&drawing.whole(source.name())?)?;
         announce(out.path());
         Ok(())
     }

@@ -1,44 +1,24 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
-mod adams_command;
-mod add;
-mod angle;
-mod axle;
-mod candidate;
-mod checked;
-mod choice;
-mod columns;
-mod corner;
-mod draft;
-mod ends;
-mod fields;
+mod corner_points;
+mod corner_words;
 mod format;
+mod hardpoint_corners;
 mod hardpoints;
-mod heading;
 mod help;
-mod imported;
+mod imported_corner;
 mod known_names;
 mod layout;
-mod line_per_axis;
+mod layout_choice;
+mod length_units;
+mod motion_file;
 mod names;
-mod names_as_columns;
 mod orientation;
 mod rack;
-mod reading;
 mod remarks;
-mod row;
-mod row_corner;
-mod row_name;
-mod shark;
 mod spelling;
 mod stand_in;
-mod subsystem;
-mod table;
-mod thousands;
-mod unclear;
-mod upper;
-mod vehicle;
-mod words;
+mod upper_wishbone;
 
 use std::path::{Path, PathBuf};
 
@@ -48,17 +28,15 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-use crate::output::files::{announce, print, refuse_existing, refuse_input, write_file};
+use crate::output::files::{announce, print, refuse_existing, refuse_input};
 use crate::output::target::Target;
-use crate::side::{End, Side};
-use axle::Axle;
-use checked::checked_text;
-use choice::choose;
-use corner::Corner;
-use draft::Draft;
+use crate::vehicle_corner::{End, Side};
+use corner_points::CornerPoints;
 use hardpoints::Hardpoints;
 use help::NOTES;
-use imported::{Imported, Other};
+use imported_corner::{ImportedCorner, OtherSide};
+use layout_choice::choose;
+use motion_file::{write_axle, write_corner};
 use names::Names;
 use orientation::orientation;
 
@@ -100,7 +78,7 @@ pub struct Arguments {
 }
 
 fn unit(word: &str) -> Result<Length, String> {
-    heading::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
+    length_units::unit(word).ok_or_else(|| "write m, mm or in".to_owned())
 }
 
 fn axes() -> impl TypedValueParser<Value = Axes> {
@@ -128,15 +106,23 @@ impl Arguments {
         let out = self.out.clone();
         let out = out.unwrap_or_else(|| self.usual_place(file));
         self.check_place(&out)?;
-        let written = self.import(&stated, &out, &names)?;
+        let mut one = self.corner(&stated, &names, self.first_side())?;
+        let other = one.other_side();
+        let is_unlike = matches!(other, OtherSide::Unlike(_)) && self.side.is_none();
+        if self.side.is_none() {
+            one.notes.extend(other.side_note(self.axle));
+        }
+        let written = match self.axle || is_unlike {
+            true => write_axle([&one, &self.right_corner(&one)?], &out)?,
+            false => write_corner(&one, &out)?,
+        };
         announce(&written);
         Ok(())
     }
 
     /// Returns where the motion file goes if `--out` does not say: beside the file.
     fn usual_place(&self, file: &Path) -> PathBuf {
-        let stem = file.file_stem().unwrap_or_default().to_os_string();
-        let mut name = stem;
+        let mut name = file.file_stem().unwrap_or_default().to_os_string();
         if let Some(end) = self.end {
             name.push(format!("_{}", end.name()));
         }
@@ -159,37 +145,7 @@ impl Arguments {
 
     /// Returns the side of the corner that is imported, or that is first: the left one of an axle.
     fn first_side(&self) -> Option<Side> {
-        if self.axle {
-            Some(Side::Left)
-        } else {
-            self.side
-        }
-    }
-
-    /// Writes the motion file and the listing that it includes.
-    fn import(
-        &self,
-        stated: &Hardpoints<'_>,
-        out: &Path,
-        names: &Names,
-    ) -> Result<Vec<PathBuf>, Failure> {
-        let mut one = self.corner(stated, names, self.first_side())?;
-        let other = one.other_side();
-        let unlike = matches!(other, Other::Unlike(_)) && self.side.is_none();
-        if self.side.is_none() {
-            one.notes.extend(other.side_note(self.axle));
-        }
-        if !self.axle && !unlike {
-            let text = checked_text(&Draft::for_corner(&one), out)?;
-            write_file(out, &text)?;
-            return Ok(vec![out.to_owned()]);
-        }
-        let other = self.right_corner(&one)?;
-        let axle = Axle::new(&one.choice, out);
-        axle.check_corner(out)?;
-        axle.written(out, |listing| {
-            checked_text(&Draft::for_axle([&one, &other], &axle, listing), out)
-        })
+        self.axle.then_some(Side::Left).or(self.side)
     }
 
     /// Reads the points of a corner from the file.
@@ -198,8 +154,8 @@ impl Arguments {
         stated: &'a Hardpoints<'a>,
         names: &'a Names,
         side: Option<Side>,
-    ) -> Result<Imported<'a>, Failure> {
-        let refuse = |message: String| refused(stated, &message);
+    ) -> Result<ImportedCorner<'a>, Failure> {
+        let refuse = |message: String| Failure::input(stated.source.name(), message);
         let points = stated.of_side(side)?;
         let choice = choose(stated, &points, names, self.linkage.as_deref()).map_err(refuse)?;
         if self.axle && choice.point("wheel_centre").is_none() {
@@ -210,8 +166,8 @@ impl Arguments {
         }
         let found = orientation(&choice, &names.arrangement, self.axes, stated.usual);
         let orientation = found.map_err(refuse)?;
-        let corner = Corner::new(&choice, orientation.axes, side).map_err(refuse)?;
-        let imported = Imported {
+        let corner = CornerPoints::new(&choice, orientation.axes, side).map_err(refuse)?;
+        let imported = ImportedCorner {
             stated,
             names,
             points,
@@ -226,7 +182,7 @@ impl Arguments {
     }
 
     /// Returns the right corner, in the layout, axes and unit of the left one.
-    fn right_corner<'a>(&self, left: &Imported<'a>) -> Result<Imported<'a>, Failure> {
+    fn right_corner<'a>(&self, left: &ImportedCorner<'a>) -> Result<ImportedCorner<'a>, Failure> {
         let as_left = Self {
             linkage: Some(left.choice.linkage.to_owned()),
             axes: Some(left.orientation.axes),
@@ -243,8 +199,4 @@ fn with_line_ends(source: Source) -> Source {
         return source;
     }
     Source::new(source.name(), source.text().replace('\r', "\n"))
-}
-
-fn refused(stated: &Hardpoints<'_>, message: &str) -> Failure {
-    Failure::Input(format!("{}: {message}", stated.source.name()))
 }

@@ -10,10 +10,10 @@ use suspension_runtime::{Listing, catalogue};
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::layouts::first_sentence;
+use crate::listing_description::first_sentence;
 use crate::mechanism::Axes;
 use crate::output::files::print;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::prepare::load;
 
 /// The arguments of `suspension list`.
@@ -54,7 +54,7 @@ impl Arguments {
 fn flat(path: &Path) -> Result<String, Failure> {
     let source = Source::read(path)?;
     let loaded = load(&source)?;
-    let mechanism = noted(loaded.at_design()?);
+    let mechanism = with_notes_printed(loaded.at_design()?);
     let listing = loaded.flat_listing(&*mechanism)?;
     let (name, unit, axes) = (source.name(), loaded.unit().length, loaded.axes());
     let foreign = match axes {

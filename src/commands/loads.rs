@@ -1,13 +1,13 @@
 //! `suspension loads`: the forces in a mechanism under the load cases of its file.
 
+mod case_results;
 mod drawing;
-mod found;
-mod leading;
-mod line;
-mod note;
+mod notes;
+mod parts;
+mod place_columns;
 mod report;
+mod report_lines;
 mod run;
-mod springs_left_out;
 mod table;
 mod unloaded;
 
@@ -21,10 +21,11 @@ use crate::file::Source;
 use crate::grid::Swept;
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
-use crate::output::beside::{in_out, name_of};
-use crate::output::notes::noted;
-use crate::output::rows::Forms;
-use crate::output::target::Target;
+use crate::output::default_path::target;
+use crate::output::destinations::table_targets;
+use crate::output::notes::with_notes_printed;
+use crate::output::rows::TableTargets;
+use crate::output::svg_folder::SvgFolder;
 use crate::prepare::load;
 use run::Run;
 
@@ -69,15 +70,15 @@ impl Arguments {
     /// See [`Failure`]. The tables omit places that have no configuration.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = self.forms();
+        let tables = self.tables();
         let loaded = load(&source)?;
-        forms.check()?;
+        tables.check()?;
         let mechanism = if self.motion {
             loaded.at_first_instant()
         } else {
             loaded.at_design()
         };
-        let mechanism = &*noted(mechanism?);
+        let mechanism = &*with_notes_printed(mechanism?);
         let cases = loaded.load_cases(mechanism)?;
         let structure = Structure::new(loaded.listing());
         if cases.is_empty() {
@@ -85,38 +86,34 @@ impl Arguments {
             let sprung = mechanism.at_start(&mut sprung).flatten();
             return Err(source.refuse(&(0..0), no_case(&mechanism.names, sprung)));
         }
+        let drawings = self.drawings.as_deref();
         let run = Run {
             source: source.name(),
             mechanism,
             listing: loaded.listing(),
             structure: &structure,
             cases: &cases,
-            drawings: self
-                .drawings
-                .as_deref()
-                .map(|folder| (folder, name_of(&self.file).into_owned())),
+            drawings: drawings.map(|folder| SvgFolder::new(folder, &self.file)),
         };
         if self.motion {
-            run.run_motion(&forms, interrupted)
+            run.run_motion(&tables, interrupted)
         } else {
-            run.run_grid((&self.drives, self.absolute), &forms, interrupted)
+            run.run_grid((&self.drives, self.absolute), &tables, interrupted)
         }
     }
 
-    fn forms(&self) -> Forms {
+    fn tables(&self) -> TableTargets {
         let ending = if self.motion {
             "_loads_motion.csv"
         } else {
             "_loads.csv"
         };
-        let beside = || in_out(&self.file, ending);
-        let is_grid = (self.motion || !self.drives.is_empty()) && self.json.is_none();
-        let csv = self.csv.clone().or_else(|| is_grid.then(beside));
-        Forms {
-            csv: csv.map(Target::from),
-            json: self.json.clone().map(Target::from),
-            parquet: None,
+        let is_grid = self.motion || !self.drives.is_empty();
+        let mut tables = table_targets([&self.csv, &self.json, &None]);
+        if is_grid && tables.is_empty() {
+            tables.csv = Some(target(None, &self.file, ending));
         }
+        tables
     }
 }
 

@@ -10,15 +10,13 @@ pub use help::text as help;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
-use crate::output::beside::name_of;
-use crate::output::figures::{draw, height_and_angles, path};
-use crate::output::files::{announce, print, refuse_plot};
-use crate::output::notes::noted;
-use crate::output::record::record;
-use crate::output::rows::Forms;
-use crate::output::summary;
-use crate::output::target::Target;
+use crate::output::destinations::table_targets;
+use crate::output::files::{announce, print};
+use crate::output::motion::plots::{draw, height_and_angles};
+use crate::output::motion::record::record;
+use crate::output::motion::summary;
+use crate::output::notes::with_notes_printed;
+use crate::output::svg_folder::SvgFolder;
 use crate::prepare::load;
 
 /// The arguments of `suspension motion`.
@@ -58,49 +56,26 @@ impl Arguments {
     /// See [`Failure`]. If the solver stops or the user interrupts, the files hold what was solved.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.clone().map(Target::from),
-            json: self.json.clone().map(Target::from),
-            parquet: self.parquet.clone().map(Target::from),
-        };
+        let tables = table_targets([&self.csv, &self.json, &self.parquet]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = noted(loaded.at_first_instant()?);
-        self.solve(&*mechanism, source.name(), &forms, interrupted)
-    }
-
-    fn solve(
-        &self,
-        mechanism: &dyn Kinematics,
-        source: &str,
-        forms: &Forms,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let instants = &mechanism.instants;
-        let Self { file, plots, .. } = self;
-        let stem = name_of(file);
-        if let Some(folder) = plots {
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
+        let plots = self.plots.as_deref();
+        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
+        if let Some(folder) = &plots {
             let charts = height_and_angles(mechanism, [&[], &[]]);
-            let plots = charts.iter().map(|(name, _)| path(folder, &stem, name));
-            let plots: Vec<PathBuf> = plots.collect();
-            for (table, option) in forms.files() {
-                refuse_plot(table, option, &plots)?;
-            }
+            folder.refuse_tables(&tables, charts.iter().map(|(name, _)| *name))?;
         }
-        let outcome = record(mechanism, instants, forms, KEPT, interrupted)?;
-        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-        if let Some(folder) = plots {
-            written.extend(draw(
-                mechanism,
-                &outcome,
-                (folder, &stem),
-                height_and_angles,
-            )?);
+        let outcome = record(mechanism, &mechanism.instants, &tables, KEPT, interrupted)?;
+        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
+        if let Some(folder) = &plots {
+            written.extend(draw(mechanism, &outcome, folder, height_and_angles)?);
         }
-        if forms.is_empty() && plots.is_none() {
+        if tables.is_empty() && plots.is_none() {
             print(&summary::text(mechanism, &outcome))?;
         }
         announce(&written);
-        outcome.failure(source, forms).map_or(Ok(()), Err)
+        let failure = outcome.failure(source.name(), &tables);
+        failure.map_or(Ok(()), Err)
     }
 }

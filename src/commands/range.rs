@@ -1,6 +1,6 @@
 //! `suspension range`: the range of each drive, and the curve beyond it.
 
-mod picture;
+mod plot;
 mod report;
 
 use std::collections::BTreeSet;
@@ -11,16 +11,15 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Names, Unit, report_of_singular};
-use crate::output::beside::name_of;
-use crate::output::figures::path;
-use crate::output::files::{announce, print, refuse_plot, write_file};
+use crate::output::destinations::table_targets;
+use crate::output::file_table::{Column, Table};
+use crate::output::files::{announce, print};
 use crate::output::heading::Header;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;
-use crate::output::rows::Forms;
-use crate::output::table::{Column, Table};
+use crate::output::rows::TableTargets;
+use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::prepare::load;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
@@ -53,23 +52,42 @@ impl Arguments {
     /// See [`Failure`]. If the user interrupts, the files hold the curves found so far.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let forms = Forms {
-            csv: self.csv.clone().map(Target::from),
-            ..Forms::default()
-        };
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = &*noted(loaded.within_reach()?);
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.within_reach()?);
         let chosen = self.chosen(&mechanism.names);
-        let chosen =
-            chosen.map_err(|message| Failure::Input(format!("{}: {message}", source.name())))?;
-        let ranges = self.ranges((mechanism, &chosen), &forms, interrupted);
-        ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
+        let chosen = chosen.map_err(|message| Failure::input(source.name(), message))?;
+        let plots = self.plots.as_deref();
+        let plots = plots.map(|folder| SvgFolder::new(folder, &self.file));
+        let name = |drive: &str| format!("range_{drive}");
+        if let Some(folder) = &plots {
+            let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
+            let names: Vec<String> = drives.map(|drive| name(&drive.name)).collect();
+            folder.refuse_tables(&tables, names.iter().map(String::as_str))?;
+        }
+        let ranges = {
+            let _shown = Busy::new("following the curve of each drive");
+            let drives = chosen.iter();
+            let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
+            ranges.collect::<Result<Vec<_>, _>>()
+        };
+        let ranges = ranges.map_err(|failure| no_start(mechanism, source.name(), failure))?;
+        table(mechanism, &ranges, &tables)?;
+        let mut written: Vec<PathBuf> = tables.files().map(|(path, _)| path.clone()).collect();
+        if let Some(folder) = &plots {
+            let charts = ranges.iter();
+            let charts = charts
+                .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
+            written.extend(folder.draw(charts)?);
+        }
+        if tables.csv != Some(Target::Stdout) {
+            print(&report::text(mechanism, &ranges))?;
+        }
+        announce(&written);
         if interrupted.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted(format!(
-                "{}: interrupted; the curves are cut short",
-                source.name()
-            )));
+            let message = format!("{}: interrupted; the curves are cut short", source.name());
+            return Err(Failure::Interrupted(message));
         }
         Ok(())
     }
@@ -83,47 +101,6 @@ impl Arguments {
         let named = named.map(|name| names.chosen_drive(Some(name)));
         let chosen = named.collect::<Result<BTreeSet<usize>, _>>()?;
         Ok(chosen.into_iter().collect())
-    }
-
-    fn ranges(
-        &self,
-        (mechanism, chosen): (&dyn Kinematics, &[usize]),
-        forms: &Forms,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let Self { file, plots, .. } = self;
-        let stem = name_of(file);
-        let plot = |folder: &PathBuf, drive: &str| path(folder, &stem, &format!("range_{drive}"));
-        if let Some(folder) = plots {
-            let drives = chosen.iter().map(|drive| &mechanism.names.drives[*drive]);
-            let plots: Vec<_> = drives.map(|drive| plot(folder, &drive.name)).collect();
-            for (table, option) in forms.files() {
-                refuse_plot(table, option, &plots)?;
-            }
-        }
-        let ranges = {
-            let _shown = Busy::new("following the curve of each drive");
-            let drives = chosen.iter();
-            let ranges = drives.map(|drive| mechanism.range(*drive, interrupted));
-            ranges.collect::<Result<Vec<_>, _>>()?
-        };
-        table(mechanism, &ranges, forms)?;
-        let mut written: Vec<PathBuf> = forms.files().map(|(path, _)| path.clone()).collect();
-        if let Some(folder) = plots {
-            for range in &ranges {
-                let path = plot(folder, &range.name);
-                let chart = picture::chart(mechanism, range);
-                if let Some(svg) = chart.and_then(|chart| chart.svg()) {
-                    write_file(&path, &svg)?;
-                    written.push(path);
-                }
-            }
-        }
-        if forms.csv != Some(Target::Stdout) {
-            print(&report::text(mechanism, &ranges))?;
-        }
-        announce(&written);
-        Ok(())
     }
 }
 
@@ -147,9 +124,13 @@ fn no_start(mechanism: &Description, file: &str, failure: Failure) -> Failure {
     Failure::Solver(format!("{file}: {why}; {remedy}"))
 }
 
-fn table(mechanism: &Description, ranges: &[DriveRange], forms: &Forms) -> Result<(), Failure> {
+fn table(
+    mechanism: &Description,
+    ranges: &[DriveRange],
+    tables: &TableTargets,
+) -> Result<(), Failure> {
     let columns = columns(&mechanism.names, mechanism.unit);
-    let mut table = Table::create(forms, &Header::new(mechanism), columns)?;
+    let mut table = Table::create(tables, &Header::new(mechanism), columns)?;
     let mut stations = ranges.iter().flat_map(|range| &range.curve);
     stations.try_for_each(|station| table.add(station))?;
     table.finish()

@@ -9,14 +9,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::report_of_singular;
-use crate::option::whole_number;
-use crate::output::csv_file::{CsvFile, format_in_full};
+use crate::option_numbers::whole_number;
+use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
-use crate::output::heading::Heading;
-use crate::output::notes::noted;
+use crate::output::notes::{print_notes, with_notes_printed};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::prepare::{Loaded, load};
@@ -63,12 +62,10 @@ impl Arguments {
     /// See [`Failure`].
     pub fn run(&self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let csv = self.csv.clone().map(Target::from);
+        let tables = table_targets([&self.csv, &None, &None]);
         let loaded = load(&source)?;
-        if let Some(csv) = &csv {
-            csv.refuse_input("--csv")?;
-        }
-        let mechanism = &*noted(loaded.at_design()?);
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         if !mechanism.is_determined() {
             return Err(Failure::Solver(format!(
                 "{}: the design position is singular, where quantities have no derivatives; {}",
@@ -86,7 +83,7 @@ impl Arguments {
         let found = sensitivities(mechanism, &changes, interrupted, || progress.step());
         let found = found.ok_or_else(stopped)?;
         drop(progress);
-        let report = Report {
+        let mut report = Report {
             file: source.name(),
             mechanism,
             found: &found,
@@ -94,20 +91,15 @@ impl Arguments {
         };
         let known = report.check(&self.of);
         known.map_err(|message| Failure::input(source.name(), message))?;
-        let scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
+        report.scatter = self.scatter(mechanism, &found, &tolerances, interrupted);
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());
         }
-        let report = Report {
-            scatter: scatter.as_ref(),
-            ..report
-        };
-        if csv != Some(Target::Stdout) {
+        if tables.csv != Some(Target::Stdout) {
             print(&report.text(&self.of, self.largest))?;
         }
-        if let Some(target) = &csv {
-            write(&report, &found, target)?;
-        }
+        report.write(&tables)?;
+        announce(tables.files().map(|(path, _)| path));
         Ok(())
     }
 
@@ -124,9 +116,7 @@ impl Arguments {
                 "--samples and --seed need [tolerances] for the random changes; the file has none";
             return Err(Failure::input(file, message));
         }
-        if let Some(note) = loaded.doubtful_tolerance() {
-            tell(format_args!("note: {note}"));
-        }
+        print_notes(loaded.doubtful_tolerance());
         Ok(tolerances)
     }
 
@@ -151,31 +141,6 @@ impl Arguments {
             drawn,
         })
     }
-}
-
-fn write(report: &Report<'_>, found: &Sensitivities, target: &Target) -> Result<(), Failure> {
-    let columns = report.numbers().map(|number| number.csv_name);
-    let names = ["changed".to_owned()].into_iter().chain(columns);
-    let headings: Vec<Heading> = names.map(Heading::new).collect();
-    let mut table = CsvFile::create(target, &headings)?;
-    let mut row = |name: &str, numbers: Vec<f64>| {
-        let numbers: Vec<String> = numbers.into_iter().map(format_in_full).collect();
-        table.record([name].into_iter().chain(numbers.iter().map(String::as_str)))
-    };
-    for each in &found.each {
-        let numbers = report.numbers();
-        let numbers = numbers.map(|at| each.of[(at.column, at.number)] * at.in_file);
-        row(&each.change.name, numbers.collect())?;
-    }
-    let scatter = report.scatter.into_iter();
-    for (name, deviations) in scatter.flat_map(Scatter::rows) {
-        let numbers = report.numbers();
-        let numbers = numbers.map(|at| deviations[at.column][at.number] * at.in_file.abs());
-        row(name, numbers.collect())?;
-    }
-    table.finish()?;
-    announce(target.path());
-    Ok(())
 }
 
 const SAMPLES: usize = 1000;

@@ -1,9 +1,9 @@
 //! `suspension sheet`: the kinematics of a suspension on one page.
 
+mod by_quantity;
 mod curves;
 mod derivatives;
 mod far_apart;
-mod grouped;
 mod page;
 
 use std::path::PathBuf;
@@ -16,14 +16,13 @@ use crate::characteristics::{
     Along, Rise, Rises, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, ways,
 };
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::State;
-use crate::output::beside::in_out;
+use crate::output::default_path::target;
 use crate::output::drawing::{Drawing, Seen, drawing_of};
 use crate::output::files::announce;
-use crate::output::notes::{noted, noted_unmet_range, print_notes};
-use crate::output::target::Target;
+use crate::output::notes::{print_notes, print_notes_on, print_unmet_range, with_notes_printed};
 use crate::prepare::{Loaded, load};
 use page::Page;
 
@@ -56,16 +55,13 @@ impl Arguments {
     ///
     /// See [`Failure`]. If the mechanism locks, the curves end there, and the page is still written.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
-        let beside = || in_out(&self.file, "_sheet.html");
-        let out = Target::from(self.out.clone().unwrap_or_else(beside));
+        let out = target(self.out.as_deref(), &self.file, "_sheet.html");
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         out.refuse_input("--out")?;
-        let mechanism = noted(loaded.at_design()?);
+        let mechanism = with_notes_printed(loaded.at_design()?);
         let motion_ends = loaded.own_motion_ends(interrupted)?;
-        if let Some(why) = &motion_ends {
-            tell(format_args!("note: {why}"));
-        }
+        print_notes(&motion_ends);
         let (page, missing) = self.page(
             &*mechanism,
             &loaded,
@@ -93,9 +89,7 @@ impl Arguments {
         print_notes(check_spans(mechanism, name, spans, unit)?);
         let ways = ways(mechanism, spans, unit, interrupted);
         let shorter_roll = shorter_roll(mechanism, self.travel);
-        if let Some(note) = &shorter_roll {
-            tell(format_args!("note: {name}: {note}"));
-        }
+        print_notes_on(name, &shorter_roll);
         let missing = ways.iter().filter_map(|along| along.visited.failure(name));
         let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
@@ -114,7 +108,7 @@ impl Arguments {
             rises: Rises::compute(mechanism, &parameters),
             parameters,
         };
-        Ok((page.html(), noted_unmet_range(&ways, name)))
+        Ok((page.html(), print_unmet_range(&ways, name)))
     }
 }
 

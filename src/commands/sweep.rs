@@ -9,16 +9,15 @@ use crate::characteristics::GridTable;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::grid::{Swept, grid};
-use crate::kinematics::Kinematics;
-use crate::mechanism::{DerivativeOrder, Description};
-use crate::option::derivatives;
-use crate::output::beside::in_out;
+use crate::mechanism::DerivativeOrder;
+use crate::option_numbers::derivatives;
+use crate::output::default_path::target;
+use crate::output::destinations::table_targets;
 use crate::output::files::announce;
 use crate::output::heading::{Header, Heading};
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::output::progress::Progress;
-use crate::output::rows::{Forms, Rows};
-use crate::output::target::Target;
+use crate::output::rows::Rows;
 use crate::prepare::load;
 
 /// The arguments of `suspension sweep`.
@@ -66,31 +65,14 @@ impl Arguments {
     /// interrupt.
     pub fn run(self, interrupted: &AtomicBool) -> Result<(), Failure> {
         let source = Source::read(&self.file)?;
-        let beside = || in_out(&self.file, "_sweep.csv");
-        let json = self.json.clone().map(Target::from);
-        let csv = self.csv.clone();
-        let parquet = self.parquet.clone().map(Target::from);
-        let is_told = json.is_some() || parquet.is_some();
-        let csv = csv.or_else(|| (!is_told).then(beside));
-        let forms = Forms {
-            csv: csv.map(Target::from),
-            json,
-            parquet,
-        };
+        let mut tables = table_targets([&self.csv, &self.json, &self.parquet]);
+        if tables.is_empty() {
+            tables.csv = Some(target(None, &self.file, "_sweep.csv"));
+        }
         let loaded = load(&source)?;
-        forms.check()?;
-        let mechanism = &*noted(loaded.at_design()?);
-        self.sweep(mechanism, source.name(), &forms, interrupted)
-    }
-
-    fn sweep(
-        &self,
-        mechanism: &dyn Kinematics,
-        source: &str,
-        forms: &Forms,
-        interrupted: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let grid = grid(mechanism, source, &self.drives, self.absolute)?;
+        tables.check()?;
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
+        let grid = grid(mechanism, source.name(), &self.drives, self.absolute)?;
         let table = GridTable::new(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {
@@ -101,29 +83,19 @@ impl Arguments {
             progress.step();
             table.row(place)
         });
-        write(mechanism, &table, &visited.places, forms)?;
-        announce(forms.files().map(|(path, _)| path));
-        visited.failure(source).map_or(Ok(()), Err)
+        let headings: Vec<Heading> = table
+            .names(mechanism)
+            .into_iter()
+            .map(Heading::new)
+            .collect();
+        let mut rows = Rows::create(&tables, &Header::new(mechanism), &headings)?;
+        for row in visited.places.iter().flatten() {
+            rows.add(row)?;
+        }
+        rows.finish()?;
+        announce(tables.files().map(|(path, _)| path));
+        visited.failure(source.name()).map_or(Ok(()), Err)
     }
-}
-
-/// Writes the rows of all places that have a configuration.
-fn write(
-    mechanism: &Description,
-    table: &GridTable,
-    rows: &[Option<Vec<f64>>],
-    forms: &Forms,
-) -> Result<(), Failure> {
-    let headings: Vec<Heading> = table
-        .names(mechanism)
-        .into_iter()
-        .map(Heading::new)
-        .collect();
-    let mut file = Rows::create(forms, &Header::new(mechanism), &headings)?;
-    for row in rows.iter().flatten() {
-        file.add(row)?;
-    }
-    file.finish()
 }
 
 const NOTES: &str = "\

@@ -2,7 +2,7 @@
 
 mod carmaker;
 mod carsim;
-mod wheel;
+mod wheel_motion;
 
 use std::path::PathBuf;
 use std::slice;
@@ -15,12 +15,11 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Pair, report_of_singular};
-use crate::output::beside::in_out;
+use crate::output::default_path::target;
 use crate::output::files::announce;
-use crate::output::notes::{noted, noted_unmet_range, print_notes};
-use crate::output::target::Target;
+use crate::output::notes::{print_notes, print_unmet_range, with_notes_printed};
 use crate::prepare::load;
-use wheel::Wheel;
+use wheel_motion::WheelMotion;
 
 /// The arguments of `suspension tables`.
 #[derive(Args, Clone, Debug)]
@@ -68,16 +67,15 @@ impl Arguments {
         };
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let ending = of_wheel.collect::<String>() + ending;
-        let beside = || in_out(&self.file, &ending);
         if self.travel.is_some() && self.program == Program::Carmaker {
             let message = "--travel is for CarSim only; CarMaker's tables are derivatives at the design position";
             return Err(Failure::Input(message.to_owned()));
         }
-        let target = Target::from(self.out.clone().unwrap_or_else(beside));
+        let target = target(self.out.as_deref(), &self.file, &ending);
         let source = Source::read(&self.file)?;
         let loaded = load(&source)?;
         target.refuse_input("--out")?;
-        let mechanism = noted(loaded.at_design()?);
+        let mechanism = with_notes_printed(loaded.at_design()?);
         let (text, missing) = self.tables(&*mechanism, source.name(), interrupted)?;
         target.write(&text)?;
         announce(target.path());
@@ -111,7 +109,7 @@ impl Arguments {
                 report_of_singular(file)
             ))
         };
-        let of = |number: usize| Wheel::compute(mechanism, number, &travel);
+        let of = |number: usize| WheelMotion::compute(mechanism, number, &travel);
         let wheel = of(number).ok_or_else(locked)?;
         let text = match self.program {
             Program::Carsim => carsim::text(file, mechanism, &wheel),
@@ -124,7 +122,7 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => noted_unmet_range(slice::from_ref(&travel), file),
+            Program::Carsim => print_unmet_range(slice::from_ref(&travel), file),
             Program::Carmaker => None,
         };
         Ok((text, missing))

@@ -1,7 +1,7 @@
 //! `suspension tune`: hardpoints moved within boxes until curves are met.
 
 mod report;
-mod rewritten;
+mod rewritten_file;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -9,20 +9,20 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::file::{Dimension, MotionFile, Source, tell};
+use crate::file::{Dimension, MotionFile, Source};
 use crate::grid::doubt;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{CountedFrom, Description, GridAxis};
 use crate::number::number;
-use crate::output::beside::name_of;
+use crate::output::default_path::name_of;
 use crate::output::files::{announce, print, refuse_existing};
-use crate::output::notes::noted;
+use crate::output::notes::{print_notes, print_notes_on, with_notes_printed};
 use crate::output::progress::Progress;
 use crate::output::target::Target;
 use crate::prepare::{Loaded, load};
 use crate::tune::{self, MOST_STEPS, Move, Tuned, tune};
 use report::Report;
-use rewritten::rewritten;
+use rewritten_file::rewritten;
 
 /// The arguments of `suspension tune`.
 #[derive(Args, Clone, Debug)]
@@ -52,7 +52,7 @@ impl Arguments {
         let stated = MotionFile::parse(&source)?;
         refuse_rough_points(&source, &stated)?;
         let loaded = load(&source)?;
-        let mechanism = &*noted(loaded.at_design()?);
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         let (moves, targets) = loaded.tuning(mechanism)?;
         out.refuse_input("--out")?;
         if let Some(path) = out.path() {
@@ -73,9 +73,8 @@ impl Arguments {
         if out != Target::Stdout {
             print(&report.text())?;
         }
-        for note in [report.held(), report.idle()].into_iter().flatten() {
-            tell(format_args!("note: {}: {note}", source.name()));
-        }
+        let notes = [report.held(), report.idle()].into_iter().flatten();
+        print_notes_on(source.name(), notes);
         let text = rewritten(&source, &stated, &loaded, mechanism, &tuned);
         check(out.path().unwrap_or(&self.file), &text, (mechanism, &tuned))?;
         out.write(&text)?;
@@ -90,13 +89,9 @@ fn tell_doubts(
     (file, mechanism): (&str, &dyn Kinematics),
     (moves, targets): (&[Move], &[tune::Target]),
 ) {
-    let of_ranges = doubtful_ranges(mechanism, targets).into_iter();
-    loaded
-        .one_sided_moves(mechanism)
-        .into_iter()
-        .chain(loaded.doubtful_boxes(moves))
-        .chain(of_ranges.map(|note| format!("{file}: {note}")))
-        .for_each(|note| tell(format_args!("note: {note}")));
+    print_notes(loaded.one_sided_moves(mechanism));
+    print_notes(loaded.doubtful_boxes(moves));
+    print_notes_on(file, doubtful_ranges(mechanism, targets));
 }
 
 /// Returns why the result is not the one that the file asks for, if it is not.
@@ -173,7 +168,7 @@ fn check(at: &Path, text: &str, (mechanism, tuned): (&Description, &Tuned)) -> R
     let points = loaded.at_design()?.points();
     let is_near = |[a, b]: [&nalgebra::Vector3<f64>; 2]| {
         let size = 1.0 + a.amax().max(b.amax());
-        (a - b).amax() <= rewritten::ROUNDING * size
+        (a - b).amax() <= rewritten_file::ROUNDING * size
     };
     let mut pairs = points.iter().zip(&tuned.points);
     let off = pairs.position(|(a, b)| !is_near([a, b]));

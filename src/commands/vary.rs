@@ -13,9 +13,9 @@ use clap::Args;
 
 use crate::characteristics::{DesignNumber, Span, no_steering, refuse_unknown_numbers};
 use crate::failure::Failure;
-use crate::file::{Source, tell};
+use crate::file::Source;
 use crate::output::destinations::Destinations;
-use crate::output::notes::noted;
+use crate::output::notes::{print_notes_on, with_notes_printed};
 use crate::prepare::{describe_one_sided, load};
 use crate::quantities::is_first_in_curves;
 use report::Report;
@@ -81,7 +81,7 @@ impl Arguments {
         let file = source.name();
         let loaded = load(&source)?;
         let to = Destinations::new([&self.csv, &self.json, &self.html])?;
-        let mechanism = &*noted(loaded.at_design()?);
+        let mechanism = &*with_notes_printed(loaded.at_design()?);
         if self.steer.is_some() && mechanism.names.vehicle.steer.is_empty() {
             return Err(no_steering(file));
         }
@@ -105,7 +105,7 @@ impl Arguments {
         };
         to.write(
             || report(&printed).text(!self.of.is_empty()),
-            |forms| report(&written).write(forms),
+            |tables| report(&written).write(tables),
             || page::html(&report(&written), self.of.is_empty()),
         )?;
         study.failure(&varied).map_or(Ok(()), Err)
@@ -118,9 +118,7 @@ impl Arguments {
             self.values.doubt(varied.mechanism),
             varied.describe_elsewhere(values),
         ];
-        for note in notes.into_iter().flatten() {
-            tell(format_args!("note: {}: {note}", varied.file));
-        }
+        print_notes_on(varied.file, notes.into_iter().flatten());
     }
 
     /// Returns the numbers to print, and those to write and draw.

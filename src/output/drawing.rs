@@ -2,7 +2,7 @@
 //! bars, the wheels and their axes.
 
 mod axes;
-mod disc;
+mod first_instant;
 mod forces;
 mod hull;
 mod labels;
@@ -10,23 +10,24 @@ mod legend;
 mod marks;
 mod rack;
 mod shared_labels;
-mod start;
 #[cfg(test)]
 mod tests;
 mod view;
+mod wheel_rim;
 
 use nalgebra::Vector3;
 
+use crate::failure::Failure;
 use crate::mechanism::Axes;
 use crate::output::svg::{Area, Drawn, FINE, document};
-use disc::rim;
+pub use first_instant::drawing_of;
 pub use forces::{Acting, Forces, InLink};
 use labels::{Labels, Segment};
 use marks::CHASSIS;
 pub use rack::Rack;
-pub use start::drawing_of;
 pub use view::Seen;
 use view::View;
+use wheel_rim::rim;
 
 /// The contents of a drawing.
 #[derive(Clone, Debug, Default)]
@@ -73,7 +74,7 @@ pub struct Wheel {
 }
 
 /// Width and height in pixels.
-pub const SIZE: (u32, u32) = (900, 640);
+const SIZE: (u32, u32) = (900, 640);
 const MARGIN: f64 = 70.0;
 const FONT_SIZE: u32 = 14;
 
@@ -81,6 +82,16 @@ const FONT_SIZE: u32 = 14;
 const FAINT: f64 = 0.25;
 
 impl Drawing {
+    /// Returns the drawing of the mechanism of a file in the oblique view, as an SVG document.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Solver`] if there are no points.
+    pub fn whole(&self, file: &str) -> Result<String, Failure> {
+        let nothing = || Failure::Solver(format!("{file}: nothing to draw"));
+        self.svg(Seen::Oblique, SIZE).ok_or_else(nothing)
+    }
+
     /// Returns the drawing as an SVG document of the given width and height in pixels; `None` if there are no points.
     pub fn svg(&self, seen: Seen, shown: (u32, u32)) -> Option<String> {
         let view = View::fit(&self.outline(), self.axes, seen, shown, MARGIN)?;

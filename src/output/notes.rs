@@ -14,14 +14,20 @@ pub fn print_notes(notes: impl IntoIterator<Item = impl Display>) {
     }
 }
 
+/// Prints notes on a file, with its name.
+pub fn print_notes_on(file: &str, notes: impl IntoIterator<Item = impl Display>) {
+    let notes = notes.into_iter();
+    print_notes(notes.map(|note| format!("{file}: {note}")));
+}
+
 /// Prints the notes on the file of a mechanism, and returns the mechanism.
-pub fn noted<'a>(mechanism: Box<dyn Kinematics + 'a>) -> Box<dyn Kinematics + 'a> {
+pub fn with_notes_printed<'a>(mechanism: Box<dyn Kinematics + 'a>) -> Box<dyn Kinematics + 'a> {
     print_notes(&mechanism.notes);
     mechanism
 }
 
 /// Returns the failure of [`unmet_range`], and prints its notes.
-pub fn noted_unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
+pub fn print_unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
     let (notes, failure) = unmet_range(ways, file);
     print_notes(notes);
     failure

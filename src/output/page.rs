@@ -78,6 +78,13 @@ fn with_code(text: &str) -> String {
     set
 }
 
+/// Returns the sentences on curves that end early.
+pub fn cut_short(sentences: &[String]) -> Markup {
+    html! {
+        @for sentence in sentences { p { strong { "The curves are cut short: " } (sentence) } }
+    }
+}
+
 /// Returns charts beside and below each other.
 pub fn charts(charts: &[Chart]) -> Markup {
     html! {

@@ -1,15 +1,13 @@
 //! The progress on standard error of work that takes more than a second.
 
-use std::fmt::Display;
+pub mod search;
+
 use std::io::{IsTerminal, stderr};
-use std::sync::OnceLock;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-
-use crate::file::tell;
 
 /// Progress of longer work is shown.
 const LONG: Duration = Duration::from_secs(1);
@@ -70,56 +68,6 @@ fn bar(total: usize, units: &str) -> ProgressBar {
     styled(ProgressBar::new(total as u64), &template)
 }
 
-/// Shows how many things a search of unknown length has found, once it has taken a second and only on a terminal.
-#[derive(Debug)]
-pub struct Found {
-    began: Instant,
-    units: &'static str,
-    line: OnceLock<ProgressBar>,
-    visible: bool,
-}
-
-impl Found {
-    /// Starts the search for `units`.
-    pub fn new(units: &'static str) -> Self {
-        Self {
-            began: Instant::now(),
-            units,
-            line: OnceLock::new(),
-            visible: stderr().is_terminal(),
-        }
-    }
-
-    /// Shows the count.
-    pub fn show(&self, count: usize) {
-        if self.visible && self.began.elapsed() > LONG {
-            let line = self.line.get_or_init(|| counter(self.units));
-            line.set_position(count as u64);
-        }
-    }
-
-    /// Prints a note above the progress.
-    pub fn tell(&self, note: impl Display) {
-        match self.line.get() {
-            Some(line) => line.suspend(|| tell(note)),
-            None => tell(note),
-        }
-    }
-
-    /// Removes the progress before other output.
-    pub fn clear(&self) {
-        if let Some(line) = self.line.get() {
-            line.finish_and_clear();
-        }
-    }
-}
-
-impl Drop for Found {
-    fn drop(&mut self) {
-        self.clear();
-    }
-}
-
 /// Says what work of unknown length does, and for how long, once it has taken a second and only on a terminal.
 #[derive(Debug)]
 pub struct Busy {
@@ -162,10 +110,6 @@ fn show_until(ended: &Receiver<()>, work: &str) {
         line.tick();
     }
     line.finish_and_clear();
-}
-
-fn counter(units: &str) -> ProgressBar {
-    spinner(&format!("{{spinner}} {{pos}} {units} ({{elapsed}})"))
 }
 
 fn spinner(template: &str) -> ProgressBar {

@@ -11,12 +11,12 @@ use suspension_mechanism::number::unsigned_zero;
 const GATHERED: usize = 1 << 16;
 
 /// Formats a number with the digits needed to read back the same number; zero has no sign.
-pub fn format_in_full(value: f64) -> String {
+pub(crate) fn format_in_full(value: f64) -> String {
     zmij::Buffer::new().format(unsigned_zero(value)).to_owned()
 }
 
 /// A table of comma-separated values that is being written.
-pub struct CsvFile {
+pub(crate) struct CsvFile {
     sink: Sink,
     counts: Vec<bool>,
     /// Rows that are not written yet.
@@ -29,7 +29,7 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn create(target: &Target, headings: &[Heading]) -> Result<Self, Failure> {
+    pub(crate) fn create(target: &Target, headings: &[Heading]) -> Result<Self, Failure> {
         let mut table = Self {
             sink: Sink::create(target)?,
             counts: headings.iter().map(|heading| heading.counts).collect(),
@@ -65,7 +65,7 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn finish(mut self) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
         self.write(0)?;
         self.sink.finish()
     }
@@ -75,7 +75,10 @@ impl CsvFile {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn record<'a>(&mut self, fields: impl Iterator<Item = &'a str>) -> Result<(), Failure> {
+    pub(crate) fn record<'a>(
+        &mut self,
+        fields: impl Iterator<Item = &'a str>,
+    ) -> Result<(), Failure> {
         let mut writer = csv::Writer::from_writer(&mut self.text);
         let quoted = writer.write_record(fields);
         let quoted = quoted.and_then(|()| Ok(writer.flush()?));

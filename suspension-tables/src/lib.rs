@@ -4,7 +4,7 @@
 //! This crate is separate so that it is optimised while commands are not: writing [`rows`] takes much of the time of a
 //! sweep.
 
-pub mod csv_file;
+mod csv_file;
 pub mod files;
 pub mod heading;
 mod json_file;

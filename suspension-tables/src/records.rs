@@ -6,7 +6,7 @@ use crate::csv_file::{CsvFile, format_in_full};
 use crate::files::unless_reader_gone;
 use crate::heading::Heading;
 use crate::json_file::JsonFile;
-use crate::rows::Forms;
+use crate::rows::TableTargets;
 use crate::target::Target;
 use suspension_mechanism::failure::Failure;
 use suspension_mechanism::number::unsigned_zero;
@@ -34,22 +34,22 @@ impl Field {
     }
 }
 
-/// Writes records with these names of their fields; JSON has a header before them. A form whose reader has gone is left out.
+/// Writes records with these names of their fields; JSON has a header before them. A table whose reader has gone is left out.
 ///
 /// # Errors
 ///
 /// See [`Failure::writing`].
 pub fn write(
-    forms: &Forms,
+    tables: &TableTargets,
     header: &impl Serialize,
     names: &[&str],
     records: &[Vec<Field>],
 ) -> Result<(), Failure> {
     let headings: Vec<Heading> = names.iter().map(|name| Heading::new(*name)).collect();
-    if let Some(target) = &forms.csv {
+    if let Some(target) = &tables.csv {
         unless_reader_gone(write_csv(target, &headings, records))?;
     }
-    if let Some(target) = &forms.json {
+    if let Some(target) = &tables.json {
         unless_reader_gone(write_json(target, header, &headings, records))?;
     }
     Ok(())

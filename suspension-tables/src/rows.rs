@@ -13,7 +13,7 @@ use suspension_mechanism::number::unsigned_zero;
 
 /// The destinations of rows by format.
 #[derive(Clone, Debug, Default)]
-pub struct Forms {
+pub struct TableTargets {
     /// The destination of comma-separated values.
     pub csv: Option<Target>,
     /// The destination of JSON.
@@ -22,7 +22,7 @@ pub struct Forms {
     pub parquet: Option<Target>,
 }
 
-impl Forms {
+impl TableTargets {
     /// Returns whether there is no destination.
     pub fn is_empty(&self) -> bool {
         self.csv.is_none() && self.json.is_none() && self.parquet.is_none()
@@ -62,9 +62,9 @@ impl Forms {
             return Ok(());
         };
         another.refuse_input(option)?;
-        for (target, of_form) in self.targets() {
+        for (target, of_table) in self.targets() {
             if let Some(target) = target {
-                another.refuse_same(target, [option, of_form])?;
+                another.refuse_same(target, [option, of_table])?;
             }
         }
         Ok(())
@@ -105,8 +105,12 @@ impl Rows {
     /// # Errors
     ///
     /// See [`Failure::writing`].
-    pub fn create(forms: &Forms, header: &Header, headings: &[Heading]) -> Result<Self, Failure> {
-        let Forms { csv, json, parquet } = forms;
+    pub fn create(
+        tables: &TableTargets,
+        header: &Header,
+        headings: &[Heading],
+    ) -> Result<Self, Failure> {
+        let TableTargets { csv, json, parquet } = tables;
         let csv = csv.as_ref().map(|target| CsvFile::create(target, headings));
         let json = json.as_ref();
         let json = json.map(|target| JsonFile::create(target, header, headings));
@@ -120,11 +124,11 @@ impl Rows {
         })
     }
 
-    /// Adds a row; zeros have no sign. A form whose reader has gone is left out from then on.
+    /// Adds a row; zeros have no sign. A table whose reader has gone is left out from then on.
     ///
     /// # Errors
     ///
-    /// See [`Failure::writing`]; [`Failure::ReaderGone`] if no form is left.
+    /// See [`Failure::writing`]; [`Failure::ReaderGone`] if no table is left.
     pub fn add(&mut self, values: &[f64]) -> Result<(), Failure> {
         self.row.clear();
         self.row.extend(values.iter().copied().map(unsigned_zero));
@@ -153,14 +157,14 @@ impl Rows {
     }
 }
 
-/// Writes to a form. If its reader has gone, leaves it out and says so.
-fn has_gone<F>(
-    form: &mut Option<F>,
-    write: impl FnOnce(&mut F) -> Result<(), Failure>,
+/// Writes to a table. If its reader has gone, leaves it out and says so.
+fn has_gone<T>(
+    table: &mut Option<T>,
+    write: impl FnOnce(&mut T) -> Result<(), Failure>,
 ) -> Result<bool, Failure> {
-    match form.as_mut().map_or(Ok(()), write) {
+    match table.as_mut().map_or(Ok(()), write) {
         Err(Failure::ReaderGone) => {
-            *form = None;
+            *table = None;
             Ok(true)
         }
         written => written.map(|()| false),

@@ -1,12 +1,12 @@
 //! Assemblies as text and as rows of a table.
 
 use crate::assemblies::PartTally;
-use crate::commands::assemblies::listed::Listed;
+use crate::commands::assemblies::search::Listed;
 use crate::file::Dimension;
 use crate::kinematics::Assembly;
 use crate::mechanism::{Names, Unit};
 use crate::number::number;
-use crate::output::table::Column;
+use crate::output::file_table::Column;
 use crate::output::text_table::{TextColumn, laid_out};
 use crate::quantities::{self, CAMBER, CENTRE, DRIVES, MARKERS, POSITIONS, Quantity, TOE};
 
@@ -32,58 +32,46 @@ pub(super) fn columns(names: &Names, unit: Unit) -> Vec<Column<Assembly>> {
     columns
 }
 
-pub(super) struct Report {
-    unit: Unit,
-    /// The columns of the wheel.
-    wheel: Vec<quantities::Column>,
+/// Returns the table of assemblies, and a sentence on whether the list is complete.
+pub(super) fn text(names: &Names, unit: Unit, listed: &Listed) -> String {
+    let table = match listed.assemblies.as_slice() {
+        [] => "  no assembly: the mechanism cannot be put together there\n".to_owned(),
+        assemblies => laid_out(2, text_columns(names, unit, assemblies)),
+    };
+    let drives = &listed.drives_in_words;
+    format!("At {drives}:\n\n{table}\n{}", certainty(listed))
 }
 
-impl Report {
-    pub(super) fn new(names: &Names, unit: Unit) -> Self {
-        let wheel = quantities::columns([&CENTRE, &CAMBER], names);
-        Self { unit, wheel }
-    }
-
-    /// Returns the table of assemblies, and a sentence on whether the list is complete.
-    pub(super) fn text(&self, listed: &Listed) -> String {
-        let table = match listed.assemblies.as_slice() {
-            [] => "  no assembly: the mechanism cannot be put together there\n".to_owned(),
-            assemblies => laid_out(2, self.columns(assemblies)),
-        };
-        let drives = &listed.drives_in_words;
-        format!("At {drives}:\n\n{table}\n{}", certainty(listed))
-    }
-
-    fn columns(&self, assemblies: &[Assembly]) -> Vec<TextColumn> {
-        let (each, unit) = (|| assemblies.iter(), self.unit);
-        let length = |name: &str, value: fn(&Assembly) -> f64| {
-            let values = each().map(value);
-            TextColumn::values(values, Dimension::Length, unit)
-                .headed(format!("{name} ({})", unit.symbol()))
-        };
-        let wheel = self.wheel.iter().map(|column| {
-            let values = each().map(|assembly| column.value(&assembly.state));
-            let (_, symbol) = column.dimension.display_scale(unit);
-            let heading = format!("{} ({symbol})", column.heading());
-            TextColumn::values(values, column.dimension, unit).headed(heading)
-        });
-        let singular_values =
-            each().map(|assembly| format!("{:.1e}", assembly.smallest_singular_value));
-        let mirrored = each().map(|assembly| match assembly.mirrored.as_slice() {
-            [] => "        -".to_owned(),
-            points => format!("{:>9}", points.join(" ")),
-        });
-        let mut columns = vec![
-            TextColumn::right(each().map(|assembly| assembly.number)).headed(" assembly"),
-            length("distance", |assembly| assembly.distance),
-            length("farthest", |assembly| assembly.farthest),
-            TextColumn::right(singular_values).headed("smallest singular value"),
-        ];
-        columns.extend(wheel);
-        // A long list of names continues to the right of the heading.
-        columns.push(TextColumn::left(mirrored).headed(" mirrored"));
-        columns
-    }
+fn text_columns(names: &Names, unit: Unit, assemblies: &[Assembly]) -> Vec<TextColumn> {
+    let each = || assemblies.iter();
+    let length = |name: &str, value: fn(&Assembly) -> f64| {
+        let values = each().map(value);
+        TextColumn::values(values, Dimension::Length, unit)
+            .headed(format!("{name} ({})", unit.symbol()))
+    };
+    let wheel = quantities::columns([&CENTRE, &CAMBER], names).into_iter();
+    let wheel = wheel.map(|column| {
+        let values = each().map(|assembly| column.value(&assembly.state));
+        let (_, symbol) = column.dimension.display_scale(unit);
+        let heading = format!("{} ({symbol})", column.heading());
+        TextColumn::values(values, column.dimension, unit).headed(heading)
+    });
+    let singular_values =
+        each().map(|assembly| format!("{:.1e}", assembly.smallest_singular_value));
+    let mirrored = each().map(|assembly| match assembly.mirrored.as_slice() {
+        [] => "        -".to_owned(),
+        points => format!("{:>9}", points.join(" ")),
+    });
+    let mut columns = vec![
+        TextColumn::right(each().map(|assembly| assembly.number)).headed(" assembly"),
+        length("distance", |assembly| assembly.distance),
+        length("farthest", |assembly| assembly.farthest),
+        TextColumn::right(singular_values).headed("smallest singular value"),
+    ];
+    columns.extend(wheel);
+    // A long list of names continues to the right of the heading.
+    columns.push(TextColumn::left(mirrored).headed(" mirrored"));
+    columns
 }
 
 /// Says whether the list is complete, and why.

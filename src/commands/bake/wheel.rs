@@ -1,6 +1,6 @@
 //! The wheel whose motion is baked.
 
-use crate::commands::bake::request::Variables;
+use crate::commands::bake::baking::Variables;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Place, Wheel};
 
@@ -12,7 +12,7 @@ use crate::mechanism::{Place, Wheel};
 /// A sentence about a name that no wheel has.
 pub(super) fn chosen(
     mechanism: &dyn Kinematics,
-    along: &Variables,
+    variables: &Variables,
     wanted: Option<&str>,
 ) -> Result<usize, String> {
     let names = &mechanism.names;
@@ -20,7 +20,7 @@ pub(super) fn chosen(
         return names.chosen_wheel(wanted);
     }
     // The names of drives that do not exist are refused with their ranges.
-    let drives = along.drives().into_iter();
+    let drives = variables.drives().into_iter();
     let drives = drives.filter_map(|drive| names.chosen_drive(drive).ok());
     let drives: Vec<usize> = drives.collect();
     let travels = |drive: &usize| {

@@ -3,16 +3,16 @@
 use crate::characteristics::{Curves, Line, Parameter};
 use crate::commands::compare::curve_pair::CurvePair;
 use crate::commands::compare::differences::{
-    ALIKE, Difference, Part, both, pairs, same_ways, title_of_both,
+    ALIKE, Difference, Part, pair_by_title, pairs, same_ways, title_of_both,
 };
 use crate::commands::compare::notes::{legend, notes};
 use crate::commands::compare::report::Report;
 use crate::commands::compare::short_name::short_names;
-use crate::commands::compare::side::Side;
+use crate::commands::compare::suspension::Suspension;
 use crate::output::plot::{Chart, Curve};
 
 /// Compares the quantities and curves that both suspensions have.
-pub(super) fn compare(sides: [&Side; 2]) -> Report {
+pub(super) fn compare(sides: [&Suspension; 2]) -> Report {
     let design = |parameter: &Parameter, _: bool| Some((parameter.value, parameter.symbol.clone()));
     let mut parts = vec![Part {
         of: "design".to_owned(),
@@ -42,7 +42,7 @@ pub(super) fn compare(sides: [&Side; 2]) -> Report {
     }
 }
 
-fn drawn(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
+fn drawn(sides: [&Suspension; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
     let [name_a, name_b] = short_names(sides.map(|side| side.file.as_str()));
     let curve = |name: &str, curves: &Curves, line: &Line| Curve {
         name: name.to_owned(),
@@ -59,7 +59,7 @@ fn drawn(sides: [&Side; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
 }
 
 /// Compares the derivatives with respect to a drive of the first and the drive of the second with the same purpose.
-fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
+fn of_derivatives(sides: [&Suspension; 2], of_a: usize) -> Option<Part> {
     let ways = [of_a, sides[0].same_way(sides[1], of_a)?];
     let by_wheel = are_unlike_travels(sides, ways);
     let [a, b] = [0, 1].map(|number| {
@@ -86,7 +86,7 @@ fn of_derivatives(sides: [&Side; 2], of_a: usize) -> Option<Part> {
 const AT_DESIGN: &str = "At the design position";
 
 /// Names the movements with respect to which there are derivatives.
-fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2], by_wheel: bool) -> String {
+fn moved([a, b]: [&Suspension; 2], [of_a, of_b]: [usize; 2], by_wheel: bool) -> String {
     let [of_a, of_b] = [a.moved(of_a, b, by_wheel), b.moved(of_b, a, by_wheel)];
     if of_a == of_b {
         of_a
@@ -96,7 +96,7 @@ fn moved([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2], by_wheel: bool) -> String
 }
 
 /// Returns whether equal changes of two drives of travel move the same wheels unequally far.
-fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
+fn are_unlike_travels([a, b]: [&Suspension; 2], [of_a, of_b]: [usize; 2]) -> bool {
     let (Some(in_a), Some(in_b)) = (&a.rises, &b.rises) else {
         return false;
     };
@@ -115,7 +115,7 @@ fn are_unlike_travels([a, b]: [&Side; 2], [of_a, of_b]: [usize; 2]) -> bool {
 /// Returns the derivative of a parameter with respect to a drive, or to the height of its wheel with the other wheels held.
 /// A wheel or axle that is compared with one without a name takes its own drive of travel.
 fn derivative(
-    side: &Side,
+    side: &Suspension,
     (way, by_wheel): (usize, bool),
     parameter: &Parameter,
     is_alone: bool,
@@ -136,7 +136,7 @@ fn derivative(
 type Read<'a> = dyn Fn(&Parameter, bool) -> Option<(f64, String)> + 'a;
 
 /// Pairs the numbers of parameters of the same name and unit.
-fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
+fn of_parameters([a, b]: [&Suspension; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Difference> {
     let difference = |[a, b]: [&Parameter; 2]| {
         let is_alone = a.title.wheel != b.title.wheel;
         let ((value, symbol), (other, of_other)) = (of_a(a, is_alone)?, of_b(b, is_alone)?);
@@ -148,6 +148,6 @@ fn of_parameters([a, b]: [&Side; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<Differ
             rms: None,
         })
     };
-    let both = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
-    both.into_iter().filter_map(difference).collect()
+    let pairs = pair_by_title([&a.parameters, &b.parameters], |parameter| &parameter.title);
+    pairs.into_iter().filter_map(difference).collect()
 }

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use crate::characteristics::{Curves, Does, Line};
-use crate::commands::compare::by_wheel::{are_unlike, by_wheel};
 use crate::commands::compare::differences::{Difference, Part, Place, pairs, title_of_both};
+use crate::commands::compare::over_wheel_travel::{are_unlike, by_wheel};
 use crate::mechanism::Unit;
 
 /// The curves of both suspensions over the same kind of motion.

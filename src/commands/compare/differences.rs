@@ -1,7 +1,7 @@
 //! Quantities that both suspensions have, side by side.
 
 use crate::characteristics::{Curves, Line, Title};
-use crate::commands::compare::side::Side;
+use crate::commands::compare::suspension::Suspension;
 use crate::mechanism::ends;
 
 /// A number of both suspensions.
@@ -104,7 +104,7 @@ impl Part {
 }
 
 /// Pairs what both sides have, wheel by wheel. A wheel without a name is paired with every wheel of the other side.
-pub(super) fn both<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
+pub(super) fn pair_by_title<T>([a, b]: [&[T]; 2], title: fn(&T) -> &Title) -> Vec<[&T; 2]> {
     let pairs = a.iter().flat_map(|a| b.iter().map(move |b| [a, b]));
     pairs.filter(|pair| is_same(pair.map(title))).collect()
 }
@@ -125,18 +125,18 @@ pub(super) fn title_of_both([a, b]: [&Title; 2]) -> String {
 pub(super) const ALIKE: f64 = 0.1;
 
 /// Pairs curves by their titles, or else by the purpose of their drives.
-pub(super) fn same_ways<'a>([a, b]: [&'a Side; 2]) -> Vec<[&'a Curves; 2]> {
+pub(super) fn same_ways<'a>([a, b]: [&'a Suspension; 2]) -> Vec<[&'a Curves; 2]> {
     let pair = |curves: &'a Curves| Some([curves, counterpart(curves, a, b)?]);
     a.curves.iter().filter_map(pair).collect()
 }
 
 /// Returns the curves of a side that have no counterpart in the other.
-pub(super) fn unmatched<'a>(side: &'a Side, other: &Side) -> Vec<&'a Curves> {
+pub(super) fn unmatched<'a>(side: &'a Suspension, other: &Suspension) -> Vec<&'a Curves> {
     let is_alone = |curves: &&Curves| counterpart(curves, side, other).is_none();
     side.curves.iter().filter(is_alone).collect()
 }
 
-fn counterpart<'b>(curves: &Curves, own: &Side, other: &'b Side) -> Option<&'b Curves> {
+fn counterpart<'b>(curves: &Curves, own: &Suspension, other: &'b Suspension) -> Option<&'b Curves> {
     let does = curves.way.does;
     let theirs = || {
         other
@@ -155,7 +155,7 @@ fn counterpart<'b>(curves: &Curves, own: &Side, other: &'b Side) -> Option<&'b C
 
 /// Pairs the lines of the same name and unit, of which neither is cut near infinity.
 pub(super) fn pairs<'a>(a: &'a Curves, b: &'a Curves) -> Vec<[&'a Line; 2]> {
-    let mut pairs = both([&a.lines, &b.lines], |line| &line.title);
+    let mut pairs = pair_by_title([&a.lines, &b.lines], |line| &line.title);
     pairs.retain(|[a, b]| a.symbol == b.symbol && !a.is_cut && !b.is_cut);
     pairs
 }

@@ -3,13 +3,13 @@
 mod columns;
 mod course;
 mod heading;
-mod leads;
-mod places;
+mod measured_quantity;
+mod model_at_places;
+mod out_of_reach;
+mod position_columns;
 mod quantities;
-mod quantity;
-mod reach;
 mod rig_names;
-mod smooth;
+mod smoothing;
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -21,14 +21,14 @@ use crate::failure::Failure;
 use crate::file::Source;
 use crate::measured_table::MeasuredTable;
 use crate::number::counted;
-use crate::output::notes::noted;
+use crate::output::notes::with_notes_printed;
 use crate::prepare::Loaded;
-use columns::{Known, tell_doubts};
+use columns::{KnownColumn, tell_doubts};
 use course::{Course, followed};
-use leads::divide;
-use places::Places;
+use measured_quantity::MeasuredQuantity;
+use model_at_places::MovedModel;
+use position_columns::divide;
 use quantities::quantities;
-use quantity::Quantity;
 
 /// Returns whether a file is a table, by the end of its name.
 pub(super) fn is_table(path: &Path) -> bool {
@@ -47,25 +47,25 @@ pub(super) fn compare(
     absolute: bool,
     interrupted: &AtomicBool,
 ) -> Result<Report, Failure> {
-    let mechanism = &*noted(loaded.at_design()?);
+    let mechanism = &*with_notes_printed(loaded.at_design()?);
     let mut table = MeasuredTable::new(measured)?;
-    let known = Known::all(&mut table, mechanism, absolute)?;
+    let known = KnownColumn::all(&mut table, mechanism, absolute)?;
     let [leads, compared] = divide(&table, mechanism, known)?;
     check_content(&table, &leads, &compared)?;
     tell_doubts(&table, mechanism, &leads);
     let course = Course::new(&table, mechanism, &leads);
-    let places = Places {
+    let moved = MovedModel {
         file: model.name(),
         mechanism,
         leads: &leads,
         interrupted,
     };
-    let quantities = quantities(&table, &places, &course, compared)?;
+    let quantities = quantities(&table, &moved, &course, compared)?;
     let files = [model, measured].map(|file| file.name().to_owned());
     let names = short_names([&files[0], &files[1]]);
     let charts = quantities.iter();
     let charts = charts.map(|quantity| quantity.chart(&names, &course.label));
-    let unknown = quantities.iter().filter_map(Quantity::unknown);
+    let unknown = quantities.iter().filter_map(MeasuredQuantity::unknown);
     Ok(Report {
         title: "A suspension and measurements compared",
         legend: [
@@ -96,25 +96,26 @@ fn heading_of_charts(course: &Course) -> String {
 }
 
 /// Compares the numbers as they are measured, and without the offset of each quantity.
-fn parts(quantities: &[Quantity], across: &str) -> Vec<Part> {
-    let part = |of: &str, heading: &str, difference: fn(&Quantity) -> Option<Difference>| Part {
-        of: of.to_owned(),
-        heading: format!("{heading}, at a {across}"),
-        across: Some(across.to_owned()),
-        differences: quantities.iter().filter_map(difference).collect(),
-    };
+fn parts(quantities: &[MeasuredQuantity], across: &str) -> Vec<Part> {
+    let part =
+        |of: &str, heading: &str, difference: fn(&MeasuredQuantity) -> Option<Difference>| Part {
+            of: of.to_owned(),
+            heading: format!("{heading}, at a {across}"),
+            across: Some(across.to_owned()),
+            differences: quantities.iter().filter_map(difference).collect(),
+        };
     let at_design = "Offset: the smoothed difference (B is A with it) at the measured place nearest to the design position";
     vec![
         part(
             "as measured",
             "Largest difference as measured",
-            Quantity::largest,
+            MeasuredQuantity::largest,
         ),
-        part("offset", at_design, Quantity::offset),
+        part("offset", at_design, MeasuredQuantity::offset),
         part(
             "without offset",
             "Largest difference without offset",
-            Quantity::largest_without_offset,
+            MeasuredQuantity::largest_without_offset,
         ),
     ]
 }
@@ -122,8 +123,8 @@ fn parts(quantities: &[Quantity], across: &str) -> Vec<Part> {
 /// Refuses a table without lines, or without a quantity.
 fn check_content(
     table: &MeasuredTable,
-    leads: &[Known],
-    compared: &[Known],
+    leads: &[KnownColumn],
+    compared: &[KnownColumn],
 ) -> Result<(), Failure> {
     if table.lines() > 0 && !compared.is_empty() {
         return Ok(());

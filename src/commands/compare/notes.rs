@@ -1,16 +1,16 @@
 //! What is said above the tables of two suspensions.
 
 use crate::characteristics::{Curves, Parameter};
-use crate::commands::compare::by_wheel::{are_unlike, by_wheel, rises};
-use crate::commands::compare::differences::{both, is_same, same_ways, unmatched};
-use crate::commands::compare::side::Side;
+use crate::commands::compare::differences::{is_same, pair_by_title, same_ways, unmatched};
+use crate::commands::compare::over_wheel_travel::{are_unlike, by_wheel, rises};
+use crate::commands::compare::suspension::Suspension;
 use crate::file::Dimension;
 use crate::mechanism::Unit;
 use crate::output::page::in_digits;
 use crate::quantities::{Axis, CENTRE};
 
 /// Returns one line for each file, with its letter and name.
-pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
+pub(super) fn legend(sides: [&Suspension; 2]) -> [String; 2] {
     sides.map(|side| {
         let converted = side.converted.as_ref();
         let converted = converted.map_or_else(String::new, |how| format!(", converted {how}"));
@@ -19,7 +19,7 @@ pub(super) fn legend(sides: [&Side; 2]) -> [String; 2] {
 }
 
 /// Returns a sentence for everything that cannot be compared, or not at equal changes.
-pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
+pub(super) fn notes(sides: [&Suspension; 2]) -> Vec<String> {
     let unit = sides[0].unit;
     let unlike = same_ways(sides).into_iter();
     let unlike = unlike.filter_map(|both| unlike_drives(both, unit));
@@ -40,13 +40,13 @@ pub(super) fn notes(sides: [&Side; 2]) -> Vec<String> {
     let small_steer = curves.filter_map(Curves::without_small_steer).next();
     let shorter_roll = sides.into_iter().find_map(|side| side.shorter_roll.clone());
     let notes = notes.chain(small_steer).chain(shorter_roll);
-    let notes = notes.chain(alone(a, b, "A")).chain(alone(b, a, "B"));
+    let notes = notes.chain(only_in(a, b, "A")).chain(only_in(b, a, "B"));
     notes.collect()
 }
 
 /// Names the quantities that only `own` has, in a sentence in which `called` is its file; `None` if the other has all of
 /// them.
-fn alone(own: &Side, other: &Side, called: &str) -> Option<String> {
+fn only_in(own: &Suspension, other: &Suspension, called: &str) -> Option<String> {
     let has = |parameter: &Parameter| {
         let mut theirs = other.parameters.iter();
         theirs.any(|of_other| {
@@ -73,7 +73,7 @@ fn alone(own: &Side, other: &Side, called: &str) -> Option<String> {
 }
 
 /// Notes that only one of the suspensions has a wheel radius.
-fn no_radius([a, b]: [&Side; 2]) -> Option<String> {
+fn no_radius([a, b]: [&Suspension; 2]) -> Option<String> {
     let called = if a.lacks_radius { "A" } else { "B" };
     (a.lacks_radius != b.lacks_radius).then(|| {
         format!(
@@ -84,7 +84,7 @@ fn no_radius([a, b]: [&Side; 2]) -> Option<String> {
 }
 
 /// Notes that steering holds the wheels at their height in only one of the suspensions.
-fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
+fn unlike_steering([a, b]: [&Suspension; 2]) -> Option<String> {
     let (in_a, in_b) = (a.keeps_height_in_steering()?, b.keeps_height_in_steering()?);
     let [keeps, other] = if in_a { ["A", "B"] } else { ["B", "A"] };
     (in_a != in_b).then(|| {
@@ -96,7 +96,7 @@ fn unlike_steering([a, b]: [&Side; 2]) -> Option<String> {
 }
 
 /// Notes that the drives of steering have opposite signs.
-fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
+fn opposite_steering(sides: [&Suspension; 2]) -> Option<String> {
     let [(a, to_a), (b, to_b)] = [sides[0].steering()?, sides[1].steering()?];
     (to_a * to_b < 0.0 && opposite_sides_note(sides).is_none()).then(|| {
         format!(
@@ -106,8 +106,8 @@ fn opposite_steering(sides: [&Side; 2]) -> Option<String> {
 }
 
 /// Notes that a wheel on the left is compared with one on the right.
-fn opposite_sides_note([a, b]: [&Side; 2]) -> Option<String> {
-    let centres = both([&a.parameters, &b.parameters], |parameter| &parameter.title);
+fn opposite_sides_note([a, b]: [&Suspension; 2]) -> Option<String> {
+    let centres = pair_by_title([&a.parameters, &b.parameters], |parameter| &parameter.title);
     let across = centres.into_iter().filter(|[a, b]| {
         let is_across = |parameter: &Parameter| parameter.is(&CENTRE, Axis::Y);
         is_across(a) && is_across(b) && a.value * b.value < 0.0

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use crate::commands::compare::differences::{Difference, EVERYWHERE, Part};
 use crate::commands::compare::report::Report;
-use crate::output::page::{charts, numbers, page};
+use crate::output::page::{charts, cut_short, numbers, page};
 
 pub(super) fn html(report: &Report) -> String {
     let [a, b] = &report.legend;
@@ -12,9 +12,7 @@ pub(super) fn html(report: &Report) -> String {
         p { "A: " code { (a) } }
         p { "B: " code { (b) } }
         @for note in &report.notes { p { (note) } }
-        @for missing in &report.missing {
-            p { strong { "The curves are cut short: " } (missing) }
-        }
+        (cut_short(&report.missing))
         @for part in &report.parts {
             h2 { (part.heading) }
             (table(part))

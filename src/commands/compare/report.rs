@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::output::page::in_digits;
 use crate::output::plot::Chart;
 use crate::output::records::{self, Field};
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::output::text_table::{TextColumn, laid_out};
 
 /// What a comparison says, in whichever form.
@@ -51,7 +51,7 @@ impl Report {
     }
 
     /// Writes a record for each difference.
-    pub(super) fn write(&self, forms: &Forms) -> Result<(), Failure> {
+    pub(super) fn write(&self, tables: &TableTargets) -> Result<(), Failure> {
         const NAMES: [&str; 9] = [
             "of",
             "quantity",
@@ -83,7 +83,7 @@ impl Report {
         };
         let records: Vec<Vec<Field>> = self.parts.iter().flat_map(of_part).collect();
         let [a, b] = &self.files;
-        records::write(forms, &Header { a, b }, &NAMES, &records)
+        records::write(tables, &Header { a, b }, &NAMES, &records)
     }
 }
 

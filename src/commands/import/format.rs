@@ -1,8 +1,18 @@
 //! The format of a hardpoint file.
 
+mod adams_car;
+mod add_row;
+mod ambiguous_rows;
+mod fields;
+mod heading;
+mod lines;
+mod lotus;
+mod row;
+mod row_corner;
+mod table;
+
 use super::hardpoints::Hardpoints;
 use super::names::Names;
-use super::{shark, subsystem, table};
 use crate::failure::Failure;
 use crate::file::{Source, is_listing, is_motion};
 
@@ -25,10 +35,10 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
     if let Some((_, message)) = other.iter().find(|(is, _)| *is) {
         return Err(source.refuse(&(0..0), message));
     }
-    let stated = if shark::is_model(source) {
-        shark::read(source)?
-    } else if subsystem::is_subsystem(source.text()) {
-        subsystem::read(source, names)?
+    let stated = if lotus::is_model(source) {
+        lotus::read(source)?
+    } else if adams_car::is_subsystem(source.text()) {
+        adams_car::read(source, names)?
     } else {
         table::read(source, names)?
     };

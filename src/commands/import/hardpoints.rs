@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::heading::length;
+use super::length_units::length;
 use super::spelling::key_of;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::mechanism::{Axes, Length};
-use crate::side::{End, Section, Side, Sides, remedy};
+use crate::vehicle_corner::{End, Section, Side, Sides, remedy};
 
 /// A point of a file.
 #[derive(Clone, Debug)]
@@ -55,10 +55,6 @@ pub(super) struct Hardpoints<'a> {
     pub(super) ends: Vec<(End, Range<usize>)>,
     /// The end of the vehicle that `--end` names.
     pub(super) wanted: Option<End>,
-    /// The corners of the rows that are read next; a row may say more about itself.
-    pub(super) section: Section,
-    /// The corners of the groups of columns in which the row has coordinates; none if there are no groups.
-    pub(super) groups: Vec<Section>,
     /// The last heading that says nothing that import knows.
     pub(super) unread_heading: Option<Range<usize>>,
     /// Whether the file's angles are in radians.
@@ -78,17 +74,16 @@ impl<'a> Hardpoints<'a> {
             unit: None,
             ends: Vec::new(),
             wanted: None,
-            section: Section::default(),
-            groups: Vec::new(),
             unread_heading: None,
             radians: false,
             usual,
         }
     }
 
-    /// Adds a point, on both sides if it is mirrored. Skips centres of mass.
+    /// Adds a point of a section, on both sides if it is mirrored. Skips centres of mass.
     pub(super) fn add_point(
         &mut self,
+        section: Section,
         name: &str,
         sides: Sides,
         at: [f64; 3],
@@ -103,16 +98,15 @@ impl<'a> Hardpoints<'a> {
             (Sides::Unsaid, Sides::Mirrored) => {
                 vec![(Some(Side::Left), at), (Some(Side::Right), [x, 0.0 - y, z])]
             }
-            _ => vec![(self.side_of_row(prefixed, sides), at)],
+            _ => vec![(side_of_row(section, prefixed, sides), at)],
         };
-        let end = self.section.end;
         let name: String = name.chars().filter(|c| !c.is_control()).collect();
         self.points
             .extend(each.into_iter().map(|(side, at)| Hardpoint {
                 name: name.clone(),
                 key: key.clone(),
                 side,
-                end,
+                end: section.end,
                 at,
                 place: place.clone(),
             }));
@@ -139,9 +133,10 @@ impl<'a> Hardpoints<'a> {
         }
     }
 
-    /// Adds a number, which has a unit if it is a length whose unit its row states.
+    /// Adds a number of a section, which has a unit if it is a length whose unit its row states.
     pub(super) fn add_number(
         &mut self,
+        section: Section,
         name: &str,
         sides: Sides,
         (value, unit): (f64, Option<Length>),
@@ -151,20 +146,12 @@ impl<'a> Hardpoints<'a> {
         self.numbers.push(Number {
             name: name.to_owned(),
             key,
-            side: self.side_of_row(prefixed, sides),
-            end: self.section.end,
+            side: side_of_row(section, prefixed, sides),
+            end: section.end,
             value,
             unit,
             place,
         });
-    }
-
-    /// Returns the side of a row: of its name, or else of its fields, or else of the heading above it.
-    fn side_of_row(&self, prefixed: Sides, sides: Sides) -> Option<Side> {
-        match (prefixed, sides) {
-            (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
-            _ => self.section.side,
-        }
     }
 
     /// Refuses two values of one number on the same side.
@@ -225,10 +212,23 @@ impl<'a> Hardpoints<'a> {
         format!("point `{}` stands in {at} already; {remedy}", second.name)
     }
 
+    /// Returns the name of a point with its place.
+    pub(super) fn quoted(&self, point: &Hardpoint) -> String {
+        format!("`{}` ({})", point.name, self.line(&point.place))
+    }
+
     /// Returns `file:line` of a place.
     pub(super) fn line(&self, place: &Range<usize>) -> String {
         let place = self.source.place(place);
         let line = place.rsplit_once(':').map(|(line, _)| line.to_owned());
         line.unwrap_or(place)
+    }
+}
+
+/// Returns the side of a row: of its name, or else of its fields, or else of the heading above it.
+fn side_of_row(section: Section, prefixed: Sides, sides: Sides) -> Option<Side> {
+    match (prefixed, sides) {
+        (Sides::One(side), _) | (_, Sides::One(side)) => Some(side),
+        _ => section.side,
     }
 }

@@ -1,5 +1,7 @@
 //! The names that hardpoint files use for points and numbers: `names.toml`.
 
+mod words;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
@@ -7,9 +9,9 @@ use suspension_listing::did_you_mean::nearest;
 
 use super::layout::Layout;
 use super::spelling::is_on_ground;
-use super::words::Words;
 use crate::failure::Failure;
-use crate::side::{Section, Side};
+use crate::vehicle_corner::{Section, Side};
+use words::Words;
 
 /// The contents of `names.toml`.
 #[derive(Debug, Deserialize)]

@@ -1,12 +1,10 @@
 //! The axes of a file, deduced from the order of its points.
 
-use suspension_core::listing::{Kind, Parts};
-
-use super::choice::Choice;
+use super::layout_choice::Choice;
 use super::names::Arrangement;
 use crate::mechanism::Axes;
 use crate::number::number;
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The direction of one axis, as a pair of points shows it.
 struct Clue {
@@ -111,15 +109,9 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
              x (along), y (across), z (up or down), or correct that point"
         ))
     };
-    let chassis = choice.listing.count(Kind::ChassisPoint);
-    let is_pick_up = |name: &str| {
-        choice
-            .listing
-            .point(name)
-            .is_some_and(|point| point < chassis)
-    };
-    let pick_ups = choice.found.iter().filter(|(name, _)| is_pick_up(name));
-    let outboard = pick_ups
+    let chassis = choice.found.iter();
+    let outboard = chassis
+        .filter(|(name, _)| choice.is_on_chassis(name))
         .map(|(_, point)| *point)
         .find(|point| point.at[1].abs() >= centre.at[1].abs());
     if let Some(point) = outboard {
@@ -129,23 +121,19 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
             "is {y} at `{name}` on the chassis, but {at} at `{of}`"
         ));
     }
-    match choice.point("axle") {
-        Some(axle) => {
-            let [x, y, z] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
-            let (name, of) = (&axle.name, &centre.name);
-            let camber = z.atan2(y).to_degrees();
-            if x <= y && camber > MOST_CAMBER {
-                return Err(format!(
-                    "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
-                     no point of the spin axis, give it a name that import does not know"
-                ));
-            }
-            if x <= y {
-                return Ok(());
-            }
-            is_swapped(format!("from `{name}` to `{of}` it changes less than x"))
-        }
-        None => Ok(()),
+    let Some(axle) = choice.point("axle") else {
+        return Ok(());
+    };
+    let [x, y, z] = [0, 1, 2].map(|axis| (axle.at[axis] - centre.at[axis]).abs());
+    let (name, of) = (&axle.name, &centre.name);
+    let camber = z.atan2(y).to_degrees();
+    match x <= y {
+        false => is_swapped(format!("from `{name}` to `{of}` it changes less than x")),
+        true if camber > MOST_CAMBER => Err(format!(
+            "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
+             no point of the spin axis, give it a name that import does not know"
+        )),
+        true => Ok(()),
     }
 }
 
@@ -190,13 +178,9 @@ fn clue_from_side(choice: &Choice<'_>) -> Option<Clue> {
         None => (choice.point("left_wheel_centre")?, Side::Left),
     };
     let y = point.at[1];
-    let outboard = match side {
-        Side::Left => 1.0,
-        Side::Right => -1.0,
-    };
     (y != 0.0).then(|| Clue {
         axis: 1,
-        sign: outboard * y.signum(),
+        sign: side.sign() * y.signum(),
         why: format!("y is {y} at `{}` on the {}", point.name, side.name()),
     })
 }

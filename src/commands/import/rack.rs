@@ -1,7 +1,7 @@
 //! The rack of a layout: whether it steers, and the statements of the layout without a rack of its own.
 
 use super::hardpoints::{Hardpoint, Hardpoints};
-use crate::side::End;
+use crate::vehicle_corner::End;
 
 /// The point of a layout at the inner end of its tie rod.
 pub(super) const RACK: &str = "rack";

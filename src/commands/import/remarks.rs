@@ -2,20 +2,17 @@
 
 use std::ops::RangeInclusive;
 
-use suspension_core::listing::{Kind, Parts};
-
-use super::choice::Choice;
 use super::hardpoints::Hardpoint;
-use super::imported::Imported;
+use super::imported_corner::ImportedCorner;
 use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
 use super::rack::RACK;
-use crate::layouts::first_sentence;
+use crate::listing_description::first_sentence;
 use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
 use crate::prepare::only_on_wrong_side;
 
-impl Imported<'_> {
+impl ImportedCorner<'_> {
     /// Returns the unit of lengths and the reason for it.
     pub(super) fn unit(&self) -> (Length, String) {
         match (self.unit, self.stated.unit) {
@@ -88,11 +85,7 @@ impl Imported<'_> {
         remarks.extend(self.toe_link());
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
-        let is_used = |point: &&&Hardpoint| {
-            let mut found = choice.found.iter();
-            found.any(|(_, used)| std::ptr::eq(*used, **point))
-        };
-        let unused = self.points.iter().filter(|point| !is_used(point));
+        let unused = self.points.iter().filter(|point| !choice.uses(point));
         let mut unused = unused.peekable();
         if unused.peek().is_some() {
             let told = unused.by_ref().take(MOST_NAMES);
@@ -176,19 +169,17 @@ impl Imported<'_> {
 
     /// Notes a free point of a corner that is on the other side of the vehicle than its wheel.
     fn point_across(&self) -> Option<String> {
-        let Choice { listing, found, .. } = &self.choice;
-        let chassis = listing.count(Kind::ChassisPoint);
-        let is_pick_up = |name: &str| listing.point(name).is_some_and(|point| point < chassis);
+        let choice = &self.choice;
         let y = self.corner.at.iter().map(|[_, y, _]| *y);
-        let points = found.iter().zip(y);
+        let points = choice.found.iter().zip(y);
         let (_, centre) = points
             .clone()
             .find(|((name, _), _)| name == "wheel_centre")?;
-        let points = points.map(|(point, y)| (point, y, is_pick_up(&point.0)));
+        let points = points.map(|(point, y)| (point, y, choice.is_on_chassis(&point.0)));
         let (_, point) = only_on_wrong_side(points, centre)?;
-        let (name, line) = (&point.name, self.stated.line(&point.place));
+        let point = self.stated.quoted(point);
         Some(format!(
-            "`{name}` ({line}) is on the other side of the vehicle than the wheel centre: is the sign of its y right?"
+            "{point} is on the other side of the vehicle than the wheel centre: is the sign of its y right?"
         ))
     }
 }

@@ -1,6 +1,6 @@
 //! Names as they are compared: in one spelling, without corners and prefixes.
 
-use crate::side::{Side, Sides, corner_of};
+use crate::vehicle_corner::{Side, Sides, corner_of};
 
 /// Returns a name in lower-case letters with `_` between words.
 pub(super) fn spelled(name: &str) -> String {

@@ -2,7 +2,7 @@
 
 use super::hardpoints::{Hardpoints, Number};
 use super::names::Names;
-use crate::side::Side;
+use crate::vehicle_corner::Side;
 
 /// The distance of an added point of the spin axis from the wheel centre, m.
 const INBOARD: f64 = 0.1;
@@ -106,10 +106,6 @@ impl Spin {
         };
         let (toe_sin, toe_cos) = radians(toe).sin_cos();
         let (camber_sin, camber_cos) = radians(camber).sin_cos();
-        let outboard = match side {
-            Side::Left => 1.0,
-            Side::Right => -1.0,
-        };
         let said = [("toe", toe), ("camber", camber)].map(|(what, number)| match number {
             Some(Number { value, place, .. }) => {
                 format!("{what} {value} {} ({})", angle(stated), stated.line(place))
@@ -119,7 +115,7 @@ impl Spin {
         Self {
             direction: [
                 camber_cos * toe_sin,
-                outboard * camber_cos * toe_cos,
+                side.sign() * camber_cos * toe_cos,
                 -camber_sin,
             ],
             why: said.join(", "),

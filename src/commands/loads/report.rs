@@ -1,10 +1,10 @@
 //! The report of a load case as text.
 
-use crate::commands::loads::found::{Extreme, Found};
-use crate::commands::loads::leading::Leading;
-use crate::commands::loads::line::{Line, shown, table};
+use crate::commands::loads::case_results::{CaseResults, Extreme};
+use crate::commands::loads::parts::{Load, Part, parts};
+use crate::commands::loads::place_columns::PlaceColumns;
+use crate::commands::loads::report_lines::{Line, shown, table};
 use crate::commands::loads::unloaded::Unloaded;
-use crate::file::Dimension;
 use crate::loads::{Case, Structure};
 use crate::mechanism::{Description, Drive, Measure, Names};
 
@@ -14,12 +14,12 @@ pub(super) struct Report<'a> {
     pub(super) structure: &'a Structure<'a>,
     /// The chassis points that drives move.
     pub(super) driven: Vec<usize>,
-    pub(super) leading: &'a Leading,
+    pub(super) leading: &'a PlaceColumns,
 }
 
 impl Report<'_> {
     /// Returns the report of a case over all places that have an answer.
-    pub(super) fn text(&self, found: &Found<'_>) -> String {
+    pub(super) fn text(&self, found: &CaseResults<'_>) -> String {
         let [drives, measures, links, joints, moments, on_chassis] = self.lines(found);
         let mut unloaded = Unloaded::new(found);
         let inside = [links, joints, moments].map(|lines| unloaded.remove_from(lines));
@@ -50,47 +50,32 @@ impl Report<'_> {
         self.heading(found) + &tables.concat() + &notes.concat()
     }
 
-    /// Returns the lines of drives, measures, links, joints, moments about angles, and forces on chassis points: in the
-    /// order of [`Found::ranges`].
-    fn lines(&self, found: &Found<'_>) -> [Vec<Line>; 6] {
-        let (first, structure) = (&found.first, self.structure);
-        let names = &self.mechanism.names;
-        let mut ranges = found.ranges.iter();
-        let mut line = |name: &str, unit| self.line(name, unit, ranges.next(), found);
-        let drives = names.drives.iter().enumerate().map(|(number, drive)| {
-            let name = drive_with_bearer(names, found.case, number);
-            line(&name, unit_of(drive.kind))
-        });
-        let drives = drives.collect();
-        let measures = first.in_measures.iter().map(|(measure, _)| {
-            let unit = unit_of(names.measures[*measure].kind);
-            line(&measure_with_loads(names, found.case, *measure), unit)
-        });
-        let measures = measures.collect();
-        let links = first.links.iter();
-        let links = links.map(|(statement, _)| line(structure.statements[*statement].name, "N"));
-        let links = links.collect();
-        let joints = first.joints.iter().map(|(by, point, force)| {
-            let by = structure.name_of(*by, names);
-            let name = format!("{by} at {}", names.points[*point]);
-            line(&name, "N").with_vector(force, found)
-        });
-        let joints = joints.collect();
-        let moments = first.moments.iter().map(|(by, part, moment)| {
-            let by = structure.name_of(*by, names);
-            let name = format!("{by} on {}", structure.statements[*part].name);
-            line(&name, "N m").with_vector(moment, found)
-        });
-        let moments = moments.collect();
-        let on_chassis = first.on_chassis.iter();
-        let on_chassis = on_chassis
-            .map(|(point, force)| line(&self.on_chassis(*point), "N").with_vector(force, found));
-        let on_chassis = on_chassis.collect();
-        [drives, measures, links, joints, moments, on_chassis]
+    /// Returns the lines of drives, measures, links, joints, moments about angles, and forces on chassis points.
+    fn lines(&self, found: &CaseResults<'_>) -> [Vec<Line>; 6] {
+        let (structure, names) = (self.structure, &self.mechanism.names);
+        let mut lines = [const { Vec::new() }; 6];
+        for ((part, load), range) in parts(&found.first).zip(&found.ranges) {
+            let (table, name) = match part {
+                Part::Drive(drive) => (0, drive_with_bearer(names, found.case, drive)),
+                Part::Measure(measure) => (1, measure_with_loads(names, found.case, measure)),
+                Part::Link(link) => (2, structure.statements[link].name.to_owned()),
+                Part::Joint(by, at) => {
+                    let by = structure.name_of(by, names);
+                    (3, format!("{by} at {}", names.points[at]))
+                }
+                Part::Moment(by, on) => {
+                    let by = structure.name_of(by, names);
+                    (4, format!("{by} on {}", structure.statements[on].name))
+                }
+                Part::ChassisPoint(point) => (5, self.on_chassis(point)),
+            };
+            lines[table].push(self.line((name, part.unit(names)), load, range, found));
+        }
+        lines
     }
 
     /// Returns the name of the case, its place or the number of places, and what the places have in common.
-    fn heading(&self, found: &Found<'_>) -> String {
+    fn heading(&self, found: &CaseResults<'_>) -> String {
         let common = self
             .leading
             .in_words(&found.place, |number| !found.varies[number]);
@@ -104,33 +89,38 @@ impl Report<'_> {
         format!("{file}: load case {case}{places}; axes of {axes}\n\n")
     }
 
-    /// Returns the line of a part: the number at one place, or the least and the greatest of several with their places if
-    /// they differ.
+    /// Returns the line of a part: at one place the load, one in space with its components; or the least and the greatest of
+    /// several, with their places if they differ.
     fn line(
         &self,
-        name: &str,
-        unit: &'static str,
-        range: Option<&[Extreme; 2]>,
-        found: &Found<'_>,
+        (name, unit): (String, &'static str),
+        load: Load<'_>,
+        range: &[Extreme; 2],
+        found: &CaseResults<'_>,
     ) -> Line {
-        let extremes = range.map_or(&[][..], |range| &range[..found.places.min(2)]);
-        let numbers = extremes.iter().map(|extreme| extreme.value);
+        let numbers = match found.places {
+            1 => load
+                .numbers()
+                .into_iter()
+                .map(|(_, number)| number)
+                .collect(),
+            _ => range.iter().map(|extreme| extreme.value).collect(),
+        };
         let is_the_same =
             |[least, greatest]: &[Extreme; 2]| shown(least.value) == shown(greatest.value);
-        let places = match range {
-            Some(range) if !is_the_same(range) => self.places(range, found),
-            _ => Default::default(),
-        };
         Line {
-            name: name.to_owned(),
-            numbers: numbers.collect(),
+            name,
+            numbers,
             unit,
-            places,
-            largest: range.map_or(0.0, Extreme::largest),
+            places: match is_the_same(range) {
+                true => Default::default(),
+                false => self.places(range, found),
+            },
+            largest: Extreme::largest(range),
         }
     }
 
-    fn places(&self, range: &[Extreme; 2], found: &Found<'_>) -> [String; 2] {
+    fn places(&self, range: &[Extreme; 2], found: &CaseResults<'_>) -> [String; 2] {
         range.each_ref().map(|extreme| {
             self.leading
                 .in_words(&extreme.place, |number| found.varies[number])
@@ -148,7 +138,7 @@ impl Report<'_> {
     }
 
     /// Returns a note if internal forces are so large that a lock must be near.
-    fn lock_note(&self, found: &Found<'_>) -> String {
+    fn lock_note(&self, found: &CaseResults<'_>) -> String {
         /// Arms and rockers alone make forces several times as large as the load.
         const MANY: f64 = 100.0;
         let Extreme { value: most, place } = &found.amplification;
@@ -187,20 +177,12 @@ fn measure_with_loads(names: &Names, case: &Case, measure: usize) -> String {
         _ => Some(format!("springs {}", springs.join(" and "))),
     };
     let Measure { name, .. } = &names.measures[measure];
-    let unit = unit_of(names.measures[measure].kind);
+    let unit = Part::Measure(measure).unit(names);
     let stated = case.along.iter().filter(|(along, _)| *along == measure);
     let stated = stated.map(|(_, along)| format!("the stated {} {unit}", shown(*along)));
     let acting: Vec<String> = springs.into_iter().chain(stated).collect();
     match acting.as_slice() {
         [] => name.clone(),
         acting => format!("{name} ({})", acting.join(" and ")),
-    }
-}
-
-/// Returns the unit of a load along a drive or in a measure.
-pub(super) fn unit_of(kind: impl Into<Dimension>) -> &'static str {
-    match kind.into() {
-        Dimension::Angle => "N m",
-        _ => "N",
     }
 }

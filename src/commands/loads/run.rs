@@ -1,18 +1,16 @@
 //! Computes the cases at all places, writes rows and collects the figures of the report.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_runtime::Listing;
 
+use crate::commands::loads::case_results::{CaseResults, without_answer};
 use crate::commands::loads::drawing::drawing;
-use crate::commands::loads::found::{Found, without_answer};
-use crate::commands::loads::leading::Leading;
-use crate::commands::loads::note::{shared_along_lines, springs_bear_nothing};
+use crate::commands::loads::notes::notes;
+use crate::commands::loads::place_columns::PlaceColumns;
 use crate::commands::loads::report::Report;
-use crate::commands::loads::springs_left_out::{springs_left_out, springs_without_load};
 use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
@@ -20,11 +18,12 @@ use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{DerivativeOrder, Place, State};
-use crate::output::drawing::{SIZE, Seen};
-use crate::output::files::{announce, print, write_file};
+use crate::output::files::{announce, print};
 use crate::output::heading::Header;
+use crate::output::notes::print_notes_on;
 use crate::output::progress::Progress;
-use crate::output::rows::{Forms, Rows};
+use crate::output::rows::{Rows, TableTargets};
+use crate::output::svg_folder::SvgFolder;
 use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
@@ -35,8 +34,8 @@ pub(super) struct Run<'a> {
     pub(super) listing: &'a Listing,
     pub(super) structure: &'a Structure<'a>,
     pub(super) cases: &'a [Case],
-    /// The folder of drawings, and the beginning of their names.
-    pub(super) drawings: Option<(&'a Path, String)>,
+    /// The folder of drawings.
+    pub(super) drawings: Option<SvgFolder<'a>>,
 }
 
 impl<'a> Run<'a> {
@@ -44,12 +43,12 @@ impl<'a> Run<'a> {
     pub(super) fn run_grid(
         &self,
         (drives, absolute): (&[Swept], bool),
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let grid = grid(self.mechanism, self.source, drives, absolute)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
-        let leading = Leading::new(self.mechanism, &[&DRIVES]);
+        let leading = PlaceColumns::new(self.mechanism, &[&DRIVES]);
         let mut found = self.none_found();
         let mut read = |place: &dyn Place| {
             progress.step();
@@ -66,7 +65,7 @@ impl<'a> Run<'a> {
             .visit(&grid, DerivativeOrder::First, interrupted, &mut read);
         let failure = visited.failure(self.source);
         let is_any = visited.places.iter().any(Option::is_some);
-        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut rows = self.rows(tables, &leading, &found)?;
         let mut first = None;
         for (at, outcomes, drawn) in visited.places.into_iter().flatten() {
             if let Some(rows) = &mut rows {
@@ -74,18 +73,18 @@ impl<'a> Run<'a> {
             }
             first = first.or_else(|| Some((drawn?, outcomes)));
         }
-        self.finish((forms, &leading), rows, first, &found)?;
+        self.finish((tables, &leading), rows, first, &found)?;
         self.ended(failure, &found, is_any)
     }
 
     /// Computes the loads at each instant of the motion.
     pub(super) fn run_motion(
         &self,
-        forms: &Forms,
+        tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
         let instants = &self.mechanism.instants;
-        let leading = Leading::new(self.mechanism, &[&TIME, &DRIVES]);
+        let leading = PlaceColumns::new(self.mechanism, &[&TIME, &DRIVES]);
         let mut found = self.none_found();
         let is_over = || interrupted.load(Ordering::Relaxed);
         let go_on = |is_over| match is_over {
@@ -105,7 +104,7 @@ impl<'a> Run<'a> {
             let message = format!("{}: interrupted; nothing was written", self.source);
             return Err(Failure::Interrupted(message));
         }
-        let mut rows = self.rows(forms, &leading, &found)?;
+        let mut rows = self.rows(tables, &leading, &found)?;
         let mut first = None;
         let mut progress = Progress::new(instants.count(), "instants");
         let end = self.mechanism.move_through(instants, &mut |state| {
@@ -123,12 +122,12 @@ impl<'a> Run<'a> {
             Some(_) => "the rows up to there were written",
             None => "nothing was written",
         };
-        self.finish((forms, &leading), rows, first, &found)?;
+        self.finish((tables, &leading), rows, first, &found)?;
         let failure = end.failure(self.source, done);
         self.ended(failure, &found, is_any)
     }
 
-    fn none_found(&self) -> Vec<Option<Found<'a>>> {
+    fn none_found(&self) -> Vec<Option<CaseResults<'a>>> {
         self.cases.iter().map(|_| None).collect()
     }
 
@@ -141,7 +140,7 @@ impl<'a> Run<'a> {
     /// Starts the results of cases at their first answer.
     fn start(
         &self,
-        found: &mut [Option<Found<'a>>],
+        found: &mut [Option<CaseResults<'a>>],
         outcomes: &[Option<Outcome>],
         (state, at): (&State, &Rc<[f64]>),
     ) {
@@ -149,7 +148,7 @@ impl<'a> Run<'a> {
             if let (None, Some(outcome)) = (&found, outcome) {
                 let first = (state, outcome);
                 let unborne = self.structure.unborne(self.mechanism, case, first);
-                *found = Some(Found::new((case, unborne), outcome.clone(), at));
+                *found = Some(CaseResults::new((case, unborne), outcome.clone(), at));
             }
         }
     }
@@ -157,49 +156,40 @@ impl<'a> Run<'a> {
     /// Creates the table if the user wants one and a case has an answer.
     fn rows(
         &self,
-        forms: &Forms,
-        leading: &Leading,
-        found: &[Option<Found<'_>>],
+        tables: &TableTargets,
+        leading: &PlaceColumns,
+        found: &[Option<CaseResults<'_>>],
     ) -> Result<Option<Rows>, Failure> {
-        if forms.is_empty() || found.iter().all(Option::is_none) {
+        if tables.is_empty() || found.iter().all(Option::is_none) {
             return Ok(None);
         }
         let headings = headings(self.mechanism, self.structure, leading, found);
-        Rows::create(forms, &Header::new(self.mechanism), &headings).map(Some)
+        Rows::create(tables, &Header::new(self.mechanism), &headings).map(Some)
     }
 
     /// Ends the table, draws the cases at the `first` place, and prints the reports.
     fn finish(
         &self,
-        (forms, leading): (&Forms, &Leading),
+        (tables, leading): (&TableTargets, &PlaceColumns),
         rows: Option<Rows>,
         first: Option<(State, Vec<Option<Outcome>>)>,
-        found: &[Option<Found<'_>>],
+        found: &[Option<CaseResults<'_>>],
     ) -> Result<(), Failure> {
         if let Some(rows) = rows {
             rows.finish()?;
-            announce(forms.files().map(|(path, _)| path));
+            announce(tables.files().map(|(path, _)| path));
         }
-        if let (Some((folder, stem)), Some((state, outcomes))) = (&self.drawings, &first) {
+        if let (Some(folder), Some((state, outcomes))) = (&self.drawings, &first) {
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
                 let case = found.as_ref()?.case;
-                let path = folder.join(format!("{stem}_{}.svg", case.name));
-                Some(self.draw(path, case, (state, outcome.as_ref())))
+                let svg = self.drawing(case, (state, outcome.as_ref()));
+                Some(svg.and_then(|svg| folder.write(&case.name, &svg)))
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
-        let names = &self.mechanism.names;
-        springs_bear_nothing(self.source, names, found)
-            .into_iter()
-            .chain(springs_left_out(self.source, names, found))
-            .chain(springs_without_load(self.source, names, found))
-            .chain(shared_along_lines(
-                self.source,
-                (names, self.structure),
-                found,
-            ))
-            .for_each(tell);
-        if [&forms.csv, &forms.json].contains(&&Some(Target::Stdout)) {
+        let notes = notes(&self.mechanism.names, self.structure, found);
+        print_notes_on(self.source, notes);
+        if [&tables.csv, &tables.json].contains(&&Some(Target::Stdout)) {
             return Ok(());
         }
         let report = Report {
@@ -213,17 +203,9 @@ impl<'a> Run<'a> {
         found.try_for_each(|found| print(&report.text(found)))
     }
 
-    fn draw(
-        &self,
-        path: PathBuf,
-        case: &Case,
-        at: (&State, Option<&Outcome>),
-    ) -> Result<PathBuf, Failure> {
+    fn drawing(&self, case: &Case, at: (&State, Option<&Outcome>)) -> Result<String, Failure> {
         let whole = (self.mechanism, self.listing);
-        let drawing = drawing(whole, self.structure, case, at).svg(Seen::Oblique, SIZE);
-        let nothing = || Failure::Solver(format!("{}: nothing to draw", self.source));
-        write_file(&path, &drawing.ok_or_else(nothing)?)?;
-        Ok(path)
+        drawing(whole, self.structure, case, at).whole(self.source)
     }
 
     /// Returns why the result is incomplete: what ended the grid or the motion comes before cases without an answer at any
@@ -231,7 +213,7 @@ impl<'a> Run<'a> {
     fn ended(
         &self,
         failure: Option<Failure>,
-        found: &[Option<Found<'_>>],
+        found: &[Option<CaseResults<'_>>],
         is_any: bool,
     ) -> Result<(), Failure> {
         let each = self.cases.iter().zip(found);
@@ -248,7 +230,11 @@ impl<'a> Run<'a> {
 }
 
 /// Adds a place to the results of each case.
-fn count(found: &mut [Option<Found<'_>>], outcomes: &[Option<Outcome>], at: (&State, &Rc<[f64]>)) {
+fn count(
+    found: &mut [Option<CaseResults<'_>>],
+    outcomes: &[Option<Outcome>],
+    at: (&State, &Rc<[f64]>),
+) {
     for (found, outcome) in found.iter_mut().zip(outcomes) {
         if let (Some(found), Some(outcome)) = (found, outcome) {
             found.add(outcome, at);

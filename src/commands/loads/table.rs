@@ -1,18 +1,18 @@
 //! The table of loads: one row per place.
 
-use crate::commands::loads::found::{Found, along, vectors};
-use crate::commands::loads::leading::Leading;
-use crate::commands::loads::report::unit_of;
-use crate::kinematics::Kinematics;
+use crate::commands::loads::case_results::CaseResults;
+use crate::commands::loads::parts::{Part, parts};
+use crate::commands::loads::place_columns::PlaceColumns;
 use crate::loads::{Outcome, Structure};
+use crate::mechanism::Description;
 use crate::output::heading::Heading;
 
 /// Returns the headings of the leading quantities and of each case.
 pub(super) fn headings(
-    mechanism: &dyn Kinematics,
+    mechanism: &Description,
     structure: &Structure<'_>,
-    leading: &Leading,
-    found: &[Option<Found<'_>>],
+    leading: &PlaceColumns,
+    found: &[Option<CaseResults<'_>>],
 ) -> Vec<Heading> {
     let found = found.iter().flatten();
     let names = found.flat_map(|found| names(mechanism, structure, found));
@@ -23,7 +23,7 @@ pub(super) fn headings(
 /// here.
 pub(super) fn row(
     place: &[f64],
-    found: &[Option<Found<'_>>],
+    found: &[Option<CaseResults<'_>>],
     outcomes: &[Option<Outcome>],
 ) -> Vec<f64> {
     let mut row = place.to_vec();
@@ -38,44 +38,32 @@ pub(super) fn row(
 }
 
 /// Returns the names of a case's columns.
-fn names(mechanism: &dyn Kinematics, structure: &Structure<'_>, found: &Found<'_>) -> Vec<String> {
-    let (case, shape, statements) = (&found.case.name, &found.first, &structure.statements);
-    let drives = mechanism.names.drives.iter();
-    let drives = drives.map(|drive| {
-        let unit = unit_of(drive.kind).replace(' ', "");
-        format!("{case}_{}_{unit}", drive.name)
+fn names(
+    mechanism: &Description,
+    structure: &Structure<'_>,
+    found: &CaseResults<'_>,
+) -> Vec<String> {
+    let (names, case) = (&mechanism.names, &found.case.name);
+    let name = |part: Part| match part {
+        Part::Drive(drive) => names.drives[drive].name.clone(),
+        Part::Measure(measure) => names.measures[measure].name.clone(),
+        Part::Link(link) => structure.statements[link].name.to_owned(),
+        Part::Joint(by, at) => format!("{}_{}", structure.name_of(by, names), names.points[at]),
+        Part::Moment(by, on) => {
+            let by = structure.name_of(by, names);
+            format!("{by}_{}", structure.statements[on].name)
+        }
+        Part::ChassisPoint(point) => format!("on_chassis_{}", names.points[point]),
+    };
+    let columns = parts(&found.first).flat_map(|(part, load)| {
+        let (name, unit) = (name(part), part.unit(names).replace(' ', ""));
+        let numbers = load.numbers().into_iter();
+        numbers.map(move |(axis, _)| format!("{case}_{name}{axis}_{unit}"))
     });
-    let bearing = shape.in_measures.iter();
-    let bearing = bearing.map(|(measure, _)| {
-        let measure = &mechanism.names.measures[*measure];
-        format!(
-            "{case}_{}_{}",
-            measure.name,
-            unit_of(measure.kind).replace(' ', "")
-        )
-    });
-    let links = shape.links.iter();
-    let links = links.map(|(statement, _)| format!("{case}_{}_N", statements[*statement].name));
-    let joints = shape.joints.iter().flat_map(|(by, point, _)| {
-        let by = structure.name_of(*by, &mechanism.names);
-        let point = &mechanism.names.points[*point];
-        ["x", "y", "z"].map(|axis| format!("{case}_{by}_{point}_{axis}_N"))
-    });
-    let moments = shape.moments.iter().flat_map(|(by, part, _)| {
-        let by = structure.name_of(*by, &mechanism.names);
-        let part = statements[*part].name;
-        ["x", "y", "z"].map(|axis| format!("{case}_{by}_{part}_{axis}_Nm"))
-    });
-    let along = drives.chain(bearing).chain(links);
-    let on_chassis = shape.on_chassis.iter().flat_map(|(point, _)| {
-        let point = &mechanism.names.points[*point];
-        ["x", "y", "z"].map(|axis| format!("{case}_on_chassis_{point}_{axis}_N"))
-    });
-    let vectors = joints.chain(moments).chain(on_chassis);
-    along.chain(vectors).collect()
+    columns.collect()
 }
 
 fn numbers(outcome: &Outcome) -> impl Iterator<Item = f64> {
-    let components = vectors(outcome).flat_map(|vector| [vector.x, vector.y, vector.z]);
-    along(outcome).chain(components)
+    let numbers = parts(outcome).flat_map(|(_, load)| load.numbers());
+    numbers.map(|(_, number)| number)
 }

@@ -1,7 +1,7 @@
 //! Parts that bear no load.
 
-use crate::commands::loads::found::{Extreme, Found};
-use crate::commands::loads::line::Line;
+use crate::commands::loads::case_results::{CaseResults, Extreme};
+use crate::commands::loads::report_lines::Line;
 
 /// The names of links and joints without load at any place, whose rows would be zeros.
 pub(super) struct Unloaded {
@@ -11,7 +11,7 @@ pub(super) struct Unloaded {
 }
 
 impl Unloaded {
-    pub(super) fn new(found: &Found<'_>) -> Self {
+    pub(super) fn new(found: &CaseResults<'_>) -> Self {
         /// A part of the largest of all forces.
         const ROUNDING: f64 = 1e-9;
         let sizes = found.ranges.iter().map(Extreme::largest);

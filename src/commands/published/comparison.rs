@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::commands::published::beside::{Compared, Pair};
+use crate::commands::published::compared_column::{Compared, Pair};
 use crate::commands::published::paper::Paper;
 use crate::mechanism::{Names, State};
 use crate::quantities::{ALPHA, Axis, DRIVES, OMEGA, Quantity, catalogue, columns};

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::mechanism::{Description, Names, State, Unit};
-use crate::output::figures::{Charts, TIME};
+use crate::output::motion::plots::{Charts, TIME, over_time};
 use crate::output::plot::{Chart, Curve};
 use crate::quantities::{Axis, CAMBER, CENTRE, Column, KINGPIN, Quantity, columns};
 
@@ -75,16 +75,7 @@ impl Shown {
     }
 
     fn curve(&self, states: [&[State]; 2]) -> Curve {
-        let [line, marks] = states.map(|states| {
-            let points = states.iter().map(|state| (state.t, self.value(state)));
-            points.filter(|(_, value)| value.is_finite()).collect()
-        });
-        Curve {
-            name: self.legend.to_owned(),
-            line,
-            marks,
-            ..Curve::default()
-        }
+        over_time(self.legend.to_owned(), states, |state| self.value(state))
     }
 }
 

@@ -4,20 +4,9 @@ use std::time::{Duration, Instant};
 
 use crate::kinematics::Kinematics;
 
-/// The measured time of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Timing {
-    /// The median over the passes of a pass's time per step.
-    pub(super) per_step: Duration,
-    /// Steps per pass.
-    pub(super) steps: usize,
-    /// Passes through the motion.
-    pub(super) passes: usize,
-}
-
-/// Measures the time of one step of a millisecond: position, velocity and acceleration. Returns `None` if the motion is too
-/// short to measure, or stops.
-pub(super) fn time_a_step(mechanism: &dyn Kinematics) -> Option<Timing> {
+/// Measures the time of one step of a millisecond, position, velocity and acceleration, and returns it in words; `None` if the
+/// motion is too short to measure, or stops.
+pub(super) fn text(mechanism: &dyn Kinematics) -> Option<String> {
     const STEP: f64 = 1e-3;
     const ENOUGH: Duration = Duration::from_millis(250);
     const PASSES: std::ops::RangeInclusive<usize> = 3..=51;
@@ -34,9 +23,10 @@ pub(super) fn time_a_step(mechanism: &dyn Kinematics) -> Option<Timing> {
         steps = count;
     }
     passes.sort_unstable();
-    Some(Timing {
-        per_step: passes[passes.len() / 2] / steps,
-        steps: steps as usize,
-        passes: passes.len(),
-    })
+    let median = passes[passes.len() / 2] / steps;
+    Some(format!(
+        "Time a step: {:.2} us for position, velocity and acceleration\n             (median of {} passes through the motion in {steps} steps of 1 ms;\n             this build is quick to make, not the fastest: docs/speed.md has the times of others)\n",
+        median.as_secs_f64() * 1e6,
+        passes.len(),
+    ))
 }

@@ -4,8 +4,11 @@ use std::fmt::Write;
 
 use crate::characteristics::{DesignNumber, refuse_unknown_numbers};
 use crate::commands::sensitivities::scatter::{DIGITS, Scatter};
+use crate::failure::Failure;
 use crate::mechanism::{Description, Length};
 use crate::number::{rounded, without_rounding};
+use crate::output::records::{self, Field};
+use crate::output::rows::TableTargets;
 use crate::quantities::{TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
 
@@ -16,7 +19,7 @@ pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
     pub(super) found: &'a Sensitivities,
-    pub(super) scatter: Option<&'a Scatter>,
+    pub(super) scatter: Option<Scatter>,
 }
 
 impl Report<'_> {
@@ -63,7 +66,7 @@ impl Report<'_> {
             // Writing into a string cannot fail.
             let _ = writeln!(out, "\n{title}: {} {symbol}", rounded(value, DIGITS));
             let _ = writeln!(out, "  {}", self.largest(&number, largest));
-            if let Some(scatter) = self.scatter {
+            if let Some(scatter) = &self.scatter {
                 let _ = writeln!(out, "  {}", scatter.in_words(&number));
             }
         }
@@ -75,6 +78,31 @@ impl Report<'_> {
         };
         let _ = writeln!(out, "\n0, and nothing changes {them}: {}", zero.join(", "));
         out
+    }
+
+    /// Writes a record for each change, and for each deviation, with all numbers in the units of the file.
+    pub(super) fn write(&self, tables: &TableTargets) -> Result<(), Failure> {
+        let numbers: Vec<DesignNumber> = self.numbers().collect();
+        let record = |name: &str, of: &dyn Fn(&DesignNumber) -> f64| {
+            let numbers = numbers.iter().map(|at| Field::Number(Some(of(at))));
+            let name = Field::Text(name.to_owned());
+            [name].into_iter().chain(numbers).collect()
+        };
+        let changes = self.found.each.iter().map(|each| {
+            record(&each.change.name, &|at| {
+                each.of[(at.column, at.number)] * at.in_file
+            })
+        });
+        let scatter = self.scatter.iter().flat_map(Scatter::rows);
+        let scatter = scatter.map(|(name, deviations)| {
+            record(name, &|at| {
+                deviations[at.column][at.number] * at.in_file.abs()
+            })
+        });
+        let records: Vec<Vec<Field>> = changes.chain(scatter).collect();
+        let names = numbers.iter().map(|number| number.csv_name.as_str());
+        let names: Vec<&str> = ["changed"].into_iter().chain(names).collect();
+        records::write(tables, &(), &names, &records)
     }
 
     /// Says why moving an end of a tie rod does not change the toe at the design position; empty if `numbers` has no toe or
@@ -122,7 +150,8 @@ impl Report<'_> {
         let effects = self.effects(at);
         let is_known = effects.is_empty() == self.found.each.is_empty();
         let is_unchanged = is_known && greatest(&effects) < ROUNDING;
-        let scatters = self.scatter.is_some_and(|scatter| scatter.changes(at));
+        let scatters = self.scatter.as_ref();
+        let scatters = scatters.is_some_and(|scatter| scatter.changes(at));
         self.value(at) == 0.0 && is_unchanged && !scatters
     }
 

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use crate::characteristics::{Curves, Does, Line, Parameter, Title};
+use crate::commands::sheet::by_quantity::grouped;
 use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
-use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Wheel};
 use crate::output::colour::Colour;
 use crate::output::page::charts;
@@ -12,7 +12,7 @@ use crate::output::plot::{Chart, Curve};
 use crate::quantities::{CAMBER, TOE};
 
 /// The charts along what moves, under their heading. The parameters have the values at the design position.
-pub(super) fn over(curves: &Curves, parameters: &[Parameter], of: &Description) -> Markup {
+pub(super) fn section(curves: &Curves, parameters: &[Parameter], of: &Description) -> Markup {
     let groups = grouped(&curves.lines, |line| &line.title.of_wheel);
     let varies = |lines: &Vec<&Line>| lines.iter().any(|line| line.varies());
     let (drawn, flat): (Vec<_>, Vec<_>) = groups.into_iter().partition(varies);

@@ -4,12 +4,12 @@ use maud::{Markup, PreEscaped, html};
 use nalgebra::Vector3;
 
 use crate::characteristics::{Curves, Derivative, Parameter, Rises};
-use crate::commands::sheet::curves::over;
+use crate::commands::sheet::by_quantity::grouped;
+use crate::commands::sheet::curves::section;
 use crate::commands::sheet::derivatives::Derivatives;
-use crate::commands::sheet::grouped::grouped;
 use crate::mechanism::{Description, Names};
-use crate::output::figures::capitalised;
-use crate::output::page::{numbers, page};
+use crate::output::capitalised::capitalised;
+use crate::output::page::{cut_short, numbers, page};
 use crate::quantities::{Quantity, from_design};
 
 pub(super) struct Page<'a> {
@@ -59,14 +59,12 @@ impl Page<'_> {
                 p { strong { "The file's own motion is out of reach: " } (why) }
             }
             @if let Some(note) = &self.shorter_roll { p { (capitalised(note)) "." } }
-            @for missing in &self.missing {
-                p { strong { "The curves are cut short: " } (missing) }
-            }
+            (cut_short(&self.missing))
             h2 { "At the design position: " (self.drives) }
             div.scrolled { (self.table()) }
             (self.quantities_with_curves_only())
             @for curves in &self.curves {
-                (over(curves, &self.parameters, self.mechanism))
+                (section(curves, &self.parameters, self.mechanism))
             }
             h2 { "Points at the design position (" (unit.symbol()) ")" }
             (self.hardpoints())

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 use suspension_core::listing::MeasureKind;
 
-use crate::commands::tables::wheel::{Rates, Wheel};
+use crate::commands::tables::wheel_motion::{Rates, WheelMotion};
 use crate::mechanism::{Axle, Description, Measure, is_within};
 use crate::number::{exact, without_rounding};
 
@@ -25,8 +25,8 @@ const ASSUMED: &str = "## SuspF is assumed: the file does not say which axle thi
 pub(super) fn text(
     file: &str,
     mechanism: &Description,
-    wheel: &Wheel,
-    opposite: Option<&Wheel>,
+    wheel: &WheelMotion,
+    opposite: Option<&WheelMotion>,
 ) -> String {
     let (axle, assumed) = match wheel.axle {
         Some(Axle::Front) => ("SuspF", ""),
@@ -65,7 +65,7 @@ pub(super) fn text(
 }
 
 /// Says per what the last number of a row is: a rack is driven in metres, a steering arm in radians.
-fn per_steer(mechanism: &Description, wheel: &Wheel) -> String {
+fn per_steer(mechanism: &Description, wheel: &WheelMotion) -> String {
     match wheel.steer.map(|drive| &mechanism.names.drives[drive]) {
         Some(drive) if drive.kind.is_angle() => {
             format!("per rad of `{}` that steers to the left", drive.name)
@@ -78,13 +78,13 @@ fn per_steer(mechanism: &Description, wheel: &Wheel) -> String {
 /// A name with the value at the design position and the derivatives with respect to compression and steering.
 type Row = (&'static str, [f64; 3]);
 
-fn row(name: &'static str, value: f64, wheel: &Wheel, of: impl Fn(&Rates) -> f64) -> Row {
+fn row(name: &'static str, value: f64, wheel: &WheelMotion, of: impl Fn(&Rates) -> f64) -> Row {
     let per_steer = wheel.per_steer.as_ref().map_or(0.0, &of);
     (name, [value, of(&wheel.per_compression), per_steer])
 }
 
 /// Returns the wheel's position and rotation.
-fn position(wheel: &Wheel) -> [Row; 6] {
+fn position(wheel: &WheelMotion) -> [Row; 6] {
     // A wheel on the left that points inboard is turned to the right.
     let turned = Vector3::new(wheel.about_x, 0.0, -wheel.side * wheel.toe);
     let along = |name, axis: usize| row(name, 0.0, wheel, |rates| rates.velocity[axis]);
@@ -103,7 +103,7 @@ fn position(wheel: &Wheel) -> [Row; 6] {
 /// angle.
 fn force_elements<'a>(
     mechanism: &'a Description,
-    wheel: &'a Wheel,
+    wheel: &'a WheelMotion,
 ) -> (Vec<Row>, Vec<(&'static str, &'a str)>) {
     let (mut lengths, mut angles) = (Vec::new(), Vec::new());
     for (name, words) in LENGTHS {
@@ -123,7 +123,7 @@ fn force_elements<'a>(
 /// measures of `[springs]` that are not bars.
 fn measures_of<'a>(
     mechanism: &'a Description,
-    wheel: &'a Wheel,
+    wheel: &'a WheelMotion,
     (element, words): (&'a str, &'a [&'a str]),
 ) -> impl Iterator<Item = (usize, &'a Measure)> + Clone {
     let has = |words: &[&str], name: &str| words.iter().any(|word| is_within(word, name));

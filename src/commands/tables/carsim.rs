@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use crate::commands::tables::wheel::{Change, Wheel};
+use crate::commands::tables::wheel_motion::{Change, WheelMotion};
 use crate::mechanism::Description;
 use crate::number::{rounded, without_rounding};
 
 /// A table: its keyword, its description, and the function that computes it.
-type Row = (&'static str, &'static str, fn(&Wheel, &Change) -> f64);
+type Row = (&'static str, &'static str, fn(&WheelMotion, &Change) -> f64);
 
 const TABLES: [Row; 5] = [
     ("CAMBER_TABLE", "camber, deg", |_, change| {
@@ -27,7 +27,7 @@ const TABLES: [Row; 5] = [
 
 const DIGITS: usize = 7;
 
-pub(super) fn text(file: &str, mechanism: &Description, wheel: &Wheel) -> String {
+pub(super) fn text(file: &str, mechanism: &Description, wheel: &WheelMotion) -> String {
     let number = |value: f64| rounded(without_rounding(value), DIGITS);
     let side = wheel.side_in_words();
     let mut text = format!(

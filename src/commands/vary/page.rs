@@ -8,7 +8,7 @@ use crate::commands::vary::study::{ROUNDING, Variant};
 use crate::commands::vary::varied::label;
 use crate::mechanism::ends;
 use crate::output::colour::Colour;
-use crate::output::page::{charts, page};
+use crate::output::page::{charts, cut_short, page};
 use crate::output::plot::{Chart, Curve};
 
 /// Returns the page, with charts of all quantities or of those whose numbers the report has.
@@ -25,7 +25,7 @@ pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
         @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {
             p { strong { "Values are left out: " } (unbuilt) }
         }
-        (cut_short(&study.cut_short))
+        (folded(&study.cut_short))
         @for curves in sections { (section(report, curves, draws_all)) }
     };
     let title = format!("Variation of {}", report.varied.change.name);
@@ -33,18 +33,13 @@ pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
 }
 
 /// The sentences on curves that end early; several are folded, so that the charts are not pages below.
-fn cut_short(sentences: &[String]) -> Markup {
-    let paragraphs = html! {
-        @for sentence in sentences {
-            p { strong { "The curves are cut short: " } (sentence) }
-        }
-    };
+fn folded(sentences: &[String]) -> Markup {
     match sentences {
-        [] | [_] => paragraphs,
+        [] | [_] => cut_short(sentences),
         _ => html! {
             details {
                 summary { (sentences.len()) " sweeps end before the range does, and their curves too." }
-                (paragraphs)
+                (cut_short(sentences))
             }
         },
     }

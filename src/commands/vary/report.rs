@@ -8,7 +8,7 @@ use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
 use crate::output::page::in_digits;
 use crate::output::records::{self, Field};
-use crate::output::rows::Forms;
+use crate::output::rows::TableTargets;
 use crate::output::text_table::{TextColumn, in_parts};
 use crate::quantities::WIDTH;
 
@@ -57,7 +57,10 @@ impl Report<'_> {
         };
         let columns = self.study.variants.iter().map(of_variant);
         let table = in_parts(2, WIDTH, &first, columns.collect());
-        let alike: Vec<String> = alike.into_iter().map(|number| self.told(number)).collect();
+        let alike: Vec<String> = alike
+            .into_iter()
+            .map(|number| self.in_words(number))
+            .collect();
         let alike = match alike[..] {
             [] => String::new(),
             _ => format!("\nAlike for all values: {}\n", alike.join(", ")),
@@ -66,7 +69,7 @@ impl Report<'_> {
     }
 
     /// A number that all variants have, with its unit.
-    fn told(&self, number: &DesignNumber) -> String {
+    fn in_words(&self, number: &DesignNumber) -> String {
         let variants = self.study.variants.first();
         let shown = variants.map_or(f64::NAN, |variant| variant.shown(number));
         let told = format!("{} {} {}", number.title, in_digits(shown), number.symbol);
@@ -88,7 +91,7 @@ impl Report<'_> {
     }
 
     /// Writes a record for each number at each value.
-    pub(super) fn write(&self, forms: &Forms) -> Result<(), Failure> {
+    pub(super) fn write(&self, tables: &TableTargets) -> Result<(), Failure> {
         const NAMES: [&str; 5] = ["value", "of", "quantity", "unit", "number"];
         let of_variant = |variant: &Variant| -> Vec<Vec<Field>> {
             let record = |number: &DesignNumber| {
@@ -111,7 +114,7 @@ impl Report<'_> {
             unit: mechanism.unit.symbol(),
             axes: mechanism.axes.name(),
         };
-        records::write(forms, &header, &NAMES, &records)
+        records::write(tables, &header, &NAMES, &records)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::kinematics::{Kinematics, Unbuilt};
 use crate::mechanism::listed;
 use crate::number::without_rounding;
-use crate::output::notes::{noted_unmet_range, print_notes};
+use crate::output::notes::{print_notes, print_unmet_range};
 use crate::output::progress::Progress;
 use crate::quantities::Column;
 use crate::sensitivities::design_values;
@@ -126,7 +126,7 @@ impl Study {
             let cut_short: Vec<String> = failures.collect();
             // That a usual range is longer than the reach is stated once, not for each value.
             ways.retain(|along| self.cut_short.is_empty() || !along.is_usual);
-            let locked = || noted_unmet_range(&ways, varied.file);
+            let locked = || print_unmet_range(&ways, varied.file);
             let locked = || locked().map(|failure| varied.with_value(value, failure));
             self.locked = self.locked.take().or_else(locked);
             self.cut_short.extend(cut_short);

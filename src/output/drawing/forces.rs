@@ -103,11 +103,11 @@ impl Drawing {
             let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
             let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
             let colours = shades(colour(link.tension));
-            put(area, labels, (&text, middle), colours)?;
+            draw_label(area, labels, (&text, middle), colours)?;
         }
         for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
             let text = format!("{:.0} N", acting.force.norm());
-            put(area, labels, (&text, view.pixels(&tip)), shades(ACTING))?;
+            draw_label(area, labels, (&text, view.pixels(&tip)), shades(ACTING))?;
         }
         let font = ("sans-serif", labels.font_size()).into_font();
         let corner = (12 * FINE as i32, 12 * FINE as i32);
@@ -131,7 +131,7 @@ fn shades(colour: RGBColor) -> [RGBColor; 2] {
 }
 
 /// Draws a text beside a place; the colours are those of leader and text.
-fn put(
+fn draw_label(
     area: &Area<'_>,
     labels: &mut Labels,
     (text, place): (&str, (i32, i32)),

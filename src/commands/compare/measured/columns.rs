@@ -8,16 +8,17 @@ use suspension_core::listing::DriveKind;
 use super::heading::Stated;
 use crate::characteristics::{Does, usual_change};
 use crate::failure::Failure;
-use crate::file::{Dimension, tell};
+use crate::file::Dimension;
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends};
 use crate::number::without_rounding;
+use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
 /// A column that the model knows.
-pub(super) struct Known {
+pub(super) struct KnownColumn {
     /// Its index in the table.
     pub(super) column: usize,
     pub(super) stated: Stated,
@@ -27,7 +28,7 @@ pub(super) struct Known {
     doubt: Option<String>,
 }
 
-impl Known {
+impl KnownColumn {
     /// Reads the columns of a table whose drives have changes or, if `absolute`, their own values; prints a note on the columns
     /// that are left out.
     ///
@@ -150,18 +151,16 @@ impl Known {
 }
 
 /// Prints the doubts on columns that lead, but not on the noise of one that a rig holds while another one changes.
-pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads: &[Known]) {
+pub(super) fn tell_doubts(table: &MeasuredTable, mechanism: &Description, leads: &[KnownColumn]) {
     /// The most that is noise, as a part of the largest change.
     const NOISE: f64 = 0.1;
-    let largest = |lead: &Known| {
+    let largest = |lead: &KnownColumn| {
         let shares = lead.shares(mechanism).into_iter();
         shares.map(f64::abs).fold(0.0, f64::max)
     };
     let of_all = leads.iter().map(largest).fold(0.0, f64::max);
     let leads = leads.iter().filter(|lead| largest(lead) >= NOISE * of_all);
-    for doubt in leads.filter_map(|lead| lead.doubt.as_ref()) {
-        tell(format_args!("note: {}: {doubt}", table.name()));
-    }
+    print_notes_on(table.name(), leads.filter_map(|lead| lead.doubt.as_ref()));
 }
 
 /// Refuses a quantity that is in two columns.
@@ -189,10 +188,10 @@ fn tell_left_out(table: &str, headings: &[String]) {
         more => format!(" and {more} more"),
     };
     if !named.is_empty() {
-        tell(format_args!(
-            "note: {table}: left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each \
-             quantity needs"
-        ));
+        let note = format!(
+            "left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each quantity needs"
+        );
+        print_notes_on(table, [note]);
     }
 }
 

@@ -1,7 +1,7 @@
 //! What the places of a table are counted along.
 
-use super::columns::Known;
-use super::smooth::smoothed;
+use super::columns::KnownColumn;
+use super::smoothing::smoothed;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends, evenly_spaced, listed};
 use crate::number::number;
@@ -25,8 +25,8 @@ pub(super) struct Course {
 }
 
 /// Returns the columns that change, or else the first one.
-fn moving(leads: &[Known]) -> Vec<&Known> {
-    let moving: Vec<&Known> = leads.iter().filter(|lead| lead.changes()).collect();
+fn moving(leads: &[KnownColumn]) -> Vec<&KnownColumn> {
+    let moving: Vec<&KnownColumn> = leads.iter().filter(|lead| lead.changes()).collect();
     match moving[..] {
         [] => leads.iter().take(1).collect(),
         _ => moving,
@@ -34,7 +34,7 @@ fn moving(leads: &[Known]) -> Vec<&Known> {
 }
 
 /// Says which columns take the model away from the design position, and where, if these are several.
-pub(super) fn followed(leads: &[Known]) -> Option<String> {
+pub(super) fn followed(leads: &[KnownColumn]) -> Option<String> {
     let away = leads.iter().filter(|lead| lead.departs());
     let each = away.map(|lead| {
         let title = &lead.stated.named.title;
@@ -55,7 +55,11 @@ pub(super) fn followed(leads: &[Known]) -> Option<String> {
 
 impl Course {
     /// Returns the course of a table with numbers, whose columns `leads` say where the model is.
-    pub(super) fn new(table: &MeasuredTable, mechanism: &Description, leads: &[Known]) -> Self {
+    pub(super) fn new(
+        table: &MeasuredTable,
+        mechanism: &Description,
+        leads: &[KnownColumn],
+    ) -> Self {
         let moving = moving(leads);
         let shares: Vec<Vec<f64>> = moving.iter().map(|lead| lead.shares(mechanism)).collect();
         let from_design = from_design(&shares);
@@ -93,7 +97,7 @@ impl Course {
 }
 
 /// Returns the numbers of the columns that lead in a line.
-pub(super) fn numbers(leads: &[Known], line: usize) -> Vec<f64> {
+pub(super) fn numbers(leads: &[KnownColumn], line: usize) -> Vec<f64> {
     leads.iter().map(|lead| lead.numbers[line]).collect()
 }
 
@@ -141,7 +145,7 @@ fn from_design(shares: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// Returns places evenly spaced along the axis, with the other columns as in the lines around them, at least in the two beside.
-fn curve(leads: &[Known], axis: &Known, around: f64) -> Vec<(f64, Vec<f64>)> {
+fn curve(leads: &[KnownColumn], axis: &KnownColumn, around: f64) -> Vec<(f64, Vec<f64>)> {
     /// The number of places along the model's curves.
     const ALONG: usize = 61;
     let mut sorted = axis.numbers.clone();
@@ -153,7 +157,7 @@ fn curve(leads: &[Known], axis: &Known, around: f64) -> Vec<(f64, Vec<f64>)> {
     };
     let place = |at: f64| {
         let reach = around.max(gap(at));
-        let smooth = |lead: &Known| {
+        let smooth = |lead: &KnownColumn| {
             let numbers = axis.numbers.iter().zip(&lead.numbers);
             smoothed(numbers.map(|(at, number)| (*at, *number)), at, reach)
         };

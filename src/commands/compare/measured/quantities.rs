@@ -1,10 +1,10 @@
 //! The quantities of a table beside those of the model.
 
-use super::columns::Known;
+use super::columns::KnownColumn;
 use super::course::{Course, numbers};
-use super::places::Places;
-use super::quantity::Quantity;
-use super::reach::out_of_reach;
+use super::measured_quantity::MeasuredQuantity;
+use super::model_at_places::MovedModel;
+use super::out_of_reach::out_of_reach;
 use crate::commands::compare::differences::Place;
 use crate::failure::Failure;
 use crate::measured_table::MeasuredTable;
@@ -17,20 +17,20 @@ use crate::quantities::Column;
 /// [`Failure::Input`] at a place out of reach, and [`Failure::Interrupted`].
 pub(super) fn quantities(
     table: &MeasuredTable,
-    places: &Places<'_>,
+    model: &MovedModel<'_>,
     course: &Course,
-    compared: Vec<Known>,
-) -> Result<Vec<Quantity>, Failure> {
+    compared: Vec<KnownColumn>,
+) -> Result<Vec<MeasuredQuantity>, Failure> {
     let columns = compared.iter();
     let columns = columns.filter_map(|known| known.stated.named.quantity.as_ref());
     let columns: Vec<&Column> = columns.collect();
-    let lines = visited(table, places, &columns)?;
+    let lines = visited(table, model, &columns)?;
     let reached: Vec<bool> = lines.iter().map(Option::is_some).collect();
-    if let Some(failure) = out_of_reach(table, places.file, places.leads, &reached) {
+    if let Some(failure) = out_of_reach(table, model.file, model.leads, &reached) {
         return Err(failure);
     }
     let curve = course.curve.iter();
-    let curve = curve.map(|(_, numbers)| places.read(numbers, &columns));
+    let curve = curve.map(|(_, numbers)| model.read(numbers, &columns));
     let curve = curve.collect::<Result<Vec<_>, _>>()?;
     let each = compared.into_iter().enumerate();
     let each = each.map(|(index, known)| {
@@ -48,14 +48,14 @@ pub(super) fn quantities(
 /// the table: the search for a way to such a line takes long.
 fn visited(
     table: &MeasuredTable,
-    places: &Places<'_>,
+    model: &MovedModel<'_>,
     columns: &[&Column],
 ) -> Result<Vec<Option<Vec<f64>>>, Failure> {
     const ENOUGH: usize = 20;
     let mut lines = Vec::new();
     let mut missing = 0;
     for line in 0..table.lines() {
-        let found = places.read(&numbers(places.leads, line), columns);
+        let found = model.read(&numbers(model.leads, line), columns);
         let found = found.map_err(|failure| of_table(failure, table, line))?;
         missing += usize::from(found.is_none());
         lines.push(found);
@@ -79,7 +79,11 @@ fn of_table(failure: Failure, table: &MeasuredTable, line: usize) -> Failure {
 }
 
 /// Sets a column beside the model's numbers in the lines of the table and along the curve.
-fn quantity(course: &Course, measured: Known, [lines, curve]: [Vec<f64>; 2]) -> Quantity {
+fn quantity(
+    course: &Course,
+    measured: KnownColumn,
+    [lines, curve]: [Vec<f64>; 2],
+) -> MeasuredQuantity {
     let at = course.at.iter().zip(&course.from_design);
     let both = lines.into_iter().zip(measured.numbers);
     let places = at.zip(both).map(|((at, from_design), both)| Place {
@@ -89,7 +93,7 @@ fn quantity(course: &Course, measured: Known, [lines, curve]: [Vec<f64>; 2]) -> 
     });
     let is_known = |place: &Place| place.values.iter().all(|value| value.is_finite());
     let along = course.curve.iter().map(|(at, _)| *at);
-    Quantity {
+    MeasuredQuantity {
         title: measured.stated.named.title,
         symbol: measured.stated.symbol,
         places: places.filter(is_known).collect(),

@@ -1,7 +1,7 @@
 //! Names by which rigs call what the model calls otherwise.
 
 use crate::mechanism::{Axle, Description, Wheel};
-use crate::side::{End, Section, Side};
+use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
 const OF_RIGS: [(&[&str], &[&str]); 20] = [
@@ -58,10 +58,7 @@ fn plain(word: &str) -> Vec<&str> {
         _ => Section::of_word(word),
     };
     match (section, word) {
-        (Some(Section { end, side }), _) => {
-            let (end, side) = (end.map(End::name), side.map(Side::name));
-            end.into_iter().chain(side).collect()
-        }
+        (Some(section), _) => section.words(),
         (None, "displacement") => vec!["travel"],
         (None, "center") => vec!["centre"],
         (None, word) => vec![word],

@@ -1,0 +1,187 @@
+//! What the command line asks for, carried out on a mechanism.
+
+mod curve;
+mod drive;
+mod measure;
+mod surface;
+mod variable;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use suspension_core::SolveError;
+
+use crate::bake::source::{About, Sheet, Table};
+use crate::bake::{Continuity, Wish};
+use crate::failure::Failure;
+use crate::file::Dimension;
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Angle, Description, Drive, Unit};
+use crate::number::exact;
+
+use variable::Variable;
+
+pub use drive::WishedDrive;
+pub use measure::WishedMeasure;
+
+/// Digits of a range that is proposed, rounded to lie within the possible one.
+const DIGITS: usize = 12;
+
+/// The variables on which the baked functions depend.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Variables {
+    /// One drive for a curve, two for a surface.
+    Drives(Vec<WishedDrive>),
+    /// A measure in place of a drive, for a curve.
+    Measure(WishedMeasure),
+}
+
+impl Variables {
+    /// The names of the drives that move, also in place of which a measure leads; `None` where there is only one.
+    pub fn drives(&self) -> Vec<Option<&str>> {
+        match self {
+            Self::Drives(drives) => drives
+                .iter()
+                .map(|wished| wished.drive.as_deref())
+                .collect(),
+            Self::Measure(wished) => vec![wished.drive.as_deref()],
+        }
+    }
+}
+
+/// What to bake of the mechanism of a file.
+pub struct Baking<'a> {
+    /// The file's name.
+    pub file: &'a str,
+    /// The mechanism.
+    pub mechanism: &'a dyn Kinematics,
+    /// The variables on which the baked functions depend.
+    pub variables: Variables,
+    /// The largest error of a point, m.
+    pub tolerance: f64,
+    /// How many derivatives are continuous where segments join.
+    pub continuity: Continuity,
+    /// The points to bake.
+    pub wish: Wish,
+    /// Set when the user interrupts the program.
+    pub interrupted: &'a AtomicBool,
+}
+
+impl Baking<'_> {
+    /// Bakes the ordered motion.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] if drives, ranges or tolerance are wrong, [`Failure::Solver`] if the mechanism does not pass
+    /// through the ranges or the tolerance is not met.
+    pub fn execute(&self) -> Result<Sheet, Failure> {
+        self.check()?;
+        let Description {
+            linkage,
+            names,
+            unit,
+            ..
+        } = &**self.mechanism;
+        // Programs that read the baked file use radians.
+        let inside = Unit {
+            angle: Angle::Radian,
+            ..*unit
+        };
+        let variables = match &self.variables {
+            Variables::Drives(drives) => drives
+                .iter()
+                .map(|wished| self.along_drive(wished))
+                .collect::<Result<Vec<_>, _>>()?,
+            Variables::Measure(wished) => vec![self.along_measure(wished)?],
+        };
+        let baked = self.table(&variables)?;
+        let arguments = variables.iter();
+        let arguments = arguments.map(|variable| self.ranged(variable, inside));
+        let wheel = match self.wish {
+            Wish::Wheel(number) => names.wheels.get(number),
+            Wish::AllPoints => None,
+        };
+        let wheel = wheel.map(|wheel| wheel.title("wheel"));
+        let sheet = Sheet {
+            about: About {
+                file: self.file.to_owned(),
+                linkage: linkage.clone(),
+                wheel: wheel.unwrap_or_default(),
+                arguments: arguments.collect(),
+                unit: unit.symbol(),
+                axes: self.mechanism.axes.meaning(),
+                held: self.held(&variables, inside),
+            },
+            baked,
+        };
+        if self.interrupted.load(Ordering::Relaxed) {
+            return Err(interrupted(self.file));
+        }
+        Ok(sheet)
+    }
+
+    /// Refuses a tolerance that is not positive, and the wheel of a listing without one.
+    fn check(&self) -> Result<(), Failure> {
+        let tolerance = self.tolerance;
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            let message =
+                format!("--tolerance {tolerance} is not a positive number of metres, as 1e-6");
+            return Err(self.refuse(&message));
+        }
+        if self.wish != Wish::AllPoints && self.mechanism.names.wheels.is_empty() {
+            return Err(
+                self.refuse("the linkage has no wheel to bake; --points all bakes its points")
+            );
+        }
+        Ok(())
+    }
+
+    /// Lists the drives that nothing moves with the values at which they are held, in a unit.
+    fn held(&self, variables: &[Variable], unit: Unit) -> String {
+        let drives = self.mechanism.names.drives.iter().enumerate();
+        let held = drives.filter(|(drive, _)| variables.iter().all(|one| one.drive != *drive));
+        let held = held.map(|(drive, Drive { name, kind })| {
+            let value = exact(self.given(drive, self.first(drive)));
+            format!("{name} = {value} {}", Dimension::from(*kind).symbol(unit))
+        });
+        held.collect::<Vec<_>>().join(", ")
+    }
+
+    fn table(&self, variables: &[Variable]) -> Result<Table, Failure> {
+        match variables {
+            [one] => Ok(Table::Curve(self.curve(one)?)),
+            [first, second] if first.drive != second.drive => {
+                Ok(Table::Surface(self.surface([first, second])?))
+            }
+            _ => Err(self.refuse("--drive names one drive, or two different ones")),
+        }
+    }
+
+    /// Converts a drive's local value to the file's coordinates.
+    fn given(&self, drive: usize, local: f64) -> f64 {
+        local + self.mechanism.drive_offsets[drive]
+    }
+
+    /// Returns a drive's local value at the first instant.
+    fn first(&self, drive: usize) -> f64 {
+        self.value(drive, self.mechanism.instants.ends()[0])
+    }
+
+    fn value(&self, drive: usize, t: f64) -> f64 {
+        self.mechanism.drives_at(t)[drive]
+    }
+
+    /// Adds to a message why the solver gave up.
+    fn cause(&self, cause: Option<SolveError<f64>>) -> String {
+        let names = &self.mechanism.names;
+        cause.map_or_else(String::new, |cause| format!(" ({})", names.cause(&cause)))
+    }
+
+    fn refuse(&self, message: &str) -> Failure {
+        Failure::input(self.file, message)
+    }
+}
+
+/// Returns the failure of an interrupt before the file is complete.
+fn interrupted(file: &str) -> Failure {
+    Failure::Interrupted(format!("{file}: interrupted; nothing was written"))
+}

@@ -1,0 +1,217 @@
+//! One of the two suspensions.
+
+use std::slice;
+use std::sync::atomic::AtomicBool;
+
+use crate::characteristics::{
+    Curves, Does, Parameter, Rise, Rises, Span, Way, check_spans, curves, parameters, shorter_roll,
+    ways,
+};
+use crate::failure::Failure;
+use crate::file::Source;
+use crate::kinematics::Kinematics;
+use crate::mechanism::{Pair, Unit, Wheel, listed};
+use crate::output::notes::{print_notes, print_unmet_range};
+use crate::quantities::{Axis, CENTRE, TOE};
+
+/// The compared results of a suspension, with lengths in the unit of the first.
+pub(super) struct Suspension {
+    pub(super) file: String,
+    pub(super) linkage: String,
+    /// From which unit or axes to which the numbers were converted; `None` if they were not.
+    pub(super) converted: Option<String>,
+    /// The unit of lengths of these results.
+    pub(super) unit: Unit,
+    /// The purposes of the drives with respect to which the parameters have derivatives.
+    pub(super) ways: Vec<Way>,
+    /// The names of these drives.
+    drives: Vec<String>,
+    /// Whether each of these drives is the height of its wheel.
+    is_height: Vec<bool>,
+    /// Whether a wheel has no radius, so that quantities at the ground are missing.
+    pub(super) lacks_radius: bool,
+    /// How far the wheels rise per unit of the drives of travel.
+    pub(super) rises: Option<Rises>,
+    /// The name of each wheel with the index of its drive of travel in `ways`.
+    travel_of: Vec<(String, usize)>,
+    /// The name of each axle with the indices of the drives of travel of its wheels.
+    axles: Vec<(String, Vec<usize>)>,
+    pub(super) parameters: Vec<Parameter>,
+    /// Curves over travel, and over steering if a drive steers.
+    pub(super) curves: Vec<Curves>,
+    /// A sentence on the range of the curves over roll, if that is shorter than the travel.
+    pub(super) shorter_roll: Option<String>,
+    /// Sentences on curves that could not be solved.
+    pub(super) missing: Vec<String>,
+    /// The failure to report of them.
+    pub(super) failure: Option<Failure>,
+}
+
+impl Suspension {
+    /// Computes the results of a file's mechanism, with lengths in `unit`; `converted` names the other conversions.
+    pub(super) fn compute(
+        mechanism: &dyn Kinematics,
+        (source, converted): (&Source, Option<String>),
+        spans: [Option<Span>; 2],
+        unit: Unit,
+        interrupted: &AtomicBool,
+    ) -> Result<Self, Failure> {
+        let file = source.name();
+        print_notes(check_spans(mechanism, file, spans, unit)?);
+        let along = ways(mechanism, spans, unit, interrupted);
+        let missing = along.iter().filter_map(|along| along.visited.failure(file));
+        let missing = missing.map(|failure| failure.to_string());
+        let curves = along.iter().map(|along| curves(mechanism, along, unit));
+        let (does, drives): (Vec<Way>, Vec<usize>) =
+            Way::of_drives(&mechanism.names).into_iter().unzip();
+        let wheels = &mechanism.names.wheels;
+        let place = |wheel: &Wheel| drives.iter().position(|drive| Some(*drive) == wheel.travel);
+        let travel_of = wheels.iter();
+        let travel_of = travel_of.filter_map(|wheel| Some((wheel.name.clone(), place(wheel)?)));
+        let axles = Pair::all(wheels).into_iter().map(|pair| {
+            let both = pair.wheels.into_iter();
+            let ways = both.filter_map(|wheel| place(&wheels[wheel]));
+            (pair.name, ways.collect())
+        });
+        let named = drives.iter();
+        let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
+        let parameters = parameters(mechanism, unit);
+        let rises = Rise::of_drives(mechanism, &parameters, unit).into_iter();
+        let is_height = rises.map(|rise| rise.is_some_and(|rise| rise.is_height));
+        Ok(Self {
+            file: file.to_owned(),
+            linkage: mechanism.linkage.clone(),
+            converted,
+            unit,
+            lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
+            shorter_roll: shorter_roll(mechanism, spans[0]),
+            missing: missing.collect(),
+            failure: print_unmet_range(&along, file),
+            rises: Rises::compute(mechanism, &parameters),
+            axles: axles.collect(),
+            travel_of: travel_of.collect(),
+            ways: does,
+            drives: named.collect(),
+            is_height: is_height.collect(),
+            parameters,
+            curves: curves.collect(),
+        })
+    }
+
+    pub(super) fn steers(&self) -> bool {
+        self.ways.iter().any(|way| way.does == Does::Steer)
+    }
+
+    /// Returns whether steering keeps the wheel centres at their height; `None` if no drive steers.
+    pub(super) fn keeps_height_in_steering(&self) -> Option<bool> {
+        /// Per unit of the drive.
+        const ROUNDING: f64 = 1e-9;
+        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let heights = self
+            .parameters
+            .iter()
+            .filter(|parameter| parameter.is(&CENTRE, Axis::Z));
+        let rates: Option<Vec<f64>> = heights
+            .map(|height| Some(height.per[steer].as_ref()?.value))
+            .collect();
+        Some(rates?.iter().all(|rate| rate.abs() < ROUNDING))
+    }
+
+    /// Returns the drive of steering, and how fast it turns all wheels together towards positive y; `None` if no drive
+    /// steers.
+    pub(super) fn steering(&self) -> Option<(&str, f64)> {
+        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let of_wheel = |toe: &Parameter| {
+            let mut others = self.parameters.iter().filter(|of| of.is(&CENTRE, Axis::Y));
+            let centre = others.find(|centre| centre.title.wheel == toe.title.wheel)?;
+            // Toe is positive inboard.
+            Some(-toe.per[steer].as_ref()?.value * centre.value.signum())
+        };
+        let toes = self.parameters.iter();
+        let toes = toes.filter(|parameter| std::ptr::eq(parameter.quantity, &TOE));
+        Some((&self.drives[steer], toes.filter_map(of_wheel).sum()))
+    }
+
+    /// Returns the index of the drive with the same purpose in another suspension: for travel of a wheel whose name both
+    /// have, the drive of that wheel.
+    pub(super) fn same_way(&self, other: &Self, way: usize) -> Option<usize> {
+        let place_of = |side: &Self, name: &str| {
+            let mut wheels = side.travel_of.iter();
+            wheels
+                .find(|(wheel, _)| wheel == name)
+                .map(|(_, place)| *place)
+        };
+        let mut wheels = self.travel_of.iter();
+        let share_names = wheels
+            .clone()
+            .any(|(wheel, _)| place_of(other, wheel).is_some());
+        match wheels.find(|(_, place)| *place == way) {
+            Some((wheel, _)) if share_names => place_of(other, wheel),
+            _ => other
+                .ways
+                .iter()
+                .position(|theirs| *theirs == self.ways[way]),
+        }
+    }
+
+    /// Returns the drive of travel of the wheel or axle `name` in place of drive `way`: its own, or for an axle the one on
+    /// the same side.
+    pub(super) fn own_way(&self, way: usize, name: &str) -> usize {
+        let Way {
+            does: Does::Travel,
+            number,
+        } = self.ways[way]
+        else {
+            return way;
+        };
+        let wheel = self.travel_of.iter().find(|(wheel, _)| wheel == name);
+        let wheel = wheel.map(|(_, place)| slice::from_ref(place));
+        let axle = || self.axles.iter().find(|(axle, _)| axle == name);
+        let own = wheel.or_else(|| axle().map(|(_, places)| places.as_slice()));
+        match own {
+            Some(own) if !own.contains(&way) => {
+                own.get(number - 1).or(own.last()).copied().unwrap_or(way)
+            }
+            _ => way,
+        }
+    }
+
+    /// Names the movement of a drive: the travel of its wheels if the derivatives are by wheel or the drive is their height,
+    /// otherwise its own change. In a comparison with a suspension whose wheel has no name each wheel moves by its own drive.
+    pub(super) fn moved(&self, way: usize, other: &Self, by_wheel: bool) -> String {
+        let drive = &self.drives[way];
+        let own = self.travel_of.iter().filter(|(_, own)| *own == way);
+        let names: Vec<String> = own.map(|(wheel, _)| wheel.replace('_', " ")).collect();
+        let is_travel = by_wheel || self.is_height[way];
+        let wheels = match names.as_slice() {
+            [] => return format!("change of {drive}"),
+            [name] if name.is_empty() => "the wheel".to_owned(),
+            _ if !other.names_wheels() && is_travel => "each wheel by its own drive".to_owned(),
+            _ if !other.names_wheels() => return "change of each wheel's own drive".to_owned(),
+            [name] => format!("the {name} wheel"),
+            _ => format!("the {} wheels", listed(names)),
+        };
+        if is_travel {
+            format!("travel of {wheels}")
+        } else {
+            format!("change of {drive} at {wheels}")
+        }
+    }
+
+    /// Returns whether a wheel with a drive of travel has a name.
+    fn names_wheels(&self) -> bool {
+        self.travel_of.iter().any(|(wheel, _)| !wheel.is_empty())
+    }
+
+    /// Pairs the wheels of drives of travel with those of another suspension, by index; `None` for a wheel that the other
+    /// one lacks.
+    pub(super) fn pair_wheels(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
+        let travels = |side: &Self| {
+            let ways = side.ways.iter();
+            ways.filter(|way| way.does == Does::Travel).count()
+        };
+        let own = (0..travels(self)).map(|way| [Some(way), self.same_way(other, way)]);
+        let theirs = (0..travels(other)).filter(|way| other.same_way(self, *way).is_none());
+        own.chain(theirs.map(|way| [None, Some(way)])).collect()
+    }
+}

@@ -1,0 +1,221 @@
+//! The data of a corner in a file.
+
+use std::ops::Range;
+
+use super::corner_points::CornerPoints;
+use super::hardpoints::{Hardpoint, Hardpoints, Number};
+use super::layout_choice::Choice;
+use super::names::Names;
+use super::orientation::Orientation;
+use super::stand_in::{Spin, stand_in};
+use crate::mechanism::Length;
+use crate::number::rounded;
+use crate::prepare;
+use crate::vehicle_corner::Side;
+
+/// The data that the file has for a corner.
+pub(super) struct ImportedCorner<'a> {
+    pub(super) stated: &'a Hardpoints<'a>,
+    pub(super) names: &'a Names,
+    /// The points of the corner and those without a side.
+    pub(super) points: Vec<&'a Hardpoint>,
+    pub(super) choice: Choice<'a>,
+    pub(super) orientation: Orientation,
+    pub(super) corner: CornerPoints,
+    /// The unit that the user states.
+    pub(super) unit: Option<Length>,
+    /// Sentences about the other corner of the file.
+    pub(super) notes: Vec<String>,
+}
+
+/// The data of a file on the other side of the vehicle.
+pub(super) enum OtherSide {
+    Nothing,
+    /// The file lacks some of its points.
+    Part,
+    /// The other side is the mirror image.
+    Image,
+    /// The other side is another suspension: the named point or number differs from the mirror image.
+    Unlike(String),
+}
+
+/// The largest plausible distance of a wheel's centre from the middle of a vehicle, m: half the track of a wide lorry.
+const WIDEST: f64 = 1.2;
+
+/// The largest deviation from a mirror image, as a part of the suspension's size: files round their numbers.
+const ROUNDING: f64 = 1e-6;
+
+impl OtherSide {
+    /// Returns a sentence on the other side for the user.
+    pub(super) fn side_note(&self, is_axle: bool) -> Option<String> {
+        match self {
+            Self::Image if !is_axle => Some(
+                "the right corner is the mirror image of the left one; --axle makes an axle of both".to_owned(),
+            ),
+            Self::Unlike(what) if !is_axle => Some(format!(
+                "left and right are not mirror images, for example at {what}: the motion file is an axle of both corners; --side takes one of them"
+            )),
+            Self::Part if !is_axle => Some(
+                "the file has points of the other side too, but not all: they are not used".to_owned(),
+            ),
+            _ => None,
+        }
+    }
+}
+
+impl ImportedCorner<'_> {
+    /// Checks a unit that is deduced from the size of the suspension against the distance of the wheel from the middle of the
+    /// vehicle.
+    ///
+    /// # Errors
+    ///
+    /// A sentence if the wheel is too far away, as where lengths in cm are taken for inches.
+    pub(super) fn check_unit(&self) -> Result<(), String> {
+        let is_stated = self.unit.or(self.stated.unit).is_some();
+        let centre = self.position("wheel_centre").filter(|_| !is_stated);
+        let Some([_, y, _]) = centre else {
+            return Ok(());
+        };
+        let (unit, why) = self.unit();
+        let metres = y.abs() / unit.metre();
+        if metres <= WIDEST {
+            return Ok(());
+        }
+        let unit = unit.symbol();
+        Err(format!(
+            "the unit of lengths would be {unit}, {why}, but then the wheel centre is {} m from the middle of the vehicle: state \
+             the unit with --unit; convert lengths in cm to mm",
+            rounded(metres, 3)
+        ))
+    }
+
+    /// Compares the points of the layout with those of the other side.
+    pub(super) fn other_side(&self) -> OtherSide {
+        let found = self.choice.found.iter().map(|(_, point)| *point);
+        let sided = found.filter(|point| point.side.is_some());
+        let images: Vec<_> = sided.map(|point| (point, self.image(point))).collect();
+        let count = images.iter().filter(|(_, image)| image.is_some()).count();
+        if count == 0 {
+            return OtherSide::Nothing;
+        }
+        if count < images.len() {
+            return OtherSide::Part;
+        }
+        let mut pairs = images
+            .into_iter()
+            .filter_map(|(point, image)| Some((point, image?)));
+        let point = pairs.find(|(point, image)| !self.is_mirrored(point, image));
+        let point = point.map(|(_, image)| (&image.name, &image.place));
+        match point.or_else(|| self.unlike_number()) {
+            Some((name, place)) => {
+                OtherSide::Unlike(format!("`{name}` ({})", self.stated.line(place)))
+            }
+            None => OtherSide::Image,
+        }
+    }
+
+    /// Returns the point of the same name on the other side.
+    fn image(&self, point: &Hardpoint) -> Option<&Hardpoint> {
+        let mut points = self.stated.points.iter();
+        points.find(|other| other.key == point.key && is_other_side(other.side, point.side))
+    }
+
+    fn is_mirrored(&self, point: &Hardpoint, image: &Hardpoint) -> bool {
+        let off = ROUNDING * self.corner.apart();
+        let [[x, y, z], [of_x, of_y, of_z]] = [point.at, image.at];
+        let apart = [x - of_x, y + of_y, z - of_z];
+        apart.iter().all(|by| by.abs() <= off)
+    }
+
+    /// Returns a number, for example an angle, that differs between the sides.
+    fn unlike_number(&self) -> Option<(&String, &Range<usize>)> {
+        let numbers = &self.stated.numbers;
+        let is_unlike = |number: &&Number| {
+            let mut others = numbers.iter();
+            others.any(|other| {
+                other.key == number.key
+                    && is_other_side(other.side, number.side)
+                    && other.value != number.value
+            })
+        };
+        let unlike = numbers.iter().find(is_unlike);
+        unlike.map(|number| (&number.key, &number.place))
+    }
+
+    /// Returns name, position and origin of each point, in the order of the listing; `before` is the prefix of the point
+    /// names.
+    pub(super) fn placed(&self, before: &str) -> Vec<[String; 3]> {
+        let Self { choice, stated, .. } = self;
+        let (unit, _) = self.unit();
+        let (side, stated_side) = (self.corner.side, self.corner.stated_side);
+        let spin = Spin::new(stated, self.names, side, stated_side);
+        let names = prepare::point_names(&choice.listing).map(str::to_owned);
+        let each = names.filter_map(|name| {
+            let (position, origin) = match (self.position(&name), choice.point(&name)) {
+                (Some(at), Some(point)) => {
+                    let origin = format!("{}, {}", point.name, stated.line(&point.place));
+                    let halved = self.halved(&name, at).filter(|_| !before.is_empty());
+                    match halved {
+                        Some(at) => (
+                            format!("{at:?}"),
+                            format!("halfway from bar_outer to {origin}"),
+                        ),
+                        None if name == "strut_low" && self.lifted().is_some() => (
+                            format!("{at:?}"),
+                            format!("a quarter of the way to top from {origin}"),
+                        ),
+                        None => (format!("{at:?}"), origin),
+                    }
+                }
+                _ => stand_in(
+                    &name,
+                    |name| self.position(name),
+                    &spin,
+                    (unit.metre(), before),
+                )?,
+            };
+            Some([format!("{before}{name}"), position, origin])
+        });
+        each.collect()
+    }
+
+    /// Moves the middle of a bar, which both corners would share, outboard along the axis of the bar's twist so that each
+    /// corner has its own.
+    fn halved(&self, name: &str, at: [f64; 3]) -> Option<[f64; 3]> {
+        if name != "bar_inner" || at[1] != 0.0 {
+            return None;
+        }
+        let outer = self.position("bar_outer")?;
+        Some([0, 1, 2].map(|axis| 0.5 * (at[axis] + outer[axis])))
+    }
+
+    /// Returns the lower end of a strut that ends in the lower ball joint, moved up the strut's line: one body has no two
+    /// points in one place.
+    pub(super) fn lifted(&self) -> Option<[f64; 3]> {
+        let low = self.stated("strut_low")?;
+        let top = self.stated("top")?;
+        let lifted = [0, 1, 2].map(|axis| 0.75 * low[axis] + 0.25 * top[axis]);
+        (self.stated("lower_ball")? == low).then_some(lifted)
+    }
+
+    /// Returns the coordinates of a point of the listing, if the file has it.
+    pub(super) fn position(&self, name: &str) -> Option<[f64; 3]> {
+        match name {
+            "strut_low" => self.lifted().or_else(|| self.stated(name)),
+            _ => self.stated(name),
+        }
+    }
+
+    fn stated(&self, name: &str) -> Option<[f64; 3]> {
+        let place = self
+            .choice
+            .found
+            .iter()
+            .position(|(found, _)| found == name)?;
+        Some(self.corner.at[place])
+    }
+}
+
+fn is_other_side(other: Option<Side>, side: Option<Side>) -> bool {
+    other.is_some() && side.is_some() && other != side
+}

@@ -1,0 +1,163 @@
+//! The choice of the layout for a file: the one that uses most of its points and lacks none.
+
+mod candidate;
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+use suspension_core::listing::{Kind, Parts};
+use suspension_runtime::{Listing, Mistakes, catalogue};
+
+use super::hardpoints::{Hardpoint, Hardpoints};
+use super::names::Names;
+use super::rack::{self, RACK};
+use super::upper_wishbone::{on_upper, point_on_upper};
+use candidate::Candidate;
+
+/// A chosen listing, with the points that the file has for it.
+#[derive(Debug)]
+pub(super) struct Choice<'a> {
+    pub(super) linkage: &'static str,
+    /// The text of the listing, with the changes that the file asks for.
+    pub(super) text: String,
+    /// Whether there are such changes.
+    pub(super) is_changed: bool,
+    pub(super) listing: Listing,
+    /// The points that the file has, in the order of the listing, each with its name in the listing.
+    pub(super) found: Vec<(String, &'a Hardpoint)>,
+    /// Missing points that are computed from others.
+    pub(super) spare: Vec<String>,
+    /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `listing`.
+    pub(super) fixed: Option<String>,
+    /// The point that is on the upper wishbone, where the catalogue's listing has it on the lower one.
+    pub(super) upper: Option<&'static str>,
+}
+
+impl<'a> Choice<'a> {
+    fn new(candidate: Candidate<'a>, stated: &Hardpoints<'_>) -> Result<Self, Mistakes> {
+        let point = |name: &str| point_of(&candidate.found, name);
+        let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
+        let layout = candidate.layout;
+        let upper = point_on_upper(layout.text, point);
+        let mut text = layout.text.to_owned();
+        if fixed.is_some() {
+            text = rack::fixed(&text);
+        }
+        if upper.is_some() {
+            text = on_upper(&text);
+        }
+        Ok(Self {
+            linkage: layout.name,
+            listing: Listing::parse_file(&text, layout.name)?,
+            text,
+            is_changed: fixed.is_some() || upper.is_some(),
+            fixed,
+            upper,
+            found: candidate.found,
+            spare: candidate.spare,
+        })
+    }
+
+    /// Returns whether a point of the file is one of the listing's.
+    pub(super) fn uses(&self, point: &Hardpoint) -> bool {
+        is_used(&self.found, point)
+    }
+
+    /// Returns whether a point of the listing is on the chassis.
+    pub(super) fn is_on_chassis(&self, name: &str) -> bool {
+        let chassis = self.listing.count(Kind::ChassisPoint);
+        self.listing
+            .point(name)
+            .is_some_and(|point| point < chassis)
+    }
+
+    /// Returns the file's point for a point of the listing.
+    pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
+        point_of(&self.found, name)
+    }
+}
+
+fn point_of<'a>(found: &[(String, &'a Hardpoint)], name: &str) -> Option<&'a Hardpoint> {
+    let mut found = found.iter();
+    found.find_map(|(other, point)| (other == name).then_some(*point))
+}
+
+fn is_used(found: &[(String, &Hardpoint)], point: &Hardpoint) -> bool {
+    found.iter().any(|(_, used)| std::ptr::eq(*used, point))
+}
+
+/// Returns the listing that the user names, or else the one that uses most of the points.
+///
+/// # Errors
+///
+/// A sentence that names the missing points, or the listings that use equally many.
+pub(super) fn choose<'a>(
+    stated: &Hardpoints<'_>,
+    points: &[&'a Hardpoint],
+    names: &'a Names,
+    wanted: Option<&str>,
+) -> Result<Choice<'a>, String> {
+    let mut candidates = candidates(points, names, wanted).into_iter();
+    let Some(best) = candidates.next() else {
+        return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
+    };
+    if let Some(why) = best.does_not_fit(stated, points, names, wanted) {
+        return Err(why);
+    }
+    match candidates.next() {
+        Some(other)
+            if other.missing.is_empty()
+                && other.found.len() == best.found.len()
+                && other.spare.len() == best.spare.len() =>
+        {
+            Err(format!(
+                "the points are those of {} and of {}: say which with --linkage",
+                best.layout.name, other.layout.name
+            ))
+        }
+        _ => Choice::new(best, stated).map_err(|mistakes| mistakes.to_string()),
+    }
+}
+
+/// Returns how much the layout nearest to some points lacks: first whether none of its points is among them, then how many are
+/// missing, then how many there are.
+pub(super) fn lacking(
+    points: &[&Hardpoint],
+    names: &Names,
+    wanted: Option<&str>,
+) -> Option<(bool, usize, Reverse<usize>)> {
+    let candidates = candidates(points, names, wanted);
+    candidates.first().map(|nearest| {
+        let found = nearest.found.len();
+        (found == 0, nearest.needed().len(), Reverse(found))
+    })
+}
+
+/// Returns the layouts, or the one that the user names, with the points of a file; the nearest one is the first.
+fn candidates<'a>(
+    points: &[&'a Hardpoint],
+    names: &'a Names,
+    wanted: Option<&str>,
+) -> Vec<Candidate<'a>> {
+    let layouts = names.layouts.iter();
+    let layouts = layouts.filter(|layout| wanted.is_none_or(|wanted| wanted == layout.name));
+    // Points of one name are in one place, or the candidate refuses them: the first is taken.
+    let by_form = points
+        .iter()
+        .rev()
+        .map(|point| (names.normal(&point.key), *point));
+    let by_form: BTreeMap<String, &Hardpoint> = by_form.collect();
+    let candidates = layouts.map(|layout| Candidate::new(layout, &by_form, names));
+    let mut candidates: Vec<Candidate<'a>> = candidates.collect();
+    candidates.sort_by_key(|candidate| {
+        let (found, needed) = (candidate.found.len(), candidate.needed().len());
+        // Of two listings with equally many points, prefer the one that states its spin axis.
+        (
+            found == 0,
+            needed,
+            Reverse(found),
+            Reverse(candidate.spare.len()),
+        )
+    });
+    candidates
+}
