@@ -54,14 +54,15 @@ impl Arguments {
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {
-            (Vec::new(), None)
+            (Ok(Vec::new()), None)
         } else {
             let _shown = Busy::new("following each drive to its locks");
             let ranges = ranges(mechanism, interrupted)?;
             (ranges, loaded.own_motion_ends(interrupted)?)
         };
         let is_interrupted = interrupted.load(Ordering::Relaxed);
-        let near = near_lock::notes(mechanism, &ranges);
+        let has_ranges = ranges.is_ok();
+        let near = near_lock::notes(mechanism, ranges.as_deref().unwrap_or_default());
         let near = near.map(|note| format!("{name}: {note}"));
         let notes: Vec<String> = mechanism.notes.iter().cloned().chain(near).collect();
         let is_known = !is_singular && !is_interrupted;
@@ -85,6 +86,11 @@ impl Arguments {
         if is_singular {
             return Err(singular(name, mechanism));
         }
+        if !has_ranges {
+            return Err(Failure::Solver(format!(
+                "{name}: the reach of the drives is not known; the report says why"
+            )));
+        }
         match motion_ends {
             Some(_) => Err(Failure::Solver(format!(
                 "{name}: the file's own motion is out of reach; the report says why"
@@ -94,13 +100,18 @@ impl Arguments {
     }
 }
 
+/// Returns the range of each drive, or why the solver does not find one.
 fn ranges(
     mechanism: &dyn Kinematics,
     interrupted: &AtomicBool,
-) -> Result<Vec<DriveRange>, Failure> {
+) -> Result<Result<Vec<DriveRange>, String>, Failure> {
     let drives = 0..mechanism.names.drives.len();
     let ranges = drives.map(|drive| mechanism.range(drive, interrupted));
-    ranges.collect()
+    match ranges.collect() {
+        Ok(ranges) => Ok(Ok(ranges)),
+        Err(Failure::Solver(why)) => Ok(Err(why)),
+        Err(failure) => Err(failure),
+    }
 }
 
 /// Says whether the file's own motion is within reach, or why it ends.
