@@ -181,10 +181,11 @@ impl<'a> Run<'a> {
             announce(forms.files().map(|(path, _)| path));
         }
         if let (Some((folder, stem)), Some((state, outcomes))) = (&self.drawings, &first) {
+            let place = leading.in_words(&leading.read(state), |_| true);
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
                 let case = found.as_ref()?.case;
                 let path = folder.join(format!("{stem}_{}.svg", case.name));
-                Some(self.draw(path, case, (state, outcome.as_ref())))
+                Some(self.draw(path, case, (state, &place, outcome.as_ref())))
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
         }
@@ -217,7 +218,7 @@ impl<'a> Run<'a> {
         &self,
         path: PathBuf,
         case: &Case,
-        at: (&State, Option<&Outcome>),
+        at: (&State, &str, Option<&Outcome>),
     ) -> Result<PathBuf, Failure> {
         let whole = (self.mechanism, self.listing);
         let drawing = drawing(whole, self.structure, case, at).svg(Seen::Oblique, SIZE);
