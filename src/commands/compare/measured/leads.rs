@@ -175,7 +175,7 @@ fn none(mechanism: &dyn Kinematics) -> String {
         .flatten()
         .collect();
     format!(
-        "no column says where the model is; head one with {}. The headings are the first line that does not begin with #",
+        "no column says where the model is; head one with {}. The headings are the first line of several fields that does not begin with #",
         ways.join(", or with ")
     )
 }
