@@ -1,6 +1,7 @@
 //! The report on a design position.
 
 mod locks;
+mod pulling;
 mod unfollowed;
 
 use std::process::Output;
