@@ -4,6 +4,7 @@ mod condition;
 mod near_lock;
 mod pulling;
 mod report;
+mod zero_length;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -64,7 +65,9 @@ impl Arguments {
         let is_interrupted = interrupted.load(Ordering::Relaxed);
         let has_ranges = ranges.is_ok();
         let near = near_lock::notes(mechanism, ranges.as_deref().unwrap_or_default());
-        let own = near.chain(pulling::notes(mechanism));
+        let own = near
+            .chain(pulling::notes(mechanism))
+            .chain(zero_length::notes(mechanism));
         let own = own.map(|note| format!("{name}: {note}"));
         let notes: Vec<String> = mechanism.notes.iter().cloned().chain(own).collect();
         let is_known = !is_singular && !is_interrupted;
@@ -168,8 +171,8 @@ Prints a report on the design position, which is that of the file's points:
                               and, where it is known, the link that is in the way, or the body on its hinge or joint.
                               suspension range starts from the first instant and follows the whole curve
   motion                      whether the file's own motion is within reach from its first instant to its last
-  notes                       statements of the file that its author may not have meant, locks very near the design, and springs
-                              that pull a wheel up there
+  notes                       statements of the file that its author may not have meant, locks very near the design, springs that
+                              pull a wheel up there, and measured lengths that are zero there
   assemblies                  with --assemblies: how many ways there are to put the parts together
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is

@@ -3,6 +3,7 @@
 mod locks;
 mod pulling;
 mod unfollowed;
+mod zero_length;
 
 use std::process::Output;
 
