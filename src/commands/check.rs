@@ -2,7 +2,9 @@
 
 mod condition;
 mod near_lock;
+mod pulling;
 mod report;
+mod zero_length;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -45,16 +47,20 @@ impl Arguments {
         let condition = Condition::analyse(mechanism);
         let is_singular = condition.is_singular();
         let (ranges, motion_ends) = if is_singular {
-            (Vec::new(), None)
+            (Ok(Vec::new()), None)
         } else {
             let _shown = Busy::new("following each drive to its locks");
             let ranges = ranges(mechanism, interrupted)?;
             (ranges, loaded.own_motion_ends(interrupted)?)
         };
         let is_interrupted = interrupted.load(Ordering::Relaxed);
-        let near = near_lock::notes(mechanism, &ranges);
-        let near = near.map(|note| format!("{name}: {note}"));
-        let notes: Vec<String> = mechanism.notes.iter().cloned().chain(near).collect();
+        let has_ranges = ranges.is_ok();
+        let near = near_lock::notes(mechanism, ranges.as_deref().unwrap_or_default());
+        let own = near
+            .chain(pulling::notes(mechanism))
+            .chain(zero_length::notes(mechanism));
+        let own = own.map(|note| format!("{name}: {note}"));
+        let notes: Vec<String> = mechanism.notes.iter().cloned().chain(own).collect();
         let is_known = !is_singular && !is_interrupted;
         let report = Report {
             file: name,
@@ -76,6 +82,11 @@ impl Arguments {
         if is_singular {
             return Err(singular(name, mechanism));
         }
+        if !has_ranges {
+            return Err(Failure::Solver(format!(
+                "{name}: the reach of the drives is not known; the report says why"
+            )));
+        }
         match motion_ends {
             Some(_) => Err(Failure::Solver(format!(
                 "{name}: the file's own motion is out of reach; the report says why"
@@ -85,13 +96,18 @@ impl Arguments {
     }
 }
 
+/// Returns the range of each drive, or why the solver does not find one.
 fn ranges(
     mechanism: &dyn Kinematics,
     interrupted: &AtomicBool,
-) -> Result<Vec<DriveRange>, Failure> {
+) -> Result<Result<Vec<DriveRange>, String>, Failure> {
     let drives = 0..mechanism.names.drives.len();
     let ranges = drives.map(|drive| mechanism.range(drive, interrupted));
-    ranges.collect()
+    match ranges.collect() {
+        Ok(ranges) => Ok(Ok(ranges)),
+        Err(Failure::Solver(why)) => Ok(Err(why)),
+        Err(failure) => Err(failure),
+    }
 }
 
 /// Says whether the file's own motion is within reach, or why it ends.
@@ -146,7 +162,8 @@ Prints a report on the design position, which is that of the file's points:
                               and, where it is known, the link that is in the way, or the body on its hinge or joint.
                               suspension range starts from the first instant and follows the whole curve
   motion                      whether the file's own motion is within reach from its first instant to its last
-  notes                       statements of the file that its author may not have meant, and locks very near the design
+  notes                       statements of the file that its author may not have meant, locks very near the design, springs that
+                              pull a wheel up there, and measured lengths that are zero there
   assemblies                  with --assemblies: how many ways there are to put the parts together
 
 Exit codes: 0 the design is healthy, 1 the report cannot be written, 2 wrong input, 3 the design does not assemble or is

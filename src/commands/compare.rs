@@ -145,7 +145,7 @@ are in the axes and the unit of A; quantities with signs of their own, such as c
 
 Instant centres, swing arms and roll centres that are near infinity within the travel are not compared over it.
 Derivatives are per unit of the drive, whose values may count downwards, as in SAE axes: `per travel of the wheel` where
-the drive is the height of the wheel, otherwise `per change of` the drive. The curves over travel always go upwards.
+the drive is the height of the wheel, upwards, otherwise `per change of` the drive. The curves over travel always go upwards.
 Wheels and drives of the same name are compared with each other; where only one of the files names its wheels, each of
 them is compared with the wheel of the other file.
 

@@ -178,6 +178,9 @@ impl Arguments {
             notes: Vec::new(),
         };
         imported.check_unit().map_err(refuse)?;
+        if self.side.is_none() {
+            imported.check_side().map_err(refuse)?;
+        }
         Ok(imported)
     }
 

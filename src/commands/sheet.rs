@@ -139,13 +139,14 @@ file's points) and faintly at both ends of the travel; all quantities at the des
 derivatives with respect to the drives of travel and steering, among them bump camber, bump steer and motion ratios; curves
 over travel, or over heave and roll of an axle, and over steering; and all points. Where a drive of travel is not a height
 but, for example, a damper's length or an angle, the page also has derivatives `per wheel travel`, per rise of the wheel
-centre with the other wheels held at their heights, and curves over wheel travel. The curve of an instant centre, a swing arm
-or a roll centre that passes through infinity within the travel, or comes near it, is cut there or left out, and so is one
-that is constant throughout and the Ackermann percentage at small steer angles. The page says which; suspension sweep writes
-all values. Where the coordinates of
-several wheels are far apart, as those of y on both sides, a chart shows their change from the design position. The [vehicle]
-table of the file (suspension motion --help) names the drives of travel and steering; it gives the wheel radius, which all
-quantities at the ground need, and the car's data for anti-dive.
+centre with the other wheels held at their heights, and curves over wheel travel; where it is a height that counts
+downwards, as z of SAE axes, it has these derivatives too, as those per drive have the opposite sign. The curve of an
+instant centre, a swing arm or a roll centre that passes through infinity within the travel, or comes near it, is cut there
+or left out, and so is one that is constant throughout and the Ackermann percentage at small steer angles. The page says
+which; suspension sweep writes all values. Where the coordinates of several wheels are far apart, as those of y on both
+sides, a chart shows their change from the design position. The [vehicle] table of the file (suspension motion --help) names
+the drives of travel and steering; it gives the wheel radius, which all quantities at the ground need, and the car's data
+for anti-dive.
 
 A browser turns the page into a PDF of a few A4 pages: chromium --headless --print-to-pdf=sheet.pdf out/NAME_sheet.html
 or into a picture: chromium --headless --screenshot=sheet.png --window-size=1250,10000 out/NAME_sheet.html (twice as high

@@ -14,6 +14,11 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     if let Some(other) = other_kind(source) {
         return other;
     }
+    if message.starts_with("string values must be quoted")
+        && let Some(mistake) = mistaken_number(source.text(), start)
+    {
+        return mistake + LIST;
+    }
     let message = message.trim_end().replace('\n', ", ");
     let message = message.replace("expected f64", "expected a number");
     let message = message.replace("expected a sequence", "expected a list in brackets, [...]");
@@ -34,6 +39,13 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         did_you_mean(name, quoted)
     } else if is_comma_between_digits(source.text(), start) {
         "; a decimal separator is a point, as in 0.5".to_owned()
+    } else if message.starts_with("unexpected key or value")
+        && source
+            .text()
+            .get(start..)
+            .is_some_and(|rest| rest.starts_with(','))
+    {
+        LIST.to_owned()
     } else if message.starts_with("missing field") {
         example_of_key(name).to_owned() + &also_missing(name, source.text())
     } else if message.starts_with("invalid type: string") && message.contains("polynomial of time")
@@ -43,6 +55,25 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         String::new()
     };
     message + &hint
+}
+
+/// How several numbers are written.
+const LIST: &str = "; several numbers are written [0.1, 0.2, 0.3]";
+
+/// Says what is wrong with a value that begins like a number: a comma that is missing, as in `[0.1 0.2]`, or other signs.
+fn mistaken_number(text: &str, start: usize) -> Option<String> {
+    let value = text.get(start..)?.split([',', ']', '\n', '#']).next()?;
+    let value = value.trim();
+    let begins = value.trim_start_matches(['+', '-', '.', ' ']);
+    if !begins.starts_with(|letter: char| letter.is_ascii_digit()) {
+        return None;
+    }
+    let mut words = value.split_whitespace();
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    Some(match words.clone().next() {
+        Some(first) if words.all(is_number) => format!("a comma is missing behind {first}"),
+        _ => format!("`{value}` is no number"),
+    })
 }
 
 fn is_comma_between_digits(text: &str, start: usize) -> bool {

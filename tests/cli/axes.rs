@@ -1,6 +1,7 @@
 //! The axes that a motion file may have.
 
 mod compared;
+mod downwards;
 
 use std::f64::consts::PI;
 use std::fmt::Write;

@@ -6,7 +6,7 @@ use super::program::{CORNER, edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 65] = [
+const BAD: [Case; 72] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -41,6 +41,13 @@ const BAD: [Case; 65] = [
     ("instants", "instants = [0.0, 0.0]", ":51:18", "increase or decrease throughout"),
     ("instants", "instants = [nan]", ":51:13", "finite"),
     ("theta = [", "", ":53:", "`theta` is missing; write theta = its value, or [value, rate, ...], under [drives]\n"),
+    ("p2", "p2 = [0.1 0.2 0.3]", ":13:7", "a comma is missing behind 0.1; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("p2", "p2 = [-0.1, +.2 0.3 ]", ":13:13", "a comma is missing behind +.2; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("p2", "p2 = [0.1, - 0.2, 0.3]", ":13:12", "`- 0.2` is no number; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("p2", "p2 = [0.1; 0.2; 0.3]", ":13:7", "`0.1; 0.2; 0.3` is no number; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("p2", "p2 = (0.1, 0.2, 0.3)", ":13:", "; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("theta = [", "theta = 0.7 0.5", ":55:9", "a comma is missing behind 0.7; several numbers are written [0.1, 0.2, 0.3]\n"),
+    ("theta = [", "theta = 0.7, 0.5", ":55:12", "; several numbers are written [0.1, 0.2, 0.3]\n"),
     ("theta = [", "theta = 0,7", ":55:10", "; a decimal separator is a point, as in 0.5\n"),
     ("theta = [", "bump = [0.7]", ":55:1", "unknown drive `bump`"),
     ("theta = [", "theta = []", ":55:9", "coefficient"),

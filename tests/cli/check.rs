@@ -1,6 +1,9 @@
 //! The report on a design position.
 
 mod locks;
+mod pulling;
+mod unfollowed;
+mod zero_length;
 
 use std::process::Output;
 

@@ -207,6 +207,7 @@ fn drawings_of_load_cases_show_link_forces_and_load_arrows() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), &file).expect("written");
     let output = run(folder.path(), &["loads", "a.toml", "--drawings", "out"]);
+    let place = "at bump = 0.3 m, steer = 0.34 m\n";
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     for case in ["a", "b"] {
         let path = folder.path().join(format!("out/a_{case}.svg"));
@@ -221,6 +222,8 @@ fn drawings_of_load_cases_show_link_forces_and_load_arrows() {
         assert!(
             svg.contains("\n5000 N\n")
                 && svg.contains(&format!("load case {case}: tension positive and blue"))
+                && svg.contains(place),
+            "{svg}"
         );
     }
 }

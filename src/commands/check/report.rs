@@ -12,7 +12,8 @@ pub(super) struct Report<'a> {
     pub(super) file: &'a str,
     pub(super) mechanism: &'a Description,
     pub(super) condition: Condition,
-    pub(super) ranges: Vec<DriveRange>,
+    /// The ranges of the drives, none of a singular design, or why they are not known.
+    pub(super) ranges: Result<Vec<DriveRange>, String>,
     /// Whether the file's own motion is within reach, in words.
     pub(super) motion: Option<String>,
     pub(super) notes: &'a [String],
@@ -52,10 +53,14 @@ impl Report<'_> {
             (CONDITIONING, self.conditioning()),
             ("elimination", self.elimination()),
         ];
-        if !self.ranges.is_empty() {
-            let from = "of each drive from the design position, the other drives held there; `suspension range` starts from the first instant";
-            lines.push(("reach", from.to_owned()));
-            lines.extend(self.ranges.iter().flat_map(|range| self.reach(range)));
+        match &self.ranges {
+            Ok(ranges) if ranges.is_empty() => (),
+            Ok(ranges) => {
+                let from = "of each drive from the design position, the other drives held there; `suspension range` starts from the first instant";
+                lines.push(("reach", from.to_owned()));
+                lines.extend(ranges.iter().flat_map(|range| self.reach(range)));
+            }
+            Err(why) => lines.push(("reach", format!("NOT KNOWN: {why}"))),
         }
         lines.extend(self.motion.iter().map(|motion| ("motion", motion.clone())));
         lines.extend(self.notes.iter().map(|note| ("note", note.clone())));
@@ -73,7 +78,8 @@ impl Report<'_> {
 
     /// Returns the line of the assemblies, which stands below the others.
     pub(super) fn assemblies(&self, tally: &Tally) -> String {
-        let names = self.ranges.iter().map(|range| range.name.as_str());
+        let ranges = self.ranges.iter().flatten();
+        let names = ranges.map(|range| range.name.as_str());
         let headings = names.chain([CONDITIONING]).map(|name| name.chars().count());
         let width = headings.max().unwrap_or_default();
         let doubts = match tally.doubts().as_slice() {

@@ -177,12 +177,12 @@ impl Suspension {
     }
 
     /// Names the movement of a drive: the travel of its wheels if the derivatives are by wheel or the drive is their height,
-    /// otherwise its own change. In a comparison with a suspension whose wheel has no name each wheel moves by its own drive.
+    /// counted upwards, otherwise its own change. In a comparison with a suspension whose wheel has no name each wheel moves by its own drive.
     pub(super) fn moved(&self, way: usize, other: &Self, by_wheel: bool) -> String {
         let drive = &self.drives[way];
         let own = self.travel_of.iter().filter(|(_, own)| *own == way);
         let names: Vec<String> = own.map(|(wheel, _)| wheel.replace('_', " ")).collect();
-        let is_travel = by_wheel || self.is_height[way];
+        let is_travel = by_wheel || self.is_height[way] && self.is_upwards(way);
         let wheels = match names.as_slice() {
             [] => return format!("change of {drive}"),
             [name] if name.is_empty() => "the wheel".to_owned(),
@@ -196,6 +196,12 @@ impl Suspension {
         } else {
             format!("change of {drive} at {wheels}")
         }
+    }
+
+    /// Returns whether a drive of travel grows as its wheel rises.
+    fn is_upwards(&self, way: usize) -> bool {
+        let rises = self.rises.as_ref();
+        rises.is_none_or(|rises| rises.rise(way, way) > 0.0)
     }
 
     /// Returns whether a wheel with a drive of travel has a name.

@@ -77,6 +77,11 @@ impl CornerPoints {
         })
     }
 
+    /// Returns whether names state this side, and the coordinates put the points on the other one.
+    pub(super) fn is_elsewhere(&self) -> bool {
+        self.mirrored && self.stated_side == self.side
+    }
+
     /// Returns the largest distance of two points along an axis.
     pub(super) fn apart(&self) -> f64 {
         extent(self.at.iter().map(|at| Vector3::from(*at))).max()

@@ -89,6 +89,30 @@ impl ImportedCorner<'_> {
         ))
     }
 
+    /// Checks that the corner is on the side that its names say.
+    ///
+    /// # Errors
+    ///
+    /// A sentence if it is on the other side, as in tables that count y outboard on both sides.
+    pub(super) fn check_side(&self) -> Result<(), String> {
+        let corner = &self.corner;
+        let centre = self.choice.point("wheel_centre");
+        let Some(centre) = centre.filter(|_| corner.is_elsewhere()) else {
+            return Ok(());
+        };
+        let axes = self.orientation.axes;
+        Err(format!(
+            "`{}` is on the {side} by its name, and on the {} by y = {} in axes {} ({}); change the signs of y at the points of \
+             the {side} corner",
+            centre.name,
+            corner.side.other().name(),
+            centre.at[1],
+            axes.name(),
+            axes.meaning(),
+            side = corner.side.name(),
+        ))
+    }
+
     /// Compares the points of the layout with those of the other side.
     pub(super) fn other_side(&self) -> OtherSide {
         let found = self.choice.found.iter().map(|(_, point)| *point);

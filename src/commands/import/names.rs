@@ -33,6 +33,8 @@ pub(super) struct Arrangement {
     pub(super) ahead: Vec<[String; 2]>,
     /// The first is above the second.
     pub(super) above: Vec<[String; 2]>,
+    /// The first is further from the middle of the vehicle than the second.
+    pub(super) outboard: Vec<[String; 2]>,
     /// The layouts with another order of points.
     pub(super) otherwise: Vec<String>,
 }

@@ -82,6 +82,7 @@ impl ImportedCorner<'_> {
             remarks.push(format!("the corner is the {side} one"));
         }
         remarks.extend(self.point_across());
+        remarks.extend(self.exchanged_ends());
         remarks.extend(self.toe_link());
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
@@ -165,6 +166,22 @@ impl ImportedCorner<'_> {
             "`{point}` is nearer to `{upper}` than to `{lower}`, so it is on the upper wishbone. To put it on the lower one, move \
              {moved} to lower_wishbone in the statements of the corner"
         ))
+    }
+
+    /// Notes inner ends of links and wishbones that are outboard of their outer ends.
+    fn exchanged_ends(&self) -> impl Iterator<Item = String> {
+        let pairs = self.names.arrangement.outboard.iter();
+        pairs.filter_map(|[outer, inner]| {
+            let ends = [self.choice.point(outer)?, self.choice.point(inner)?];
+            let [out, inward] = ends.map(|end| end.at[1].abs());
+            let [outer, inner] =
+                ends.map(|end| format!("`{}` ({})", end.name, self.stated.line(&end.place)));
+            (out < inward).then(|| {
+                format!(
+                    "{inner} is further from the middle of the vehicle than {outer}: have they each other's names?"
+                )
+            })
+        })
     }
 
     /// Notes a free point of a corner that is on the other side of the vehicle than its wheel.

@@ -8,12 +8,12 @@ use crate::loads::{By, Case, Outcome, Structure};
 use crate::mechanism::State;
 use crate::output::drawing::{Acting, Drawing, Forces, InLink, drawing_of};
 
-/// Draws the mechanism at the first place, with the forces of a case there.
+/// Draws the mechanism at the first place, in words `place`, with the forces of a case there.
 pub(super) fn drawing(
     (mechanism, listing): (&dyn Kinematics, &Listing),
     structure: &Structure<'_>,
     case: &Case,
-    (first, outcome): (&State, Option<&Outcome>),
+    (first, place, outcome): (&State, &str, Option<&Outcome>),
 ) -> Drawing {
     let mut drawing = drawing_of(mechanism, listing, None);
     for (number, at) in drawing.points.iter_mut().enumerate() {
@@ -34,10 +34,13 @@ pub(super) fn drawing(
     let acting = acting.filter(|[_, force]| *force != Vector3::zeros());
     let acting = acting.map(|[at, force]| Acting { at, force });
     drawing.forces = Some(Forces {
-        title: format!(
-            "load case {}: tension positive and blue, compression negative and red",
-            case.name
-        ),
+        title: [
+            format!(
+                "load case {}: tension positive and blue, compression negative and red",
+                case.name
+            ),
+            format!("at {place}"),
+        ],
         links,
         acting: acting.collect(),
     });

@@ -180,9 +180,10 @@ impl<'a> Run<'a> {
             announce(tables.files().map(|(path, _)| path));
         }
         if let (Some(folder), Some((state, outcomes))) = (&self.drawings, &first) {
+            let place = leading.in_words(&leading.read(state), |_| true);
             let drawn = found.iter().zip(outcomes).filter_map(|(found, outcome)| {
                 let case = found.as_ref()?.case;
-                let svg = self.drawing(case, (state, outcome.as_ref()));
+                let svg = self.drawing(case, (state, &place, outcome.as_ref()));
                 Some(svg.and_then(|svg| folder.write(&case.name, &svg)))
             });
             announce(&drawn.collect::<Result<Vec<_>, Failure>>()?);
@@ -203,7 +204,11 @@ impl<'a> Run<'a> {
         found.try_for_each(|found| print(&report.text(found)))
     }
 
-    fn drawing(&self, case: &Case, at: (&State, Option<&Outcome>)) -> Result<String, Failure> {
+    fn drawing(
+        &self,
+        case: &Case,
+        at: (&State, &str, Option<&Outcome>),
+    ) -> Result<String, Failure> {
         let whole = (self.mechanism, self.listing);
         drawing(whole, self.structure, case, at).whole(self.source)
     }

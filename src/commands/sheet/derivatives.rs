@@ -14,7 +14,7 @@ pub(super) struct Derivatives<'a> {
 
 impl<'a> Derivatives<'a> {
     /// Returns the derivatives with respect to the drives of travel and steering. If a drive of travel is not the height of
-    /// its wheel with the other wheels held, those with respect to this height follow.
+    /// its wheel, counted upwards, with the other wheels held, those with respect to this height follow.
     pub(super) fn collect(mechanism: &Description, rises: Option<&'a Rises>) -> Vec<Self> {
         let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
         let both = ways.flat_map(|(way, (_, drive))| {

@@ -31,8 +31,8 @@ pub struct Acting {
 /// All forces of a drawing.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// The title above the drawing.
-    pub title: String,
+    /// The lines of the title above the drawing.
+    pub title: [String; 2],
     /// Forces along links and measured lengths.
     pub links: Vec<InLink>,
     /// External forces.
@@ -110,12 +110,11 @@ impl Drawing {
             draw_label(area, labels, (&text, view.pixels(&tip)), shades(ACTING))?;
         }
         let font = ("sans-serif", labels.font_size()).into_font();
-        let corner = (12 * FINE as i32, 12 * FINE as i32);
-        area.draw(&Text::new(
-            forces.title.as_str(),
-            corner,
-            font.color(&CHASSIS),
-        ))?;
+        let style = font.color(&CHASSIS);
+        for (line, y) in forces.title.iter().zip([12, 32]) {
+            let corner = (12 * FINE as i32, y * FINE as i32);
+            area.draw(&Text::new(line.as_str(), corner, style.clone()))?;
+        }
         Ok(())
     }
 }

@@ -126,7 +126,7 @@ fn a_line_with_a_force_has_the_colour_of_the_force_alone() {
     let loaded = Drawing {
         slides: Vec::new(),
         forces: Some(Forces {
-            title: "load case".to_owned(),
+            title: ["load case", "at a place"].map(str::to_owned),
             links: vec![
                 force([0, 2], -4.0),
                 force([1, 2], -4000.0),
@@ -150,7 +150,7 @@ fn a_line_with_a_force_has_the_colour_of_the_force_alone() {
 fn force_numbers_are_drawn_over_their_bars_in_a_darker_colour() {
     let loaded = Drawing {
         forces: Some(Forces {
-            title: "load case".to_owned(),
+            title: ["load case", "at a place"].map(str::to_owned),
             links: vec![InLink {
                 ends: [0, 2],
                 tension: -4000.0,

@@ -53,8 +53,8 @@ impl Rises {
         self.heights[(wheel, way)]
     }
 
-    /// Whether a drive is itself the height of its wheel, upwards or downwards, and no other drive has to change for the
-    /// other wheels to be held.
+    /// Whether a drive is itself the height of its wheel, counted upwards, and no other drive has to change for the other
+    /// wheels to be held.
     pub fn is_height(&self, way: usize, unit: Unit) -> bool {
         const ROUNDING: f64 = 1e-9;
         let changes = self.drives.column(way);
@@ -62,7 +62,7 @@ impl Rises {
         is_height_per_height(&self.symbols[way], unit)
             && changes.all(|(drive, change)| {
                 let wanted = f64::from(u8::from(drive == way));
-                (change.abs() - wanted).abs() < ROUNDING
+                (change - wanted).abs() < ROUNDING
             })
     }
 

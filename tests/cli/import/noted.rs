@@ -25,6 +25,37 @@ fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
     }
 }
 
+#[test]
+fn an_inner_end_outboard_of_its_outer_end_is_noted() {
+    let folder = folder();
+    let doubt = "is further from the middle of the vehicle than";
+    for [inner, outer] in [
+        ["tierod_inner", "tierod_outer"],
+        ["prod_inboard", "prod_outboard"],
+    ] {
+        let swapped = table(&CORNER).replace(inner, "other");
+        let swapped = swapped.replace(outer, inner).replace("other", outer);
+        for options in [&[][..], &["--axle"]] {
+            let notes = import(folder.path(), "a.csv", &swapped, options).notes;
+            let lines: Vec<&str> = notes.lines().filter(|line| line.contains(doubt)).collect();
+            let [line] = lines[..] else {
+                panic!("one note of {inner}: {notes}");
+            };
+            assert!(
+                line.starts_with(&format!("note: a.csv: `{inner}` (a.csv:")),
+                "{line}"
+            );
+            assert!(
+                line.contains(&format!("{doubt} `{outer}` (a.csv:")),
+                "{line}"
+            );
+            assert!(line.ends_with("): have they each other's names?"), "{line}");
+        }
+    }
+    let notes = import(folder.path(), "a.csv", &table(&CORNER), &[]).notes;
+    assert!(!notes.contains(doubt), "{notes}");
+}
+
 /// Corners of the catalogue are left ones; the imported one may be either.
 #[test]
 fn the_note_on_the_layout_does_not_name_a_side() {

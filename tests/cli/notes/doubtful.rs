@@ -131,6 +131,27 @@ fn a_spin_axis_far_from_the_y_direction_is_noted() {
     assert!(!message.contains("off the y direction"), "{message}");
 }
 
+/// The lower ball joint and the front bush of its wishbone in each other's places give a kingpin that lies.
+#[test]
+fn a_kingpin_far_from_the_vertical_is_noted() {
+    let file = |points: &str| {
+        let file = CORNER.replace("double_wishbone_pushrod", "double_wishbone");
+        file.replace("vehicle =", &format!("points = {{ {points} }}\nvehicle ="))
+    };
+    let doubt = "deg off the vertical";
+    let message = notes(&file(
+        "lower_ball = [0.20, 0.35, 0.16], lower_front = [0.005, 0.70, 0.17]",
+    ));
+    // From [0.20, 0.35, 0.16] to [-0.015, 0.66, 0.44].
+    let off = 0.215_f64.hypot(0.31).atan2(0.28).to_degrees();
+    let expected = format!(
+        "note: a.toml: the kingpin of the wheel, from `lower_ball` to `upper_ball`, is {off:.1} {doubt} at the design position: are"
+    );
+    assert!(message.contains(&expected), "{message}");
+    let message = notes(&file("upper_ball = [-0.195, 0.60, 0.44]"));
+    assert!(!message.contains(doubt), "{message}");
+}
+
 /// Values of drives in another unit, or counted from elsewhere, than the file's or the option's.
 #[test]
 fn drive_values_in_another_unit_or_from_another_zero_are_noted() {

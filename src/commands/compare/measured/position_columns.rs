@@ -180,7 +180,7 @@ fn no_position_column(mechanism: &dyn Kinematics) -> String {
         .flatten()
         .collect();
     format!(
-        "no column says where the model is; head one with {}. The headings are the first line that does not begin with #",
+        "no column says where the model is; head one with {}. The headings are the first line of several fields that does not begin with #",
         ways.join(", or with ")
     )
 }

@@ -66,13 +66,17 @@ pub(super) fn without_axes(fields: Vec<&str>) -> Vec<&str> {
     }
 }
 
+/// Words of degrees behind a number, as in `-1.6 deg`.
+const DEGREES: [&str; 5] = ["°", "deg", "degree", "degrees", "grad"];
+
 /// Splits a field such as `130 mm` into a number, or other text, and the word behind it.
 fn without_unit(field: &str) -> (&str, &str) {
-    let number = field.trim_end_matches(char::is_alphabetic).trim_end();
+    let of_word = |c: char| c.is_alphabetic() || c == '°';
+    let number = field.trim_end_matches(of_word).trim_end();
     (number, field[number.len()..].trim_start())
 }
 
-/// Removes units, as in `130 mm`, and returns them. Between blanks, `in` and `m` before the numbers are words.
+/// Removes units, as in `130 mm`, and returns those of length. Between blanks, `in` and `m` before the numbers are words.
 pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, Vec<&str>) {
     let (mut others, mut units, mut has_number) = (Vec::new(), Vec::new(), false);
     for field in fields {
@@ -85,6 +89,8 @@ pub(super) fn without_units(fields: Vec<&str>, separator: char) -> (Vec<&str>, V
         if is_unit(behind) && (is_number || is_alone) {
             units.push(behind);
             others.extend(is_number.then_some(number));
+        } else if is_number && DEGREES.contains(&behind.to_lowercase().as_str()) {
+            others.push(number);
         } else {
             others.push(field);
         }

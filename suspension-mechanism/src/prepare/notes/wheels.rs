@@ -9,6 +9,9 @@ use crate::prepare::task::Task;
 /// The angle, in degrees, by which no wheel is toed or cambered at its design position.
 const OFF_AXIS: f64 = 30.0;
 
+/// The angle, in degrees, by which no kingpin leans at its design position: that of a chopper leans by less.
+const OFF_VERTICAL: f64 = 50.0;
+
 /// Notes on a wheel, from all points at the design position.
 pub(super) fn notes_on_wheel(
     task: &Task<'_>,
@@ -17,6 +20,7 @@ pub(super) fn notes_on_wheel(
 ) -> impl Iterator<Item = String> {
     let notes = [
         kingpin(task, wheel, placed),
+        lying_kingpin(task, wheel, placed),
         across_the_wheel(task, wheel, placed),
         spin_axis(task, wheel, placed),
     ];
@@ -34,6 +38,22 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
         format!(
             "the kingpin points downwards; write `{kingpin}: {to} -> {from};` for caster and kingpin angle, or look at the \
              axes and the signs of z if `{to}` is to be the upper end"
+        )
+    })
+}
+
+/// A note that the kingpin is far off the vertical at the design position: one of its two points is probably wrong.
+fn lying_kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = &task.names;
+    let [lower, upper] = wheel.points.kingpin?;
+    let [from, to] = [lower, upper].map(|point| &names.points[point]);
+    let axis = placed[upper] - placed[lower];
+    let off = axis.xy().norm().atan2(axis.z.abs()).to_degrees();
+    (off > OFF_VERTICAL).then(|| {
+        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
+        format!(
+            "the kingpin of the {wheel}, from `{from}` to `{to}`, is {off} deg off the vertical at the design position: are these the \
+             two points that are meant, and their coordinates right?"
         )
     })
 }

@@ -187,7 +187,8 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
         (
             NO_WHEEL,
             "height [mm],spring [mm]\n0,0\n",
-            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are lift). The headings",
+            "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are lift). The headings are the \
+             first line of several fields that does not begin with #",
         ),
         (
             &axle,

@@ -1,7 +1,8 @@
 //! Sides that are mirror images, and sides that are not.
 
 use super::super::super::program::folder;
-use super::super::import;
+use super::super::refused::refusal;
+use super::super::{IN_OUR_AXES, import};
 use super::{assert_near, side, swept, symmetric};
 
 #[test]
@@ -19,6 +20,26 @@ fn sides_that_are_not_mirror_images_are_imported_as_an_axle() {
     let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
     assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
     assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
+}
+
+/// In tables with y counted outboard on both sides; which side is meant is not guessed.
+#[test]
+fn an_axle_whose_right_corner_is_on_the_left_by_its_coordinates_is_refused() {
+    let columns = |sign: f64| {
+        let rows = IN_OUR_AXES.map(|(name, [x, y, z])| {
+            format!("{name}; {x}; {y}; {z}; {}; {}; {z}\n", x + 1.0, sign * y)
+        });
+        format!("Point; Left; ; ; Right; ; \n{}", rows.concat())
+    };
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &columns(-1.0), &[]);
+    assert_eq!(imported.points()["right_wheel_centre"][1], -610.0);
+    for options in [&[][..], &["--axle"]] {
+        let said = refusal("a.csv", &columns(1.0), options);
+        let expected = "a.csv: `wheel_centre` is on the right by its name, and on the left by y = 610 in axes ISO 8855 (x forward, y \
+                        left, z up); change the signs of y at the points of the right corner";
+        assert_eq!(said, expected);
+    }
 }
 
 #[test]
