@@ -13,7 +13,8 @@ use clap::Args;
 use suspension_runtime::Listing;
 
 use crate::characteristics::{
-    Along, Rise, Rises, Span, all_curves, check_spans, no_steering, parameters, shorter_roll, ways,
+    ModeStates, Rise, Rises, Span, all_curves, check_spans, mode_states, no_steering, parameters,
+    shorter_roll,
 };
 use crate::failure::Failure;
 use crate::file::Source;
@@ -87,28 +88,28 @@ impl Arguments {
         }
         let spans = [self.travel, self.steer];
         print_notes(check_spans(mechanism, name, spans, unit)?);
-        let ways = ways(mechanism, spans, unit, interrupted);
+        let modes = mode_states(mechanism, spans, unit, interrupted);
         let shorter_roll = shorter_roll(mechanism, self.travel);
         print_notes_on(name, &shorter_roll);
-        let missing = ways.iter().filter_map(|along| along.visited.failure(name));
+        let missing = modes.iter().filter_map(|mode| mode.visited.failure(name));
         let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
         let page = Page {
             file: name,
             mechanism,
             points: mechanism.points(),
-            drawings: drawings(mechanism, loaded.listing(), &ways),
+            drawings: drawings(mechanism, loaded.listing(), &modes),
             drives: mechanism
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
             motion_ends,
             shorter_roll,
             missing: missing.map(|failure| failure.to_string()).collect(),
-            curves: all_curves(mechanism, &ways, &rises),
+            curves: all_curves(mechanism, &modes, &rises),
             rises: Rises::compute(mechanism, &parameters),
             parameters,
         };
-        Ok((page.html(), print_unmet_range(&ways, name)))
+        Ok((page.html(), print_unmet_range(&modes, name)))
     }
 }
 
@@ -116,9 +117,9 @@ impl Arguments {
 const DRAWING: (u32, u32) = (620, 480);
 
 /// Draws the mechanism from all sides, with faint lines at the ends of travel.
-fn drawings(mechanism: &dyn Kinematics, listing: &Listing, ways: &[Along]) -> Vec<String> {
-    let travel = ways.iter().take(1);
-    let reached = travel.flat_map(|along| along.visited.places.iter().flatten());
+fn drawings(mechanism: &dyn Kinematics, listing: &Listing, modes: &[ModeStates]) -> Vec<String> {
+    let travel = modes.iter().take(1);
+    let reached = travel.flat_map(|mode| mode.visited.places.iter().flatten());
     let states: Vec<&State> = reached.map(|(state, _)| state).collect();
     let ends = [states.first(), states.last()].into_iter().flatten();
     let points = |state: &&State| {

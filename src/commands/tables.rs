@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 
-use crate::characteristics::{Does, Span, check_spans, ways};
+use crate::characteristics::{Effect, Span, check_spans, mode_states};
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
@@ -92,13 +92,13 @@ impl Arguments {
         let number = self.number(mechanism, file)?;
         let spans = [self.travel, None];
         print_notes(check_spans(mechanism, file, spans, mechanism.unit)?);
-        let ways = ways(mechanism, spans, mechanism.unit, interrupted);
+        let modes = mode_states(mechanism, spans, mechanism.unit, interrupted);
         let drive = mechanism.names.wheels[number].travel;
-        let mut of_wheel = ways
+        let mut of_wheel = modes
             .into_iter()
-            .filter(|along| along.way.does == Does::Travel);
+            .filter(|mode| mode.movement.effect == Effect::Travel);
         let moves = |drives: &[(usize, f64)]| drives.iter().any(|(other, _)| Some(*other) == drive);
-        let Some(travel) = of_wheel.find(|along| moves(&along.drives)) else {
+        let Some(travel) = of_wheel.find(|mode| moves(&mode.drives)) else {
             return Err(Failure::Input(format!(
                 "{file}: no drive moves this wheel up and down; name it in [vehicle]: travel = {{ ... }}"
             )));

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::characteristics::{Along, unmet_range};
+use crate::characteristics::{ModeStates, unmet_range};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::kinematics::Kinematics;
@@ -27,8 +27,8 @@ pub fn with_notes_printed<'a>(mechanism: Box<dyn Kinematics + 'a>) -> Box<dyn Ki
 }
 
 /// Returns the failure of [`unmet_range`], and prints its notes.
-pub fn print_unmet_range(ways: &[Along], file: &str) -> Option<Failure> {
-    let (notes, failure) = unmet_range(ways, file);
+pub fn print_unmet_range(modes: &[ModeStates], file: &str) -> Option<Failure> {
+    let (notes, failure) = unmet_range(modes, file);
     print_notes(notes);
     failure
 }

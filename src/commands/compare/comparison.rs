@@ -20,7 +20,9 @@ pub(super) fn compare(sides: [&Suspension; 2]) -> Report {
         across: None,
         differences: of_parameters(sides, [&design; 2]),
     }];
-    parts.extend((0..sides[0].ways.len()).filter_map(|way| of_derivatives(sides, way)));
+    parts.extend(
+        (0..sides[0].movements.len()).filter_map(|movement| of_derivatives(sides, movement)),
+    );
     let unit = sides[0].unit;
     let over = same_ways(sides).into_iter();
     let over: Vec<CurvePair<'_>> = over.filter_map(|both| CurvePair::new(both, unit)).collect();
@@ -60,23 +62,23 @@ fn drawn(sides: [&Suspension; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
 
 /// Compares the derivatives with respect to a drive of the first and the drive of the second with the same purpose.
 fn of_derivatives(sides: [&Suspension; 2], of_a: usize) -> Option<Part> {
-    let ways = [of_a, sides[0].same_way(sides[1], of_a)?];
-    let by_wheel = are_unlike_travels(sides, ways);
+    let movements = [of_a, sides[0].same_movement(sides[1], of_a)?];
+    let by_wheel = are_unlike_travels(sides, movements);
     let [a, b] = [0, 1].map(|number| {
-        let (side, way) = (sides[number], ways[number]);
+        let (side, movement) = (sides[number], movements[number]);
         move |parameter: &Parameter, is_alone| {
-            derivative(side, (way, by_wheel), parameter, is_alone)
+            derivative(side, (movement, by_wheel), parameter, is_alone)
         }
     });
-    let way = sides[0].ways[of_a];
+    let movement = sides[0].movements[of_a];
     let of = if by_wheel {
-        format!("per wheel {way}")
+        format!("per wheel {movement}")
     } else {
-        format!("per {way}")
+        format!("per {movement}")
     };
     Some(Part {
         of,
-        heading: format!("{AT_DESIGN}, per {}", moved(sides, ways, by_wheel)),
+        heading: format!("{AT_DESIGN}, per {}", moved(sides, movements, by_wheel)),
         across: None,
         differences: of_parameters(sides, [&a, &b]),
     })
@@ -116,18 +118,18 @@ fn are_unlike_travels([a, b]: [&Suspension; 2], [of_a, of_b]: [usize; 2]) -> boo
 /// A wheel or axle that is compared with one without a name takes its own drive of travel.
 fn derivative(
     side: &Suspension,
-    (way, by_wheel): (usize, bool),
+    (movement, by_wheel): (usize, bool),
     parameter: &Parameter,
     is_alone: bool,
 ) -> Option<(f64, String)> {
-    let way = match &parameter.title.wheel {
-        Some(wheel) if is_alone => side.own_way(way, wheel),
-        _ => way,
+    let movement = match &parameter.title.wheel {
+        Some(wheel) if is_alone => side.own_movement(movement, wheel),
+        _ => movement,
     };
     let derivative = if by_wheel {
-        parameter.per_wheel(way, side.rises.as_ref()?, side.unit)
+        parameter.per_wheel(movement, side.rises.as_ref()?, side.unit)
     } else {
-        parameter.per[way].clone()
+        parameter.per[movement].clone()
     };
     derivative.map(|derivative| (derivative.value, derivative.symbol))
 }

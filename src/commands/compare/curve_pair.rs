@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::characteristics::{Curves, Does, Line};
+use crate::characteristics::{Curves, Effect, Line};
 use crate::commands::compare::differences::{Difference, Part, Place, pairs, title_of_both};
 use crate::commands::compare::over_wheel_travel::{are_unlike, by_wheel};
 use crate::mechanism::Unit;
@@ -24,20 +24,21 @@ impl<'a> CurvePair<'a> {
         if are_unlike(both)
             && let Some(curves) = by_wheel(both, unit)
         {
-            let (of, over) = match a.way.does {
-                Does::Roll => (
-                    format!("over {} by wheel travel", a.way),
+            let (of, over) = match a.movement.effect {
+                Effect::Roll => (
+                    format!("over {} by wheel travel", a.movement),
                     format!("{} by wheel travel", a.title),
                 ),
-                Does::Travel | Does::Steer => {
-                    (format!("over wheel {}", a.way), curves[0].title.clone())
-                }
+                Effect::Travel | Effect::Steer => (
+                    format!("over wheel {}", a.movement),
+                    curves[0].title.clone(),
+                ),
             };
             let curves = curves.map(Cow::Owned);
             return Some(Self { of, over, curves });
         }
         (a.dimension == b.dimension).then(|| Self {
-            of: format!("over {}", a.way),
+            of: format!("over {}", a.movement),
             over: a.title.clone(),
             curves: both.map(Cow::Borrowed),
         })

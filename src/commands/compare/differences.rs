@@ -137,19 +137,22 @@ pub(super) fn unmatched<'a>(side: &'a Suspension, other: &Suspension) -> Vec<&'a
 }
 
 fn counterpart<'b>(curves: &Curves, own: &Suspension, other: &'b Suspension) -> Option<&'b Curves> {
-    let does = curves.way.does;
+    let effect = curves.movement.effect;
     let theirs = || {
         other
             .curves
             .iter()
-            .filter(move |theirs| theirs.way.does == does)
+            .filter(move |theirs| theirs.movement.effect == effect)
     };
     let called = |title: &str| theirs().find(|theirs| theirs.title == title);
-    let mut ours = own.curves.iter().filter(|ours| ours.way.does == does);
+    let mut ours = own
+        .curves
+        .iter()
+        .filter(|ours| ours.movement.effect == effect);
     if ours.any(|ours| called(&ours.title).is_some()) {
         called(&curves.title)
     } else {
-        theirs().find(|theirs| theirs.way == curves.way)
+        theirs().find(|theirs| theirs.movement == curves.movement)
     }
 }
 

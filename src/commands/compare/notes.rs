@@ -153,7 +153,7 @@ fn unlike_drives(both: [&Curves; 2], unit: Unit) -> Option<String> {
         true => by_wheel.to_owned(),
         false => format!(
             "what is compared over {} is at equal changes of the drives, not of the wheels",
-            a.way
+            a.movement
         ),
     };
     let [a, b] = titles;

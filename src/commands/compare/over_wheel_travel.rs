@@ -1,13 +1,13 @@
 //! Curves over the travel of the wheel, for drives of which equal changes do not move the wheels equally far.
 
-use crate::characteristics::{Curves, Does, Line, through_design};
+use crate::characteristics::{Curves, Effect, Line, through_design};
 use crate::commands::compare::differences::{ALIKE, pairs, title_of_both};
 use crate::mechanism::Unit;
 
 /// Returns whether equal changes of the two drives move the wheels unequally far; `false` for drives that steer.
 pub(super) fn are_unlike(both: [&Curves; 2]) -> bool {
     let [a, b] = both;
-    if a.way.does == Does::Steer {
+    if a.movement.effect == Effect::Steer {
         return false;
     }
     let is_further = |[a, b]: [f64; 2]| (b - a).abs() > ALIKE * a.abs();

@@ -4,8 +4,8 @@ use std::slice;
 use std::sync::atomic::AtomicBool;
 
 use crate::characteristics::{
-    Curves, Does, Parameter, Rise, Rises, Span, Way, check_spans, curves, parameters, shorter_roll,
-    ways,
+    Curves, Effect, Movement, Parameter, Rise, Rises, Span, check_spans, curves, mode_states,
+    parameters, shorter_roll,
 };
 use crate::failure::Failure;
 use crate::file::Source;
@@ -23,7 +23,7 @@ pub(super) struct Suspension {
     /// The unit of lengths of these results.
     pub(super) unit: Unit,
     /// The purposes of the drives with respect to which the parameters have derivatives.
-    pub(super) ways: Vec<Way>,
+    pub(super) movements: Vec<Movement>,
     /// The names of these drives.
     drives: Vec<String>,
     /// Whether each of these drives is the height of its wheel.
@@ -32,7 +32,7 @@ pub(super) struct Suspension {
     pub(super) lacks_radius: bool,
     /// How far the wheels rise per unit of the drives of travel.
     pub(super) rises: Option<Rises>,
-    /// The name of each wheel with the index of its drive of travel in `ways`.
+    /// The name of each wheel with the index of its drive of travel in `movements`.
     travel_of: Vec<(String, usize)>,
     /// The name of each axle with the indices of the drives of travel of its wheels.
     axles: Vec<(String, Vec<usize>)>,
@@ -58,20 +58,20 @@ impl Suspension {
     ) -> Result<Self, Failure> {
         let file = source.name();
         print_notes(check_spans(mechanism, file, spans, unit)?);
-        let along = ways(mechanism, spans, unit, interrupted);
-        let missing = along.iter().filter_map(|along| along.visited.failure(file));
+        let modes = mode_states(mechanism, spans, unit, interrupted);
+        let missing = modes.iter().filter_map(|mode| mode.visited.failure(file));
         let missing = missing.map(|failure| failure.to_string());
-        let curves = along.iter().map(|along| curves(mechanism, along, unit));
-        let (does, drives): (Vec<Way>, Vec<usize>) =
-            Way::of_drives(&mechanism.names).into_iter().unzip();
+        let curves = modes.iter().map(|mode| curves(mechanism, mode, unit));
+        let (movements, drives): (Vec<Movement>, Vec<usize>) =
+            Movement::of_drives(&mechanism.names).into_iter().unzip();
         let wheels = &mechanism.names.wheels;
         let place = |wheel: &Wheel| drives.iter().position(|drive| Some(*drive) == wheel.travel);
         let travel_of = wheels.iter();
         let travel_of = travel_of.filter_map(|wheel| Some((wheel.name.clone(), place(wheel)?)));
         let axles = Pair::all(wheels).into_iter().map(|pair| {
             let both = pair.wheels.into_iter();
-            let ways = both.filter_map(|wheel| place(&wheels[wheel]));
-            (pair.name, ways.collect())
+            let movements = both.filter_map(|wheel| place(&wheels[wheel]));
+            (pair.name, movements.collect())
         });
         let named = drives.iter();
         let named = named.map(|drive| mechanism.names.drives[*drive].name.clone());
@@ -86,11 +86,11 @@ impl Suspension {
             lacks_radius: wheels.iter().any(|wheel| wheel.radius.is_none()),
             shorter_roll: shorter_roll(mechanism, spans[0]),
             missing: missing.collect(),
-            failure: print_unmet_range(&along, file),
+            failure: print_unmet_range(&modes, file),
             rises: Rises::compute(mechanism, &parameters),
             axles: axles.collect(),
             travel_of: travel_of.collect(),
-            ways: does,
+            movements,
             drives: named.collect(),
             is_height: is_height.collect(),
             parameters,
@@ -99,14 +99,19 @@ impl Suspension {
     }
 
     pub(super) fn steers(&self) -> bool {
-        self.ways.iter().any(|way| way.does == Does::Steer)
+        self.movements
+            .iter()
+            .any(|movement| movement.effect == Effect::Steer)
     }
 
     /// Returns whether steering keeps the wheel centres at their height; `None` if no drive steers.
     pub(super) fn keeps_height_in_steering(&self) -> Option<bool> {
         /// Per unit of the drive.
         const ROUNDING: f64 = 1e-9;
-        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let steer = self
+            .movements
+            .iter()
+            .position(|movement| movement.effect == Effect::Steer)?;
         let heights = self
             .parameters
             .iter()
@@ -120,7 +125,10 @@ impl Suspension {
     /// Returns the drive of steering, and how fast it turns all wheels together towards positive y; `None` if no drive
     /// steers.
     pub(super) fn steering(&self) -> Option<(&str, f64)> {
-        let steer = self.ways.iter().position(|way| way.does == Does::Steer)?;
+        let steer = self
+            .movements
+            .iter()
+            .position(|movement| movement.effect == Effect::Steer)?;
         let of_wheel = |toe: &Parameter| {
             let mut others = self.parameters.iter().filter(|of| of.is(&CENTRE, Axis::Y));
             let centre = others.find(|centre| centre.title.wheel == toe.title.wheel)?;
@@ -134,7 +142,7 @@ impl Suspension {
 
     /// Returns the index of the drive with the same purpose in another suspension: for travel of a wheel whose name both
     /// have, the drive of that wheel.
-    pub(super) fn same_way(&self, other: &Self, way: usize) -> Option<usize> {
+    pub(super) fn same_movement(&self, other: &Self, movement: usize) -> Option<usize> {
         let place_of = |side: &Self, name: &str| {
             let mut wheels = side.travel_of.iter();
             wheels
@@ -145,44 +153,46 @@ impl Suspension {
         let share_names = wheels
             .clone()
             .any(|(wheel, _)| place_of(other, wheel).is_some());
-        match wheels.find(|(_, place)| *place == way) {
+        match wheels.find(|(_, place)| *place == movement) {
             Some((wheel, _)) if share_names => place_of(other, wheel),
             _ => other
-                .ways
+                .movements
                 .iter()
-                .position(|theirs| *theirs == self.ways[way]),
+                .position(|theirs| *theirs == self.movements[movement]),
         }
     }
 
     /// Returns the drive of travel of the wheel or axle `name` in place of drive `way`: its own, or for an axle the one on
     /// the same side.
-    pub(super) fn own_way(&self, way: usize, name: &str) -> usize {
-        let Way {
-            does: Does::Travel,
+    pub(super) fn own_movement(&self, movement: usize, name: &str) -> usize {
+        let Movement {
+            effect: Effect::Travel,
             number,
-        } = self.ways[way]
+        } = self.movements[movement]
         else {
-            return way;
+            return movement;
         };
         let wheel = self.travel_of.iter().find(|(wheel, _)| wheel == name);
         let wheel = wheel.map(|(_, place)| slice::from_ref(place));
         let axle = || self.axles.iter().find(|(axle, _)| axle == name);
         let own = wheel.or_else(|| axle().map(|(_, places)| places.as_slice()));
         match own {
-            Some(own) if !own.contains(&way) => {
-                own.get(number - 1).or(own.last()).copied().unwrap_or(way)
-            }
-            _ => way,
+            Some(own) if !own.contains(&movement) => own
+                .get(number - 1)
+                .or(own.last())
+                .copied()
+                .unwrap_or(movement),
+            _ => movement,
         }
     }
 
     /// Names the movement of a drive: the travel of its wheels if the derivatives are by wheel or the drive is their height,
     /// counted upwards, otherwise its own change. In a comparison with a suspension whose wheel has no name each wheel moves by its own drive.
-    pub(super) fn moved(&self, way: usize, other: &Self, by_wheel: bool) -> String {
-        let drive = &self.drives[way];
-        let own = self.travel_of.iter().filter(|(_, own)| *own == way);
+    pub(super) fn moved(&self, movement: usize, other: &Self, by_wheel: bool) -> String {
+        let drive = &self.drives[movement];
+        let own = self.travel_of.iter().filter(|(_, own)| *own == movement);
         let names: Vec<String> = own.map(|(wheel, _)| wheel.replace('_', " ")).collect();
-        let is_travel = by_wheel || self.is_height[way] && self.is_upwards(way);
+        let is_travel = by_wheel || self.is_height[movement] && self.is_upwards(movement);
         let wheels = match names.as_slice() {
             [] => return format!("change of {drive}"),
             [name] if name.is_empty() => "the wheel".to_owned(),
@@ -199,9 +209,9 @@ impl Suspension {
     }
 
     /// Returns whether a drive of travel grows as its wheel rises.
-    fn is_upwards(&self, way: usize) -> bool {
+    fn is_upwards(&self, movement: usize) -> bool {
         let rises = self.rises.as_ref();
-        rises.is_none_or(|rises| rises.rise(way, way) > 0.0)
+        rises.is_none_or(|rises| rises.rise(movement, movement) > 0.0)
     }
 
     /// Returns whether a wheel with a drive of travel has a name.
@@ -213,11 +223,16 @@ impl Suspension {
     /// one lacks.
     pub(super) fn pair_wheels(&self, other: &Self) -> Vec<[Option<usize>; 2]> {
         let travels = |side: &Self| {
-            let ways = side.ways.iter();
-            ways.filter(|way| way.does == Does::Travel).count()
+            let movements = side.movements.iter();
+            movements
+                .filter(|movement| movement.effect == Effect::Travel)
+                .count()
         };
-        let own = (0..travels(self)).map(|way| [Some(way), self.same_way(other, way)]);
-        let theirs = (0..travels(other)).filter(|way| other.same_way(self, *way).is_none());
-        own.chain(theirs.map(|way| [None, Some(way)])).collect()
+        let own = (0..travels(self))
+            .map(|movement| [Some(movement), self.same_movement(other, movement)]);
+        let theirs =
+            (0..travels(other)).filter(|movement| other.same_movement(self, *movement).is_none());
+        own.chain(theirs.map(|movement| [None, Some(movement)]))
+            .collect()
     }
 }

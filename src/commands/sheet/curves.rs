@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::characteristics::{Curves, Does, Line, Parameter, Title};
+use crate::characteristics::{Curves, Effect, Line, Parameter, Title};
 use crate::commands::sheet::by_quantity::grouped;
 use crate::commands::sheet::far_apart::{are_far_apart, changes_from};
 use crate::mechanism::{Description, Wheel};
@@ -36,7 +36,7 @@ fn chart(
     parameters: &[Parameter],
     (lines, of): (Vec<&Line>, &Description),
 ) -> Chart {
-    let title = title_over(curves.way.does, &lines[0].title.of_wheel);
+    let title = title_over(curves.movement.effect, &lines[0].title.of_wheel);
     let points: Vec<_> = lines.iter().map(|line| curves.points(line)).collect();
     let designs = are_far_apart(&points).then(|| designs(&lines, parameters));
     let (title, points) = match designs.flatten() {
@@ -86,10 +86,10 @@ fn are_zero(lines: &[&Line]) -> bool {
 }
 
 /// The title of a chart, with the name that the curve has over wheel travel.
-fn title_over(does: Does, quantity: &str) -> String {
+fn title_over(effect: Effect, quantity: &str) -> String {
     let curves = [(TOE.title, "bump steer"), (CAMBER.title, "bump camber")];
     let mut curves = curves.into_iter();
-    match curves.find(|(title, _)| does == Does::Travel && *title == quantity) {
+    match curves.find(|(title, _)| effect == Effect::Travel && *title == quantity) {
         Some((title, curve)) => format!("{title} ({curve})"),
         None => quantity.to_owned(),
     }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use suspension_core::body::{angular_velocity, pose};
 use suspension_core::wheel::{camber, steer_rate, toe};
 
-use crate::characteristics::Along;
+use crate::characteristics::ModeStates;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{self, Axle, Place, State};
 use crate::number::without_rounding;
@@ -130,7 +130,7 @@ impl WheelMotion {
     pub(super) fn compute(
         mechanism: &dyn Kinematics,
         number: usize,
-        travel: &Along,
+        travel: &ModeStates,
     ) -> Option<Self> {
         let wheel = &mechanism.names.wheels[number];
         let metre = mechanism.unit.metre();

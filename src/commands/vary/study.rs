@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::characteristics::{
-    Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, parameters, ways,
+    Curves, DesignNumber, Rise, Span, all_curves, check_spans, columns, mode_states, parameters,
 };
 use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
@@ -116,17 +116,17 @@ impl Study {
         let mut curves = Vec::new();
         if let Some(spans) = spans {
             let unit = mechanism.unit;
-            let mut ways = ways(mechanism, spans, unit, interrupted);
+            let mut modes = mode_states(mechanism, spans, unit, interrupted);
             let rises = Rise::of_drives(mechanism, &parameters(mechanism, unit), unit);
-            curves = all_curves(mechanism, &ways, &rises);
-            let failures = ways
+            curves = all_curves(mechanism, &modes, &rises);
+            let failures = modes
                 .iter()
-                .filter_map(|along| along.visited.failure(varied.file));
+                .filter_map(|mode| mode.visited.failure(varied.file));
             let failures = failures.map(|failure| varied.with_value(value, failure).to_string());
             let cut_short: Vec<String> = failures.collect();
             // That a usual range is longer than the reach is stated once, not for each value.
-            ways.retain(|along| self.cut_short.is_empty() || !along.is_usual);
-            let locked = || print_unmet_range(&ways, varied.file);
+            modes.retain(|mode| self.cut_short.is_empty() || !mode.is_usual);
+            let locked = || print_unmet_range(&modes, varied.file);
             let locked = || locked().map(|failure| varied.with_value(value, failure));
             self.locked = self.locked.take().or_else(locked);
             self.cut_short.extend(cut_short);

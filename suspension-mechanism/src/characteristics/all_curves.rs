@@ -1,7 +1,7 @@
 //! All curves of a design: along the drives, and over the travel of the wheel.
 
-use crate::characteristics::along::Along;
 use crate::characteristics::curves::{Curves, curves};
+use crate::characteristics::mode_states::ModeStates;
 use crate::characteristics::span::through_design;
 use crate::characteristics::wheel_rise::Rise;
 use crate::kinematics::Kinematics;
@@ -11,7 +11,7 @@ use crate::mechanism::Unit;
 /// of wheels.
 pub fn all_curves(
     mechanism: &dyn Kinematics,
-    ways: &[Along],
+    modes: &[ModeStates],
     rises: &[Option<Rise>],
 ) -> Vec<Curves> {
     let unit = mechanism.unit;
@@ -19,9 +19,9 @@ pub fn all_curves(
         let mut rises = rises.iter().flatten();
         rises.any(|rise| rise.drive == *drive && !rise.is_height)
     };
-    let each = ways.iter().flat_map(|along| {
-        let curves = curves(mechanism, along, unit);
-        let is_over_wheel = along.drives.iter().any(is_no_height);
+    let each = modes.iter().flat_map(|mode| {
+        let curves = curves(mechanism, mode, unit);
+        let is_over_wheel = mode.drives.iter().any(is_no_height);
         let over_wheel = is_over_wheel.then(|| over_wheel(&curves, unit)).flatten();
         [Some(curves), over_wheel].into_iter().flatten()
     });

@@ -1,12 +1,12 @@
 //! Curves over travel or steering.
 
-use crate::characteristics::along::Along;
 use crate::characteristics::line::{Line, Sort};
+use crate::characteristics::mode_states::ModeStates;
+use crate::characteristics::movement::{Effect, Movement};
 use crate::characteristics::parameters::{columns_of_curves, symbol_per};
 use crate::characteristics::poles::{cut_at_jumps, has_poles, remove_far};
 use crate::characteristics::small_steer::{LEAST_STEER, leave_out};
 use crate::characteristics::title::Title;
-use crate::characteristics::way::{Does, Way};
 use crate::file::Dimension;
 use crate::mechanism::{Description, Pair, State, Unit};
 use crate::quantities::{ACKERMANN, Column, MEASURES, ROLL_CENTRE, place_in_curves};
@@ -14,10 +14,10 @@ use crate::quantities::{ACKERMANN, Column, MEASURES, ROLL_CENTRE, place_in_curve
 /// The curves along a drive, those that a reader looks for first before the others.
 #[derive(Clone)]
 pub struct Curves {
-    /// The name of what moves: see [`Along`].
+    /// The name of what moves: see [`ModeStates`].
     pub title: String,
     /// The effect of the drives.
-    pub way: Way,
+    pub movement: Movement,
     /// A description of what moves.
     pub moved: String,
     /// The dimension of the change.
@@ -66,14 +66,14 @@ type OfPlace<'a> = dyn Fn(&State, &[Option<State>]) -> Option<f64> + 'a;
 /// are motion ratios. Left out are, over roll, the roll centres of single wheels, which are none of the axle; the Ackermann
 /// percentage at small steer angles; and, if there are several axles, quantities of one that do not change when another
 /// moves.
-pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
+pub fn curves(mechanism: &Description, mode: &ModeStates, unit: Unit) -> Curves {
     let read = Read {
         mechanism,
-        along,
+        mode,
         unit,
     };
     let mut columns = columns_of_curves(mechanism);
-    columns.retain(|column| along.way.does != Does::Roll || !column.is(&ROLL_CENTRE));
+    columns.retain(|column| mode.movement.effect != Effect::Roll || !column.is(&ROLL_CENTRE));
     columns.sort_by_key(|column| place_in_curves(column.quantity));
     let columns = columns.iter();
     let mut lines: Vec<Line> = columns.flat_map(|column| read.lines(column)).collect();
@@ -88,11 +88,11 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
     }
     let dimension = read.drive_dimension();
     let (per_change, _) = read.converted(dimension);
-    let changes = along.changes.iter().map(|change| change * per_change);
+    let changes = mode.changes.iter().map(|change| change * per_change);
     Curves {
-        title: along.title.clone(),
-        way: along.way,
-        moved: along.moved.clone(),
+        title: mode.title.clone(),
+        movement: mode.movement,
+        moved: mode.moved.clone(),
         dimension,
         changes: changes.collect(),
         lines,
@@ -104,13 +104,13 @@ pub fn curves(mechanism: &Description, along: &Along, unit: Unit) -> Curves {
 /// The source of the curves, and the unit of their lengths.
 struct Read<'a> {
     mechanism: &'a Description,
-    along: &'a Along,
+    mode: &'a ModeStates,
     unit: Unit,
 }
 
 impl Read<'_> {
     fn drive_dimension(&self) -> Dimension {
-        Dimension::from(self.along.kind)
+        Dimension::from(self.mode.kind)
     }
 
     /// The factor to the unit for people, and the unit's symbol.
@@ -124,7 +124,7 @@ impl Read<'_> {
 
     /// A number at each place; `None` where the mechanism is out of reach, or the number is not finite.
     fn values(&self, value: &OfPlace<'_>) -> Vec<Option<f64>> {
-        let places = self.along.visited.places.iter();
+        let places = self.mode.visited.places.iter();
         let value = |place: &Option<(State, Vec<Option<State>>)>| {
             let (state, per) = place.as_ref()?;
             value(state, per).filter(|value| value.is_finite())
@@ -137,7 +137,7 @@ impl Read<'_> {
         let of_drive = self.drive_dimension();
         let of_change = of_drive.conversion(self.mechanism.unit, self.unit);
         let per = scale / (of_change * of_drive.file_factor(self.unit));
-        self.values(&|_, states| Some(rate(column, self.along, states)? * per))
+        self.values(&|_, states| Some(rate(column, self.mode, states)? * per))
     }
 
     /// The curve of a number; for a measure, preceded by its motion ratio.
@@ -148,7 +148,7 @@ impl Read<'_> {
         let is_measure = column.is(&MEASURES);
         let motion_ratio = is_measure.then(|| Line {
             title: Title {
-                of_wheel: format!("motion ratio: {} per {}", title.of_wheel, self.along.title),
+                of_wheel: format!("motion ratio: {} per {}", title.of_wheel, self.mode.title),
                 ..title.clone()
             },
             quantity: column.title(),
@@ -182,8 +182,8 @@ impl Read<'_> {
 }
 
 /// The derivative of a number with respect to the change, from the derivatives with respect to the drives.
-fn rate(column: &Column, along: &Along, per: &[Option<State>]) -> Option<f64> {
-    let mut drives = along.drives.iter().zip(per);
+fn rate(column: &Column, mode: &ModeStates, per: &[Option<State>]) -> Option<f64> {
+    let mut drives = mode.drives.iter().zip(per);
     drives.try_fold(0.0, |sum, ((_, part), state)| {
         Some(sum + part * column.along(state.as_ref()?).rate)
     })

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use crate::characteristics::way::Does;
+use crate::characteristics::movement::Effect;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Names, Pair, Place, Wheel};
 
@@ -10,7 +10,7 @@ use crate::mechanism::{Description, Names, Pair, Place, Wheel};
 pub(super) struct Mode {
     /// Its name.
     pub(super) title: String,
-    pub(super) does: Does,
+    pub(super) effect: Effect,
     /// A description of what moves.
     pub(super) moved: String,
     /// The drives, by number, each with its fraction.
@@ -19,7 +19,7 @@ pub(super) struct Mode {
 
 impl Mode {
     /// `way` is the sign of the drive's fraction.
-    fn for_drive(names: &Names, drive: usize, does: Does, way: f64) -> Self {
+    fn for_drive(names: &Names, drive: usize, effect: Effect, way: f64) -> Self {
         let name = &names.drives[drive].name;
         let (title, moved) = if way < 0.0 {
             (
@@ -31,7 +31,7 @@ impl Mode {
         };
         Self {
             title,
-            does,
+            effect,
             moved,
             drives: vec![(drive, way)],
         }
@@ -58,13 +58,13 @@ impl Mode {
             let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
             modes.push(Self {
                 title: of_axle("heave"),
-                does: Does::Travel,
+                effect: Effect::Travel,
                 moved: format!("change of {first} and {second}, both upwards"),
                 drives: drives(rises.parts(wheels, [1.0, 1.0])),
             });
             modes.push(Self {
                 title: of_axle("roll"),
-                does: Does::Roll,
+                effect: Effect::Roll,
                 moved: format!("change of {first} upwards and of {second} downwards"),
                 drives: drives(rises.parts(wheels, [1.0, -1.0])),
             });
@@ -78,10 +78,10 @@ impl Mode {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
-            Self::for_drive(names, *drive, Does::Travel, way)
+            Self::for_drive(names, *drive, Effect::Travel, way)
         }));
         let steer = vehicle.steer.iter();
-        modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Does::Steer, 1.0)));
+        modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Effect::Steer, 1.0)));
         modes
     }
 }

@@ -41,7 +41,7 @@ impl Curves {
         });
         Self {
             title: wheel.title.to_string(),
-            way: self.way,
+            movement: self.movement,
             moved: wheel.title.to_string(),
             dimension: Dimension::Length,
             lines: lines.collect(),

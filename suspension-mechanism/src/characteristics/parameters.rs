@@ -1,7 +1,7 @@
 //! The quantities at the design position, with their derivatives.
 
+use crate::characteristics::movement::Movement;
 use crate::characteristics::title::Title;
-use crate::characteristics::way::Way;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, Place, State, Unit};
@@ -72,11 +72,11 @@ pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Col
 
 /// All quantities of the mechanism at its start, with lengths in `unit`.
 pub fn parameters(mechanism: &dyn Kinematics, unit: Unit) -> Vec<Parameter> {
-    let ways = Way::of_drives(&mechanism.names);
+    let movements = Movement::of_drives(&mechanism.names);
     let columns = columns(mechanism);
     let mut read = |place: &dyn Place| -> Vec<Parameter> {
         let state = place.state();
-        let per: Vec<PerDrive> = ways
+        let per: Vec<PerDrive> = movements
             .iter()
             .map(|(_, drive)| {
                 let kind = Dimension::from(mechanism.names.drives[*drive].kind);

@@ -29,9 +29,9 @@ impl Rises {
         let mut symbols = vec![String::new(); travel.len()];
         for (wheel, drive) in travel.iter().enumerate() {
             let height = height_of(mechanism, parameters, *drive)?;
-            for (way, symbol) in symbols.iter_mut().enumerate() {
-                let per = height.per[way].as_ref()?;
-                heights[(wheel, way)] = up * per.value;
+            for (movement, symbol) in symbols.iter_mut().enumerate() {
+                let per = height.per[movement].as_ref()?;
+                heights[(wheel, movement)] = up * per.value;
                 symbol.clone_from(&per.symbol);
             }
         }
@@ -49,26 +49,26 @@ impl Rises {
     }
 
     /// The rise of the wheel of one drive per unit of another drive.
-    pub fn rise(&self, wheel: usize, way: usize) -> f64 {
-        self.heights[(wheel, way)]
+    pub fn rise(&self, wheel: usize, movement: usize) -> f64 {
+        self.heights[(wheel, movement)]
     }
 
     /// Whether a drive is itself the height of its wheel, counted upwards, and no other drive has to change for the other
     /// wheels to be held.
-    pub fn is_height(&self, way: usize, unit: Unit) -> bool {
+    pub fn is_height(&self, movement: usize, unit: Unit) -> bool {
         const ROUNDING: f64 = 1e-9;
-        let changes = self.drives.column(way);
+        let changes = self.drives.column(movement);
         let mut changes = changes.iter().enumerate();
-        is_height_per_height(&self.symbols[way], unit)
+        is_height_per_height(&self.symbols[movement], unit)
             && changes.all(|(drive, change)| {
-                let wanted = f64::from(u8::from(drive == way));
+                let wanted = f64::from(u8::from(drive == movement));
                 (change - wanted).abs() < ROUNDING
             })
     }
 
     /// The unit of rises per unit of a drive.
-    pub fn symbol(&self, way: usize) -> &str {
-        &self.symbols[way]
+    pub fn symbol(&self, movement: usize) -> &str {
+        &self.symbols[movement]
     }
 }
 

@@ -1,7 +1,7 @@
 //! Drives of travel that are heights of wheels, and others.
 
+use crate::characteristics::movement::Movement;
 use crate::characteristics::parameters::{Derivative, Parameter, is_height_per_height};
-use crate::characteristics::way::Way;
 use crate::mechanism::{Description, Unit};
 use crate::quantities::{Axis, CENTRE};
 
@@ -23,15 +23,17 @@ impl Rise {
         unit: Unit,
     ) -> Vec<Option<Self>> {
         const ROUNDING: f64 = 1e-9;
-        let ways = Way::of_drives(&mechanism.names).into_iter().enumerate();
-        let rise = |(way, (_, drive)): (usize, (Way, usize))| {
+        let movements = Movement::of_drives(&mechanism.names)
+            .into_iter()
+            .enumerate();
+        let rise = |(movement, (_, drive)): (usize, (Movement, usize))| {
             let height = height_of(mechanism, parameters, drive)?;
-            let Derivative { value, symbol } = height.per[way].as_ref()?;
+            let Derivative { value, symbol } = height.per[movement].as_ref()?;
             let is_height =
                 is_height_per_height(symbol, unit) && (value.abs() - 1.0).abs() < ROUNDING;
             Some(Self { drive, is_height })
         };
-        ways.map(rise).collect()
+        movements.map(rise).collect()
     }
 }
 

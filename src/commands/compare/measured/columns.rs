@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use suspension_core::listing::DriveKind;
 
 use super::heading::Stated;
-use crate::characteristics::{Does, usual_change};
+use crate::characteristics::{Effect, usual_change};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::grid::doubt_of_option;
@@ -123,13 +123,13 @@ impl KnownColumn {
     pub(super) fn shares(&self, mechanism: &Description) -> Vec<f64> {
         let Description { names, unit, .. } = mechanism;
         let (drive, per) = self.stated.named.drives[0];
-        let does = match names.vehicle.steer.contains(&drive) {
-            true => Does::Steer,
-            false => Does::Travel,
+        let effect = match names.vehicle.steer.contains(&drive) {
+            true => Effect::Steer,
+            false => Effect::Travel,
         };
         let usual = match self.travel() {
-            Some(_) => usual_change(Does::Travel, DriveKind::Coordinate, *unit),
-            None => usual_change(does, names.drives[drive].kind, *unit) / per.abs(),
+            Some(_) => usual_change(Effect::Travel, DriveKind::Coordinate, *unit),
+            None => usual_change(effect, names.drives[drive].kind, *unit) / per.abs(),
         };
         let numbers = self.numbers.iter();
         numbers.map(|at| at / self.stated.scale / usual).collect()

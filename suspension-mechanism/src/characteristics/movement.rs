@@ -1,4 +1,4 @@
-//! The way in which drives move a wheel or an axle.
+//! What drives do to the wheels: they move them up and down, roll an axle, or steer.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use crate::mechanism::Names;
 
 /// The effect of a drive, in any listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Does {
+pub enum Effect {
     /// It moves wheels up and down.
     Travel,
     /// It moves one wheel of an axle up and the other down.
@@ -17,36 +17,36 @@ pub enum Does {
 
 /// The effect of a drive, or of several that move together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Way {
+pub struct Movement {
     /// Their effect.
-    pub does: Does,
+    pub effect: Effect,
     /// The number among those with the same effect, from 1.
     pub number: usize,
 }
 
-impl Way {
+impl Movement {
     /// The drives of a mechanism that have an effect, by number, those of travel first.
     pub fn of_drives(names: &Names) -> Vec<(Self, usize)> {
         let vehicle = &names.vehicle;
         let each = [
-            (Does::Travel, &vehicle.travel),
-            (Does::Steer, &vehicle.steer),
+            (Effect::Travel, &vehicle.travel),
+            (Effect::Steer, &vehicle.steer),
         ];
-        let numbered = each.into_iter().flat_map(|(does, drives)| {
+        let numbered = each.into_iter().flat_map(|(effect, drives)| {
             let numbered = (1..).zip(drives);
-            numbered.map(move |(number, drive)| (Self { does, number }, *drive))
+            numbered.map(move |(number, drive)| (Self { effect, number }, *drive))
         });
         numbered.collect()
     }
 }
 
-impl fmt::Display for Way {
+impl fmt::Display for Movement {
     /// `travel`; `travel 2` for a second axle or wheel.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self.does {
-            Does::Travel => "travel",
-            Does::Roll => "roll",
-            Does::Steer => "steer",
+        f.write_str(match self.effect {
+            Effect::Travel => "travel",
+            Effect::Roll => "roll",
+            Effect::Steer => "steer",
         })?;
         match self.number {
             1 => Ok(()),

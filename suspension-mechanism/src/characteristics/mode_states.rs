@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 use suspension_core::listing::DriveKind;
 
 use crate::characteristics::modes::Mode;
+use crate::characteristics::movement::{Effect, Movement};
 use crate::characteristics::span::{Span, through_design};
-use crate::characteristics::way::{Does, Way};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{
@@ -15,11 +15,11 @@ use crate::mechanism::{
 use crate::number::number;
 
 /// The states along a drive, or along several that move together.
-pub struct Along {
+pub struct ModeStates {
     /// Its name: that of the drive, or `heave`, or `roll`.
     pub title: String,
     /// The effect of the drives.
-    pub way: Way,
+    pub movement: Movement,
     /// A description of what moves.
     pub moved: String,
     /// The drives, by number, each with its fraction of the change.
@@ -47,14 +47,14 @@ const LONGEST: f64 = 1.0;
 
 /// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
 /// are in `unit`; that of travel also applies to heave and roll. [`check_spans`] checks them.
-pub fn ways(
+pub fn mode_states(
     mechanism: &dyn Kinematics,
     spans: [Option<Span>; 2],
     unit: Unit,
     interrupted: &AtomicBool,
-) -> Vec<Along> {
+) -> Vec<ModeStates> {
     let names = &mechanism.names;
-    let mut ways: Vec<Along> = Vec::new();
+    let mut modes: Vec<ModeStates> = Vec::new();
     for mode in Mode::all(mechanism) {
         let option = option_of(&mode);
         let kind = names.drives[mode.drives[0].0].kind;
@@ -66,16 +66,16 @@ pub fn ways(
                 ends.map(|end| end / unit.angle.radian())
             }
             (None, kind) => {
-                let end = usual_change(mode.does, kind, mechanism.unit);
+                let end = usual_change(mode.effect, kind, mechanism.unit);
                 [-end, end]
             }
         };
-        let Some(span) = within_travel(mode.does, span) else {
+        let Some(span) = within_travel(mode.effect, span) else {
             continue;
         };
-        let is_same = |along: &&Along| along.way.does == mode.does;
-        let number = 1 + ways.iter().filter(is_same).count();
-        ways.push(compute_along(
+        let is_same = |states: &&ModeStates| states.movement.effect == mode.effect;
+        let number = 1 + modes.iter().filter(is_same).count();
+        modes.push(compute_states(
             mechanism,
             mode,
             number,
@@ -83,32 +83,32 @@ pub fn ways(
             interrupted,
         ));
     }
-    ways
+    modes
 }
 
 /// The usual largest change of a drive to either side: in the unit of lengths, or in radians.
-pub fn usual_change(does: Does, kind: DriveKind, unit: Unit) -> f64 {
+pub fn usual_change(effect: Effect, kind: DriveKind, unit: Unit) -> f64 {
     match kind {
-        DriveKind::Coordinate => USUAL[usize::from(does == Does::Steer)] * unit.metre(),
+        DriveKind::Coordinate => USUAL[usize::from(effect == Effect::Steer)] * unit.metre(),
         DriveKind::Angle | DriveKind::Turn => USUAL_ANGLE,
     }
 }
 
-/// Returns the first failure if places of a range are missing, and notes on the ways before it. A lock within a range that
+/// Returns the first failure if places of a range are missing, and notes on the modes before it. A lock within a range that
 /// the user does not state is no failure: a note says that the curves end there.
-pub fn unmet_range(ways: &[Along], file: &str) -> (Vec<String>, Option<Failure>) {
+pub fn unmet_range(modes: &[ModeStates], file: &str) -> (Vec<String>, Option<Failure>) {
     let mut notes = Vec::new();
-    for along in ways {
-        let Some(failure) = along.visited.failure(file) else {
+    for mode in modes {
+        let Some(failure) = mode.visited.failure(file) else {
             continue;
         };
-        let has_places = along.visited.places.iter().any(Option::is_some);
-        if !along.is_usual || !has_places || !matches!(failure, Failure::Solver(_)) {
+        let has_places = mode.visited.places.iter().any(Option::is_some);
+        if !mode.is_usual || !has_places || !matches!(failure, Failure::Solver(_)) {
             return (notes, Some(failure));
         }
-        let title = &along.title;
-        let option = match along.way.does {
-            Does::Steer => "--steer",
+        let title = &mode.title;
+        let option = match mode.movement.effect {
+            Effect::Steer => "--steer",
             _ => "--travel",
         };
         notes.push(format!(
@@ -149,7 +149,7 @@ pub fn no_steering(file: &str) -> Failure {
 
 /// The number of the span that a mode moves through: that of travel or that of steering.
 fn option_of(mode: &Mode) -> usize {
-    usize::from(mode.does == Does::Steer)
+    usize::from(mode.effect == Effect::Steer)
 }
 
 /// Returns notes on spans that seem to be in another unit.
@@ -187,11 +187,11 @@ fn note_on_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) -> 
 
 /// The part of a span that a mode moves through: in roll, where one wheel moves down as far as the other moves up, the
 /// part in which neither leaves the span. `None` if there is none.
-fn within_travel(does: Does, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+fn within_travel(effect: Effect, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
     let end = to.min(-from);
-    match does {
-        Does::Roll => (end > 0.0).then_some([-end, end]),
-        Does::Travel | Does::Steer => Some([from, to]),
+    match effect {
+        Effect::Roll => (end > 0.0).then_some([-end, end]),
+        Effect::Travel | Effect::Steer => Some([from, to]),
     }
 }
 
@@ -199,8 +199,8 @@ fn within_travel(does: Does, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
 pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<String> {
     let Span([from, to]) = travel.filter(|Span([from, to])| *from != -to)?;
     let mut modes = Mode::all(mechanism).into_iter();
-    modes.find(|mode| mode.does == Does::Roll)?;
-    Some(match within_travel(Does::Roll, [from, to]) {
+    modes.find(|mode| mode.effect == Effect::Roll)?;
+    Some(match within_travel(Effect::Roll, [from, to]) {
         Some(ends) => {
             let [low, high] = ends.map(number);
             format!(
@@ -213,16 +213,16 @@ pub fn shorter_roll(mechanism: &dyn Kinematics, travel: Option<Span>) -> Option<
     })
 }
 
-fn compute_along(
+fn compute_states(
     mechanism: &dyn Kinematics,
     mode: Mode,
     number: usize,
     (kind, span, is_usual): (DriveKind, [f64; 2], bool),
     interrupted: &AtomicBool,
-) -> Along {
+) -> ModeStates {
     let Mode {
         title,
-        does,
+        effect,
         moved,
         drives,
     } = mode;
@@ -238,9 +238,9 @@ fn compute_along(
         (place.state(), per.collect())
     };
     let visited = mechanism.visit(&grid, DerivativeOrder::First, interrupted, &mut read);
-    Along {
+    ModeStates {
         title,
-        way: Way { does, number },
+        movement: Movement { effect, number },
         moved,
         drives,
         kind,
