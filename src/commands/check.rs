@@ -58,7 +58,7 @@ impl Arguments {
         let near = near_lock::notes(mechanism, ranges.as_deref().unwrap_or_default());
         let own = near
             .chain(pulling::notes(mechanism))
-            .chain(zero_length::notes(mechanism));
+            .chain(zero_length::notes(mechanism, loaded.listing()));
         let own = own.map(|note| format!("{name}: {note}"));
         let notes: Vec<String> = mechanism.notes.iter().cloned().chain(own).collect();
         let is_known = !is_singular && !is_interrupted;

@@ -1,8 +1,7 @@
 //! Measured lengths that are zero at the design position.
 
-use suspension_core::listing::MeasureKind;
+use suspension_runtime::Listing;
 
-use crate::characteristics::parameters;
 use crate::kinematics::Kinematics;
 use crate::mechanism::extent;
 
@@ -10,19 +9,16 @@ use crate::mechanism::extent;
 const ROUNDING: f64 = 1e-9;
 
 /// Returns a note for each measured length whose ends are in the same place.
-pub(super) fn notes(mechanism: &dyn Kinematics) -> impl Iterator<Item = String> {
-    let least = ROUNDING * extent(mechanism.points()).norm();
-    let of_design = parameters(mechanism, mechanism.unit).into_iter();
-    let of_measures = of_design.filter(|parameter| parameter.quantity.title == "measures");
-    let measures = mechanism.names.measures.iter().zip(of_measures);
-    measures.filter_map(move |(measure, parameter)| {
-        let is_zero = measure.kind == MeasureKind::Length && parameter.value <= least;
-        is_zero.then(|| {
-            format!(
-                "measure `{}` is zero at the design position, as its ends are in the same place: it has no motion ratio there, \
-                 and no force acts along it",
-                measure.name
-            )
-        })
+pub(super) fn notes(mechanism: &dyn Kinematics, listing: &Listing) -> impl Iterator<Item = String> {
+    let at = mechanism.points();
+    let least = ROUNDING * extent(at.iter().copied()).norm();
+    let lengths = listing.driven_and_measured_lengths().into_iter();
+    let zero = lengths.filter(move |[from, to]| (at[*to] - at[*from]).norm() <= least);
+    zero.map(|ends| {
+        let [from, to] = ends.map(|end| &mechanism.names.points[end]);
+        format!(
+            "`{from}` and `{to}` are in the same place at the design position: the length between them has no motion ratio \
+             there, and no force acts along it"
+        )
     })
 }

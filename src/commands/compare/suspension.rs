@@ -162,7 +162,7 @@ impl Suspension {
         }
     }
 
-    /// Returns the drive of travel of the wheel or axle `name` in place of drive `way`: its own, or for an axle the one on
+    /// Returns the drive of travel of the wheel or axle `name` in place of the drive `movement`: its own, or for an axle the one on
     /// the same side.
     pub(super) fn own_movement(&self, movement: usize, name: &str) -> usize {
         let Movement {

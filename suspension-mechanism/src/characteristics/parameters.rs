@@ -18,7 +18,7 @@ pub struct Parameter {
     pub symbol: String,
     /// Its value.
     pub value: f64,
-    /// Its derivatives with respect to the drives of [`Way::of_drives`]; `None` for a missing one.
+    /// Its derivatives with respect to the drives of [`Movement::of_drives`]; `None` for a missing one.
     pub per: Vec<Option<Derivative>>,
     /// The row of the catalogue.
     pub quantity: &'static Quantity,

@@ -8,7 +8,7 @@ use crate::file::Dimension;
 use crate::mechanism::{Description, Unit};
 
 /// The rise of the wheels per drive of travel at the design position; the drives are the first ones of
-/// [`Way::of_drives`](crate::characteristics::Way::of_drives).
+/// [`Movement::of_drives`](crate::characteristics::Movement::of_drives).
 #[derive(Clone, Debug)]
 pub struct Rises {
     /// The rise of the wheel of each drive (a row) per unit of each drive, upwards.

@@ -15,7 +15,7 @@ pub struct Rise {
 }
 
 impl Rise {
-    /// The rise for each of the drives of [`Way::of_drives`], from parameters with lengths in `unit`; `None` for
+    /// The rise for each of the drives of [`Movement::of_drives`], from parameters with lengths in `unit`; `None` for
     /// drives that move no wheel up and down.
     pub fn of_drives(
         mechanism: &Description,
