@@ -4,6 +4,7 @@ mod by_quantity;
 mod curves;
 mod derivatives;
 mod far_apart;
+mod over_centre;
 mod page;
 
 use std::path::PathBuf;
@@ -89,11 +90,15 @@ impl Arguments {
         let spans = [self.travel, self.steer];
         print_notes(check_spans(mechanism, name, spans, unit)?);
         let modes = mode_states(mechanism, spans, unit, interrupted);
-        let shorter_roll = shorter_roll(mechanism, self.travel);
-        print_notes_on(name, &shorter_roll);
         let missing = modes.iter().filter_map(|mode| mode.visited.failure(name));
         let parameters = parameters(mechanism, unit);
         let rises = Rise::of_drives(mechanism, &parameters, unit);
+        let curves = all_curves(mechanism, &modes, &rises);
+        let notes: Vec<String> = shorter_roll(mechanism, self.travel)
+            .into_iter()
+            .chain(over_centre::notes(&mechanism.names, &curves, unit))
+            .collect();
+        print_notes_on(name, &notes);
         let page = Page {
             file: name,
             mechanism,
@@ -103,9 +108,9 @@ impl Arguments {
                 .names
                 .drives_in_words(&mechanism.design, unit, None),
             motion_ends,
-            shorter_roll,
+            notes,
             missing: missing.map(|failure| failure.to_string()).collect(),
-            curves: all_curves(mechanism, &modes, &rises),
+            curves,
             rises: Rises::compute(mechanism, &parameters),
             parameters,
         };

@@ -2,6 +2,7 @@
 
 mod axle;
 mod held;
+mod over_centre;
 
 use super::program::{CORNER, folder, run, text};
 

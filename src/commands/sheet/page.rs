@@ -22,8 +22,8 @@ pub(super) struct Page<'a> {
     pub(super) drives: String,
     /// The time and cause of an early end of the file's own motion.
     pub(super) motion_ends: Option<String>,
-    /// A sentence on the range of the curves over roll, if that is shorter than the travel.
-    pub(super) shorter_roll: Option<String>,
+    /// Sentences on the range of the curves over roll, if that is shorter than the travel, and on springs that turn within it.
+    pub(super) notes: Vec<String>,
     /// Sentences on curves that could not be solved.
     pub(super) missing: Vec<String>,
     pub(super) parameters: Vec<Parameter>,
@@ -58,7 +58,7 @@ impl Page<'_> {
             @if let Some(why) = &self.motion_ends {
                 p { strong { "The file's own motion is out of reach: " } (why) }
             }
-            @if let Some(note) = &self.shorter_roll { p { (capitalised(note)) "." } }
+            @for note in &self.notes { p { (capitalised(note)) "." } }
             (cut_short(&self.missing))
             h2 { "At the design position: " (self.drives) }
             div.scrolled { (self.table()) }
