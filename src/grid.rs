@@ -119,6 +119,14 @@ fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<
     let mut axes: Vec<GridAxis> = Vec::new();
     for of_one in swept {
         let axis = GridAxis::named(mechanism, &of_one.name, &of_one.values(), &axes)?;
+        let mut before = axes.iter().flat_map(|axis| &axis.drives);
+        let again = before.find(|(drive, _)| axis.drives.iter().any(|(own, _)| own == drive));
+        if let Some((drive, _)) = again.filter(|_| absolute) {
+            let name = &mechanism.names.drives[*drive].name;
+            return Err(format!(
+                "the drive `{name}` is given twice, and --absolute states the drives' own values; leave --absolute out to add changes"
+            ));
+        }
         let opposite = axis.drives.iter().find(|(_, part)| *part < 0.0);
         if let Some((drive, _)) = opposite.filter(|_| absolute) {
             let name = &mechanism.names.drives[*drive].name;

@@ -28,7 +28,8 @@ pub struct Arguments {
     file: PathBuf,
     /// A drive and COUNT values of it, evenly spaced from FROM to TO (both included), or one value. They are changes from
     /// the design position, in the file's units; the drive's column has its own values. Give the option several times
-    /// for a grid. Drives joined by commas move together, with a minus the opposite way: bump_left,-bump_right is roll.
+    /// for a grid. Drives joined by commas move together, with a minus the opposite way: bump_left,-bump_right is
+    /// roll. Changes of a drive in several options add up, as those of heave and roll do.
     #[arg(
         long = "drive",
         value_name = "NAME=FROM:TO:COUNT",

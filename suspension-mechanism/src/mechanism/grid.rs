@@ -1,11 +1,12 @@
 //! The places of a grid of drives.
 
+pub(super) mod axis;
 pub(super) mod place;
 pub(super) mod visited;
 mod visitor;
 
-use crate::file::Dimension;
 use crate::mechanism::description::Description;
+use crate::mechanism::grid::axis::GridAxis;
 use crate::number::unsigned_zero;
 
 /// The largest number of places of a grid.
@@ -18,110 +19,12 @@ pub struct Grid {
     pub(super) axes: Vec<Vec<AxisPlace>>,
     /// All drives at the start of the mechanism.
     pub(super) start: Vec<f64>,
+    /// The drives' own zeros, if values are counted from these; otherwise they are changes from the start.
+    zeros: Option<Vec<f64>>,
 }
 
-/// The drives that an axis moves, by number, with their values at one of its places.
+/// The drives that an axis moves, by number, with what it adds to them at one of its places.
 pub(super) type AxisPlace = Vec<(usize, f64)>;
-
-/// The places of an axis above the drives' values, by number, and those below, each in the order away from them.
-pub(super) fn outwards(axis: &[AxisPlace], drives: &[f64]) -> [Vec<usize>; 2] {
-    // The drives of an axis move together, so the first tells the direction.
-    let above_here = |index: &usize| {
-        let first = axis[*index].first();
-        first.map_or(0.0, |(drive, value)| value - drives[*drive])
-    };
-    let mut order: Vec<usize> = (0..axis.len()).collect();
-    order.sort_by(|a, b| above_here(a).total_cmp(&above_here(b)));
-    let is_below = |index: &usize| above_here(index) < 0.0;
-    let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
-    below.reverse();
-    [above, below]
-}
-
-/// An axis of a grid.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GridAxis {
-    /// The drives that move together, by number, each with its change per unit along the axis.
-    pub drives: Vec<(usize, f64)>,
-    /// The values along the axis.
-    pub values: Vec<f64>,
-}
-
-impl GridAxis {
-    /// An axis of one drive.
-    pub fn for_drive(drive: usize, values: Vec<f64>) -> Self {
-        Self {
-            drives: vec![(drive, 1.0)],
-            values,
-        }
-    }
-
-    /// The axis of the drives in `words`, beside other axes, with `values` in the file's unit. Drives joined by commas move
-    /// together, one with a minus the opposite way: `left_bump,-right_bump` is roll.
-    ///
-    /// # Errors
-    ///
-    /// A sentence about a name that is not a drive, about a drive that is already there, and about a length and an angle.
-    pub fn named(
-        mechanism: &Description,
-        words: &str,
-        values: &[f64],
-        others: &[Self],
-    ) -> Result<Self, String> {
-        let mut drives = Vec::new();
-        for (name, part) in moved_together(words) {
-            let drive = mechanism.names.chosen_drive(Some(name))?;
-            let mut given = others.iter().flat_map(|axis| &axis.drives).chain(&drives);
-            if given.any(|(other, _)| *other == drive) {
-                return Err(format!("the drive `{name}` is given twice"));
-            }
-            drives.push((drive, part));
-        }
-        check_kinds(mechanism, &drives)?;
-        let first = drives.first();
-        let scale = first.map_or(1.0, |(drive, _)| {
-            let kind = mechanism.names.drives[*drive].kind;
-            Dimension::from(kind).file_factor(mechanism.unit)
-        });
-        Ok(Self {
-            drives,
-            values: values.iter().map(|value| value / scale).collect(),
-        })
-    }
-
-    /// The drives in words, as [`named`](Self::named) takes them.
-    pub fn drives_in_words(&self, mechanism: &Description) -> String {
-        let each = self.drives.iter().map(|(drive, part)| {
-            let minus = if *part < 0.0 { "-" } else { "" };
-            format!("{minus}{}", mechanism.names.drives[*drive].name)
-        });
-        each.collect::<Vec<_>>().join(",")
-    }
-}
-
-/// The names that commas join, each with the sign of its change: -1 behind a minus, otherwise 1.
-pub fn moved_together(words: &str) -> impl Iterator<Item = (&str, f64)> {
-    let names = words.split(',').map(str::trim);
-    names.map(|name| match name.strip_prefix('-') {
-        Some(name) => (name.trim(), -1.0),
-        None => (name, 1.0),
-    })
-}
-
-/// Refuses a length and an angle that move together: no number is in the units of both.
-fn check_kinds(mechanism: &Description, drives: &[(usize, f64)]) -> Result<(), String> {
-    let drives = drives
-        .iter()
-        .map(|(drive, _)| &mechanism.names.drives[*drive]);
-    let (angles, lengths): (Vec<_>, Vec<_>) = drives.partition(|drive| drive.kind.is_angle());
-    match (lengths.first(), angles.first()) {
-        (Some(length), Some(angle)) => Err(format!(
-            "the drive `{}` is a length and `{}` an angle, so that they cannot move by the same number; state each by itself",
-            length.name, angle.name
-        )),
-        _ => Ok(()),
-    }
-}
 
 /// `count` values, evenly spaced from the first to the last: exact at both ends. Those between are rounded to 15 digits of the
 /// larger end, so that a place is 0.003 or 0 where spacing alone gives 0.0030000000000000005 or 3e-17.
@@ -164,22 +67,19 @@ impl Grid {
         axes: Vec<GridAxis>,
         from: CountedFrom,
     ) -> Result<Self, String> {
-        let start = mechanism.first_drives();
-        let from = |drive: usize| match from {
-            CountedFrom::Start => start[drive],
-            CountedFrom::Zero => -mechanism.drive_offsets[drive],
-        };
+        let offsets = mechanism.drive_offsets.iter();
         let places = |GridAxis { drives, values }: GridAxis| -> Vec<AxisPlace> {
             let place = |value: f64| {
                 let moved = drives.iter();
-                moved
-                    .map(|(drive, part)| (*drive, from(*drive) + part * value))
-                    .collect()
+                moved.map(|(drive, part)| (*drive, part * value)).collect()
             };
             values.into_iter().map(place).collect()
         };
-        let axes = axes.into_iter().map(places).collect();
-        let grid = Self { axes, start };
+        let grid = Self {
+            axes: axes.into_iter().map(places).collect(),
+            start: mechanism.first_drives(),
+            zeros: (from == CountedFrom::Zero).then(|| offsets.map(|offset| -offset).collect()),
+        };
         match grid.places() {
             Some(1..=MOST_PLACES) => Ok(grid),
             _ => Err(format!(
@@ -197,11 +97,41 @@ impl Grid {
     pub(crate) fn drives_at(&self, place: usize) -> Vec<f64> {
         let mut drives = self.start.clone();
         for (axis, at) in self.axes.iter().zip(self.axis_positions(place)) {
-            for (drive, value) in &axis[at.number] {
-                drives[*drive] = *value;
+            for (drive, value) in self.moved(&axis[at.number], &drives) {
+                drives[drive] = value;
             }
         }
         drives
+    }
+
+    /// The drives that an axis moves, by number, with their values at one of its places. `before` are those of all drives as
+    /// the axes before it leave them.
+    pub(super) fn moved(&self, place: &AxisPlace, before: &[f64]) -> Vec<(usize, f64)> {
+        let from = self.zeros.as_deref().unwrap_or(before);
+        let moved = place.iter();
+        moved
+            .map(|(drive, change)| (*drive, from[*drive] + change))
+            .collect()
+    }
+
+    /// The places of an axis above the drives' values `before` it moves, by number, and those below, each in the order away
+    /// from them.
+    pub(super) fn outwards(&self, axis: &[AxisPlace], before: &[f64]) -> [Vec<usize>; 2] {
+        let from = self.zeros.as_deref().unwrap_or(before);
+        // The drives of an axis move together, so the first tells the direction.
+        let height = |place: &AxisPlace| {
+            let first = place.first();
+            first.map_or(0.0, |(drive, change)| {
+                from[*drive] + change - before[*drive]
+            })
+        };
+        let heights: Vec<f64> = axis.iter().map(height).collect();
+        let mut order: Vec<usize> = (0..axis.len()).collect();
+        order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
+        let is_below = |index: &usize| heights[*index] < 0.0;
+        let (mut below, above): (Vec<usize>, Vec<usize>) = order.into_iter().partition(is_below);
+        below.reverse();
+        [above, below]
     }
 
     /// The places beside a place, along each axis.

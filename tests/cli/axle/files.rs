@@ -97,6 +97,33 @@ fn sheets_and_comparisons_name_both_wheels_of_an_axle() {
     }
 }
 
+/// A place of heave and roll is that of the two drives' own values.
+#[test]
+fn heave_and_roll_add_up() {
+    let places = |drives: [&str; 2]| {
+        let [a, b] = drives;
+        table(&steered(DESIGN), &["sweep", "--drive", a, "--drive", b])
+    };
+    let grid = places([
+        "bump_left,bump_right=-0.03:0.03:3",
+        "bump_left,-bump_right=-0.02:0.02:3",
+    ]);
+    assert_eq!(grid.len(), 9);
+    for (row, (heave, roll)) in grid.iter().zip(
+        [-0.03, 0.0, 0.03]
+            .map(|heave| [-0.02, 0.0, 0.02].map(|roll| (heave, roll)))
+            .as_flattened(),
+    ) {
+        let [left, right] = [heave + roll, heave - roll];
+        let own = places([&format!("bump_left={left}"), &format!("bump_right={right}")]);
+        for (column, value) in &own[0] {
+            if !column.contains("residual") {
+                assert_near(row[column], *value, 1e-9 * value.abs().max(1.0), column);
+            }
+        }
+    }
+}
+
 /// In heave both wheels move equally; in roll one moves at some travel like the other at the opposite travel.
 #[test]
 fn drives_joined_in_one_sweep_option_move_together() {
@@ -128,10 +155,31 @@ fn drives_joined_in_one_sweep_option_move_together() {
     }
     let folder = folder();
     std::fs::write(folder.path().join("axle.toml"), steered(DESIGN)).expect("written");
-    let twice = ["sweep", "axle.toml", "--drive", "bump_left,bump_left=0:1:2"];
-    let output = run(folder.path(), &twice);
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert!(text(&output.stderr).contains("the drive `bump_left` is given twice"));
+    for twice in [
+        &["bump_left,bump_left=0:1:2"][..],
+        &["bump_left=0:1:2", "-bump_left=0:1:2"],
+        &[
+            "bump_left=0:1:2",
+            "bump_right=0:1:2",
+            "bump_left,bump_right=0:1:2",
+        ],
+        &["bump_left=0.3", "bump_left,bump_right=0.3", "--absolute"],
+    ] {
+        let options = twice
+            .iter()
+            .flat_map(|drives| match drives.starts_with("--") {
+                true => vec![*drives],
+                false => vec!["--drive", drives],
+            });
+        let arguments: Vec<&str> = ["sweep", "axle.toml"].into_iter().chain(options).collect();
+        let output = run(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{output:?}");
+        let message = text(&output.stderr);
+        assert!(
+            message.contains("the drive `bump_left` is given twice"),
+            "{message}"
+        );
+    }
     let opposite = [
         "sweep",
         "axle.toml",

@@ -132,7 +132,7 @@ fn a_drive_that_is_named_twice_by_a_target_is_refused() {
     let folder = folder();
     for (over, place, expected) in [
         (
-            "bump_left = [-0.04, 0.04], \"bump_left,bump_right\" = [-0.04, 0.04]",
+            "bump_left = [-0.04, 0.04], \"-bump_left\" = [-0.04, 0.04]",
             "16:37",
             "the drive `bump_left` is given twice",
         ),

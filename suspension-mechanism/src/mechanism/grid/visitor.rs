@@ -11,8 +11,8 @@ use crate::mechanism::derivatives::local_motion::LocalMotion;
 use crate::mechanism::derivatives::place_data::{Arrival, DerivativeOrder, PlaceData, SharedRates};
 use crate::mechanism::derivatives::positions::Positions;
 use crate::mechanism::driven_linkage::Mechanism;
+use crate::mechanism::grid::Grid;
 use crate::mechanism::grid::place::{OnPlace, Place, VisitEnd};
-use crate::mechanism::grid::{Grid, outwards};
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
 
@@ -178,7 +178,7 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
             self.read_at(here);
             return;
         };
-        let [above, below] = outwards(axis, &here.drives);
+        let [above, below] = grid.outwards(axis, &here.drives);
         for (upwards, way) in [(true, above), (false, below)] {
             let mut place = here.clone();
             place.motion = Motion {
@@ -190,7 +190,8 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                     return;
                 }
                 let mechanism = self.mechanism;
-                match mechanism.drive_to(&place.drives, &axis[index], &mut place.motion) {
+                let moved = grid.moved(&axis[index], &here.drives);
+                match mechanism.drive_to(&place.drives, &moved, &mut place.motion) {
                     Ok(report) => place.residual = report.residual(),
                     Err((laws, stopped)) => {
                         self.end.add(level, upwards, || {
@@ -202,10 +203,10 @@ impl<L: Suspension<N>, const N: usize> Visitor<'_, '_, L, N> {
                     }
                 }
                 let change = |(drive, value): &(usize, f64)| (*drive, value - place.drives[*drive]);
-                let changes: Vec<_> = axis[index].iter().map(change).collect();
+                let changes: Vec<_> = moved.iter().map(change).collect();
                 place.arrival = Arrival::new(&place.motion, &changes);
-                for (drive, value) in &axis[index] {
-                    place.drives[*drive] = *value;
+                for (drive, value) in moved {
+                    place.drives[drive] = value;
                 }
                 place.index = here.index * axis.len() + index;
                 self.visit_axes(level + 1, &place);
