@@ -5,7 +5,7 @@ use crate::kinematics::Kinematics;
 use crate::mechanism::{describe_change_from_design, extent};
 use crate::reach::{DriveRange, Limit, RangeEnd};
 
-/// Locks within this distance are with_notes_printed: a part of the suspension's size, or an angle in radians.
+/// Locks within this distance are noted: a part of the suspension's size, or an angle in radians.
 const NEAR: f64 = 1e-3;
 
 /// Returns a note for each lock that is near the design position.

@@ -64,8 +64,8 @@ fn alike<'a, K: Ord>(
 /// a note of their own.
 fn left_out(found: &CaseResults<'_>) -> Vec<usize> {
     let is_noted = |spring: &usize| {
-        let mut with_notes_printed = found.unborne.by_springs.iter();
-        with_notes_printed.any(|(_, by)| by == spring)
+        let mut noted = found.unborne.by_springs.iter();
+        noted.any(|(_, by)| by == spring)
     };
     let left_out = found.left_out.iter().copied();
     left_out.filter(|spring| !is_noted(spring)).collect()

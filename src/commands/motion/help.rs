@@ -103,7 +103,7 @@ The file:
   p1 = [-1.396, -0.025, -0.082]
   p11 = { from = "p8", offset = [0.0, 0.1, 0.0] }   # a marker, stated as an offset from another point
   [lengths]                          # optional: all lengths. Free points are then a first guess and need not satisfy the
-  d6_1 = 0.445872                    # statements; without [lengths], points that do not are with_notes_printed or refused
+  d6_1 = 0.445872                    # statements; without [lengths], points that do not are noted or refused
   [design]                           # optional: the drives' values at which the mechanism is assembled and markers with an
   theta = 1.5707963267948966         # offset are attached; without it they are as the points state. Markers with
                                      # coordinates are always attached as the points state

@@ -7,7 +7,7 @@ use crate::output::plot::{Chart, Curve};
 pub(super) struct MeasuredQuantity {
     pub(super) title: String,
     pub(super) symbol: String,
-    /// MovedModel with the numbers of the model and of the table there.
+    /// Places with the numbers of the model and of the table there.
     pub(super) places: Vec<Place>,
     /// How far along the course the places around one tell of its noise.
     pub(super) around: f64,
