@@ -8,6 +8,7 @@ mod ends;
 mod formats;
 mod frames;
 mod groups;
+mod incomplete;
 mod line_per_axis;
 mod names_as_columns;
 mod noted;

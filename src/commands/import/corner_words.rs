@@ -1,5 +1,7 @@
 //! How the words of a file that name a corner are read: as a part of names, or not.
 
+use std::cmp::Reverse;
+
 use super::Arguments;
 use super::hardpoints::{Hardpoint, Hardpoints};
 use super::layout_choice::lacking;
@@ -8,7 +10,7 @@ use crate::failure::Failure;
 
 impl Arguments {
     /// Returns the points of the wanted axle, in the first reading that is a suspension, or else in the one that lacks the fewest
-    /// points of a layout.
+    /// points of a layout. A reading counts only if its layout uses no fewer points than those of the readings before it.
     pub(super) fn of_axle<'a>(
         &self,
         stated: Hardpoints<'a>,
@@ -27,8 +29,12 @@ impl Arguments {
             let points: Vec<&Hardpoint> = reading.points.iter().collect();
             lacking(&points, names, self.linkage.as_deref())
         };
-        let nearest = || (0..readings.len()).min_by_key(|&it| lacking(&readings[it]));
-        let best = readings.iter().position(is_suspension).or_else(nearest);
+        let used = |it: usize| lacking(&readings[it]).map_or(0, |(_, _, Reverse(found))| found);
+        let uses_most = |it: &usize| (0..*it).all(|before| used(before) <= used(*it));
+        let most = || (0..readings.len()).filter(uses_most);
+        let suspension = most().find(|&it| is_suspension(&readings[it]));
+        let nearest = || most().min_by_key(|&it| lacking(&readings[it]));
+        let best = suspension.or_else(nearest);
         readings
             .swap_remove(best.unwrap_or_default())
             .of_end(self.end)

@@ -14,6 +14,9 @@ use super::rack::{self, RACK};
 use super::upper_wishbone::{on_upper, point_on_upper};
 use candidate::Candidate;
 
+/// The most missing points of a layout that is said to use more of the file's points.
+const FEW: usize = 2;
+
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
@@ -29,12 +32,18 @@ pub(super) struct Choice<'a> {
     pub(super) spare: Vec<String>,
     /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `listing`.
     pub(super) fixed: Option<String>,
+    /// A layout that would use more points of the file, and the points that it lacks.
+    pub(super) larger: Option<String>,
     /// The point that is on the upper wishbone, where the catalogue's listing has it on the lower one.
     pub(super) upper: Option<&'static str>,
 }
 
 impl<'a> Choice<'a> {
-    fn new(candidate: Candidate<'a>, stated: &Hardpoints<'_>) -> Result<Self, Mistakes> {
+    fn new(
+        candidate: Candidate<'a>,
+        larger: Option<String>,
+        stated: &Hardpoints<'_>,
+    ) -> Result<Self, Mistakes> {
         let point = |name: &str| point_of(&candidate.found, name);
         let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
         let layout = candidate.layout;
@@ -52,6 +61,7 @@ impl<'a> Choice<'a> {
             text,
             is_changed: fixed.is_some() || upper.is_some(),
             fixed,
+            larger,
             upper,
             found: candidate.found,
             spare: candidate.spare,
@@ -115,8 +125,22 @@ pub(super) fn choose<'a>(
                 best.layout.name, other.layout.name
             ))
         }
-        _ => Choice::new(best, stated).map_err(|mistakes| mistakes.to_string()),
+        other => {
+            let others = other.into_iter().chain(candidates);
+            let larger = larger(others, &best).map(|larger| larger.in_words(&best, names, stated));
+            Choice::new(best, larger, stated).map_err(|mistakes| mistakes.to_string())
+        }
     }
+}
+
+/// Returns the candidate that uses most of the points, if these are more than the best one uses and few others are missing.
+fn larger<'a>(
+    others: impl Iterator<Item = Candidate<'a>>,
+    best: &Candidate<'_>,
+) -> Option<Candidate<'a>> {
+    let larger = others.filter(|other| other.found.len() > best.found.len());
+    let larger = larger.filter(|other| other.needed().len() <= FEW);
+    larger.max_by_key(|other| (other.found.len(), Reverse(other.needed().len())))
 }
 
 /// Returns how much the layout nearest to some points lacks: first whether none of its points is among them, then how many are

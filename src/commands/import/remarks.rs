@@ -94,6 +94,7 @@ impl ImportedCorner<'_> {
             told.extend(and_more(unused.count()));
             remarks.push(format!("not used: {}", told.join(", ")));
         }
+        remarks.extend(choice.larger.clone());
         remarks
     }
 

@@ -75,6 +75,14 @@ impl<'a> Candidate<'a> {
             .collect()
     }
 
+    /// Says how many more points of the file than another one this layout uses, and what it lacks.
+    pub(super) fn in_words(&self, other: &Self, names: &Names, stated: &Hardpoints<'_>) -> String {
+        let more = self.found.len() - other.found.len();
+        let lacks = self.lacks(names, stated);
+        let linkage = self.layout.name;
+        format!("{linkage} would use {more} more of the points, but lacks {lacks}")
+    }
+
     /// Lists the needed points with the names that import knows for them.
     fn lacks(&self, names: &Names, stated: &Hardpoints<'_>) -> String {
         let each = self.needed().into_iter().map(|name| {
