@@ -1,5 +1,6 @@
 //! The axes of a file, deduced from the order of its points.
 
+use super::hardpoints::Hardpoint;
 use super::layout_choice::Choice;
 use super::names::Arrangement;
 use crate::mechanism::Axes;
@@ -35,6 +36,7 @@ pub(super) fn orientation(
     stated: Option<Axes>,
     usual: Axes,
 ) -> Result<Orientation, String> {
+    check_side_of_wheel(choice)?;
     check_outboard(choice)?;
     let Arrangement { ahead, above, .. } = arrangement;
     let mut otherwise = arrangement.otherwise.iter();
@@ -92,6 +94,30 @@ fn turned(clues: &[Clue]) -> String {
     let names = ["x", "y", "z"].into_iter().enumerate();
     let names = names.filter_map(|(axis, name)| is_turned(axis).then_some(name));
     names.collect::<Vec<_>>().join(" and ")
+}
+
+/// Checks that the wheel centre is not alone on its side of the vehicle.
+fn check_side_of_wheel(choice: &Choice<'_>) -> Result<(), String> {
+    let Some(centre) = choice.point("wheel_centre") else {
+        return Ok(());
+    };
+    let others = choice.found.iter();
+    let others = others.filter(|(name, _)| !["wheel_centre", "axle"].contains(&name.as_str()));
+    let mut others = others.map(|(_, point)| *point);
+    let is_across = |point: &Hardpoint| point.at[1] * centre.at[1] < 0.0;
+    let first = others.clone().find(|point| is_across(point));
+    match first.filter(|_| others.all(is_across)) {
+        Some(other) => Err(format!(
+            "y is {} at `{}` and {} at `{}`, and all points but the wheel centre are on that side of the vehicle: is the sign of y \
+             at `{}` right?",
+            number(centre.at[1]),
+            centre.name,
+            number(other.at[1]),
+            other.name,
+            centre.name
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The largest camber that a wheel may have, degrees.

@@ -1,6 +1,7 @@
 //! Notes on hardpoints that may be mistakes.
 
 use super::super::program::folder;
+use super::refused::refusal;
 use super::{CORNER, import, table};
 
 #[test]
@@ -22,6 +23,20 @@ fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
     for file in [table(&CORNER), damper] {
         let imported = import(folder.path(), "a.csv", &file, &[]);
         assert!(!imported.notes.contains(doubt), "{}", imported.notes);
+    }
+}
+
+/// The mistake is the wheel centre's alone: to change the signs of a whole column would be wrong.
+#[test]
+fn a_wheel_centre_alone_on_its_side_is_refused() {
+    for options in [&[][..], &["--axes", "adams"]] {
+        let turned = table(&CORNER).replace("-610", "610");
+        let message = refusal("a.csv", &turned, options);
+        assert_eq!(
+            message,
+            "a.csv: y is 610 at `wheel_center` and -170 at `lca_front`, and all points but the wheel centre are on that side of the \
+             vehicle: is the sign of y at `wheel_center` right?"
+        );
     }
 }
 
