@@ -11,6 +11,8 @@ mod row;
 mod row_corner;
 mod table;
 
+pub(super) use table::is_name_of_other_angle;
+
 use super::hardpoints::Hardpoints;
 use super::names::Names;
 use crate::failure::Failure;

@@ -1,5 +1,6 @@
 //! What `--names` prints.
 
+use super::format::is_name_of_other_angle;
 use super::names::Names;
 use crate::quantities::WIDTH;
 
@@ -18,8 +19,14 @@ pub(super) fn known_names(names: &Names) -> String {
     ];
     for (heading, rows) in parts {
         text += &format!("{heading}\n");
-        for (own, others) in rows.iter().filter(|(_, others)| !others.is_empty()) {
-            text += &row(own, others);
+        for (own, others) in rows {
+            // Known so that their rows are refused.
+            let is_refused = |other: &String| own == "toe" && is_name_of_other_angle(other);
+            let others = others.iter().filter(|other| !is_refused(other));
+            let others: Vec<String> = others.cloned().collect();
+            if !others.is_empty() {
+                text += &row(own, &others);
+            }
         }
     }
     text += &format!("words without a meaning\n{}", row("", &names.unsaid));

@@ -139,6 +139,21 @@ fn an_angle_that_is_not_that_of_one_wheel_in_degrees_is_refused() {
 }
 
 #[test]
+fn the_toe_of_both_wheels_is_called_so() {
+    for (row, said) in [
+        ("Gesamtspur, 0.4", "gesamtspur"),
+        ("Total toe, 0.4", "total"),
+        ("Toe (per axle), 0.4", "per axle"),
+    ] {
+        let refused = refusal("a.csv", &format!("{}{row}\n", table(&CORNER)), &[]);
+        let expected = format!(
+            "says `{said}`, the angle of both wheels together: write the angle of one wheel"
+        );
+        assert!(refused.contains(&expected), "{refused}");
+    }
+}
+
+#[test]
 fn angles_in_quotes_and_in_degrees_are_read() {
     let folder = folder();
     let corner = table(&CORNER);

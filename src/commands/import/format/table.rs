@@ -26,6 +26,7 @@ use crate::mechanism::Axes;
 use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
 use angles::check_angle;
+pub(in crate::commands::import) use angles::is_name_of_other_angle;
 use coordinate_columns::CoordinateColumns;
 use line_per_axis::joined;
 use names_as_columns::with_names_in_rows;

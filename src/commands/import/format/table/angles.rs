@@ -104,15 +104,20 @@ pub(super) fn check_angle(
     let Some(said) = said.or_else(|| beyond_a_right_angle(row)) else {
         return Ok(());
     };
-    let or_limit = if said == "min" {
-        ", for minutes or a limit"
-    } else {
-        ""
+    let meant = match said.as_str() {
+        "min" => ", for minutes or a limit",
+        "total" | "gesamtspur" | "per axle" | "pro achse" => ", the angle of both wheels together",
+        _ => "",
     };
     let message = format!(
-        "`{name}` says `{said}`{or_limit}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
+        "`{name}` says `{said}`{meant}: write the angle of one wheel in degrees, positive for toe-in and for a top that leans outboard"
     );
     Err(stated.source.refuse(&row.place, &message))
+}
+
+/// Returns whether the name of an angle says itself that it is another one, as `total_toe` does.
+pub(in crate::commands::import) fn is_name_of_other_angle(key: &str) -> bool {
+    key.split('_').any(|word| OTHER.contains(&word))
 }
 
 /// Returns a number that is no toe or camber in degrees, such as `1,250` between decimals with a point.
