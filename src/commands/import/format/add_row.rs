@@ -115,10 +115,21 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
         )
     } else {
         format!(
-            "point `{name}` needs three numbers in a row: x, y, z; between thousands only a comma or a point may stand"
+            "point `{name}` needs three numbers in a row: x, y, z; {}",
+            what_it_has(row)
         )
     };
     stated.source.refuse(&row.place, message)
+}
+
+/// Says which field of a row is no number, or how many it has.
+fn what_it_has(row: &Row<'_>) -> String {
+    match row.misspelt_number() {
+        Some(field) => {
+            format!("`{field}` is no number (between thousands only a comma or a point may stand)")
+        }
+        None => format!("it has {}", row.numbers().len()),
+    }
 }
 
 /// Quotes the heading above the rows that says nothing that import knows.

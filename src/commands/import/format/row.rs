@@ -147,6 +147,15 @@ impl<'a> Row<'a> {
         })
     }
 
+    /// Returns the first field behind the name that has a digit and is no number, as `261O.5`.
+    pub(super) fn misspelt_number(&self) -> Option<&'a str> {
+        let mut fields = self.fields.iter().skip(1);
+        let is_misspelt = |field: &&&str| {
+            field.contains(|c: char| c.is_ascii_digit()) && self.number(field).is_none()
+        };
+        fields.find(is_misspelt).copied()
+    }
+
     /// Returns whether the row has any digit, even in a mistyped number.
     pub(super) fn has_digits(&self) -> bool {
         let mut fields = self.fields.iter();
