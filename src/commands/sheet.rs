@@ -111,11 +111,27 @@ impl Arguments {
             notes,
             missing: missing.map(|failure| failure.to_string()).collect(),
             curves,
+            measures: described_measures(loaded.listing()),
             rises: Rises::compute(mechanism, &parameters),
             parameters,
         };
         Ok((page.html(), print_unmet_range(&modes, name)))
     }
+}
+
+/// Returns the names of measures, those that the listing describes in the same words together, each with these words.
+fn described_measures(listing: &Listing) -> Vec<[String; 2]> {
+    let mut described: Vec<[String; 2]> = Vec::new();
+    for (name, text) in listing
+        .described_measures()
+        .filter(|(_, text)| !text.is_empty())
+    {
+        match described.iter_mut().find(|[_, other]| *other == text) {
+            Some([names, _]) => *names += &format!(", {name}"),
+            None => described.push([name.to_owned(), text]),
+        }
+    }
+    described
 }
 
 /// Width and height of a drawing in pixels.

@@ -116,6 +116,16 @@ impl Listing {
         stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
     }
 
+    /// The measures, each with the text of its `///` lines, which may be empty.
+    pub fn described_measures(&self) -> impl Iterator<Item = (&str, String)> {
+        let measures = self.system.measures.iter();
+        measures.map(|measure| {
+            let lines = measure.named.docs.iter().map(|line| line.trim());
+            let text: Vec<&str> = lines.collect();
+            (measure.named.name.as_str(), text.join(" "))
+        })
+    }
+
     /// The links: the two points of each, by their indices.
     pub fn links(&self) -> Vec<[usize; 2]> {
         let of_links = |equation: &&Equation| equation.origin.operand.is_none();

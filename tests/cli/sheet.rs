@@ -53,6 +53,7 @@ fn the_sheet_has_design_values_derivatives_and_curves() {
         "camber angle (bump camber)",
         "Its derivative with respect to wheel travel is bump steer. Positive where the front of the wheel points inboard",
         "motion ratio: damper per bump",
+        "<code>bar_arm</code>: Turn of the anti-roll bar's arm about the bar, against the line of the wishbones' front bushes.",
         "<code>toe</code>: the angle of the spin axis",
     ] {
         assert!(page.contains(heading), "{heading}");

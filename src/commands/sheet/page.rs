@@ -10,7 +10,7 @@ use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::capitalised::capitalised;
 use crate::output::page::{cut_short, numbers, page};
-use crate::quantities::{Quantity, from_design};
+use crate::quantities::{MEASURES, Quantity, from_design};
 
 pub(super) struct Page<'a> {
     pub(super) file: &'a str,
@@ -30,6 +30,8 @@ pub(super) struct Page<'a> {
     /// How far wheels rise per unit of the drives of travel; `None` if the drives do not move the wheels independently.
     pub(super) rises: Option<Rises>,
     pub(super) curves: Vec<Curves>,
+    /// The names of measures, each with what the listing says of them.
+    pub(super) measures: Vec<[String; 2]>,
 }
 
 impl Page<'_> {
@@ -108,7 +110,14 @@ impl Page<'_> {
                         }
                         @let next = groups.get(number + 1).map(|next| next[0].quantity);
                         @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
-                            tr.definition { td colspan=(columns) { (definition(group[0].quantity)) } }
+                            tr.definition {
+                                td colspan=(columns) {
+                                    (definition(group[0].quantity))
+                                    @if std::ptr::eq(group[0].quantity, &MEASURES) {
+                                        @for [names, text] in &self.measures { br; code { (names) } ": " (text) }
+                                    }
+                                }
+                            }
                         }
                     }
                 }
