@@ -140,7 +140,7 @@ The file:
                                      # five_link have height, that of the wheel centre
   [springs.spring]                   # optional: springs and bars of any name, for forces, wheel rate and roll rate; in load
                                      # cases those act that a case names: acting = ["spring"]
-  along = "damper"                   # a measure
+  along = "damper"                   # a measure: a length, or for a bar the angle of its arm, as bar_arm
   rate = 28000.0                     # N per unit of length; for an angle N m per unit of angle
   load = 3800.0                      # N, for an angle N m: the force or moment at the design position, positive where it
                                      # makes the measure larger
