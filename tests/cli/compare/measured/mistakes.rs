@@ -72,6 +72,11 @@ fn mistakes_in_a_measured_table_are_located_with_the_remedy() {
              commas separate the fields by semicolons or tabs",
         ),
         (
+            "Rear suspension; right corner [mm]\nPoint;X;Y;Z\nlower front;318.0;245.5;135.0\n",
+            &[],
+            "m.csv:3:1: a name with three numbers, as in a table of hardpoints, which suspension import reads; a measured table has",
+        ),
+        (
             "# Rig 17\nAxle;front\nbump [mm];toe [deg];Fz [N]\n0;0;0\n",
             &[],
             "m.csv:3:21: the line has more fields than there are headings in line 2; begin lines above the headings with #, and",
