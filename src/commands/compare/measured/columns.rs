@@ -189,7 +189,7 @@ fn tell_left_out(table: &str, headings: &[String]) {
     };
     if !named.is_empty() {
         let note = format!(
-            "left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each quantity needs"
+            "left out, as the model knows no such names: {named}{more}; suspension motion --help says what each quantity needs"
         );
         print_notes_on(table, [note]);
     }
