@@ -94,6 +94,11 @@ fn drives_that_seem_to_be_counted_otherwise_are_noted() {
             "{message}"
         );
     }
+    let heights = "left wheel travel [mm],left toe [deg]\n250,0\n300,0\n350,0\n";
+    let (_folder, output) = beside(&axle(), heights, &[]);
+    let expected = "note: m.csv: `left wheel travel` counts from the design position, and its numbers look like heights of the wheel \
+                    centre, which is 300 mm there: subtract 300 mm from them\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
     let (folder, _) = beside(CORNER, changes, &[]);
     let output = run(
         folder.path(),
