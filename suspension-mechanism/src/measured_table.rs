@@ -66,17 +66,27 @@ impl MeasuredTable {
         let Some(line) = self.lines.iter().position(beyond) else {
             return Ok(());
         };
-        if let Some(point) = self.lines.iter().position(|line| self.is_point(line)) {
-            let message = "a name with three numbers, as in a table of hardpoints, which suspension import reads; a measured \
-                           table has a column of places and columns of quantities";
-            return Err(self.refuse_number(point, 0, message));
-        }
+        self.check_no_point()?;
         let of_headings = self.line_of(&self.headings);
         let message = format!(
             "the line has more fields than there are headings in line {of_headings}; begin lines above the headings with #, and \
              with decimal commas separate the fields by semicolons or tabs"
         );
         Err(self.refuse_number(line, headings, message))
+    }
+
+    /// Refuses a table of hardpoints; a measured table may have such lines, too, if its headings say where the model is.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the first line that is a name with three numbers.
+    pub fn check_no_point(&self) -> Result<(), Failure> {
+        let point = self.lines.iter().position(|line| self.is_point(line));
+        point.map_or(Ok(()), |point| {
+            let message = "a name with three numbers, as in a table of hardpoints, which suspension import reads; a measured \
+                           table has a column of places and columns of quantities";
+            Err(self.refuse_number(point, 0, message))
+        })
     }
 
     /// Returns whether a line is a name with three numbers.
