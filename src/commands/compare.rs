@@ -163,8 +163,8 @@ same amount everywhere. The report has `everywhere` there. The values are then t
 to it where it is not within the range. The column rms has the root of the mean square of the difference over the places of
 a curve, and along what `at` counts.
 
-If B is a table, of a rig say, the model is moved to its places. The first line has headings, the second perhaps units for those
-without; lines that begin with # are left out. Commas, semicolons or tabs separate fields, and decimal commas are read where
+If B is a table, of a rig say, the model is moved to its places. The first line of several fields has headings, the second
+perhaps units for those without; titles above the headings and lines that begin with # are left out. Commas, semicolons or tabs separate fields, and decimal commas are read where
 commas do not separate. A heading is a name that sweep has in its tables (left_camber_rad), or a name with a unit in brackets:
 left camber [deg], camber angle (deg), damper [mm]. Other columns are left out, with a note. The places are in columns of
 drives (bump [mm]), of drives that move together, as for sweep (\"left_bump,-right_bump [mm]\" for roll), and, where no such

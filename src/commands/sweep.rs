@@ -84,17 +84,17 @@ impl Arguments {
             progress.step();
             table.row(place)
         });
-        let headings: Vec<Heading> = table
-            .names(mechanism)
-            .into_iter()
-            .map(Heading::new)
-            .collect();
-        let mut rows = Rows::create(&tables, &Header::new(mechanism), &headings)?;
-        for row in visited.places.iter().flatten() {
-            rows.add(row)?;
+        // A table without rows would take the place of an earlier one that has some.
+        if visited.places.iter().any(Option::is_some) {
+            let headings = table.names(mechanism).into_iter();
+            let headings: Vec<Heading> = headings.map(Heading::new).collect();
+            let mut rows = Rows::create(&tables, &Header::new(mechanism), &headings)?;
+            for row in visited.places.iter().flatten() {
+                rows.add(row)?;
+            }
+            rows.finish()?;
+            announce(tables.files().map(|(path, _)| path));
         }
-        rows.finish()?;
-        announce(tables.files().map(|(path, _)| path));
         visited.failure(source.name()).map_or(Ok(()), Err)
     }
 }
@@ -113,7 +113,7 @@ The mechanism is driven to each place from the design position, which is that of
 have no rows.
 
 Exit codes: 0 done, 1 a result cannot be written, 2 wrong input, 3 some places have no configuration, 130 interrupted. With
-3 and 130, what was solved is written.
+3 and 130, what was solved is written; no file if that is nothing.
 
 Example:
   suspension sweep examples/double_wishbone_pushrod.toml --drive bump=-0.08:0.08:161 --drive steer=-0.03:0.03:41 --csv -";

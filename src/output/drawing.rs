@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 use crate::failure::Failure;
 use crate::mechanism::Axes;
 use crate::output::svg::{Area, Drawn, FINE, document};
-pub use first_instant::drawing_of;
+pub use first_instant::{drawing_of, usual_radius};
 pub use forces::{Acting, Forces, InLink};
 use labels::{Labels, Segment};
 use marks::CHASSIS;

@@ -63,17 +63,39 @@ impl MeasuredTable {
         let headings = self.headings.len();
         let beyond =
             |line: &StringRecord| line.iter().skip(headings).any(|field| !field.is_empty());
-        match self.lines.iter().position(beyond) {
-            Some(line) => {
-                let of_headings = self.line_of(&self.headings);
-                let message = format!(
-                    "the line has more fields than there are headings in line {of_headings}; begin lines above the headings \
-                     with #, and with decimal commas separate the fields by semicolons or tabs"
-                );
-                Err(self.refuse_number(line, headings, message))
-            }
-            None => Ok(()),
-        }
+        let Some(line) = self.lines.iter().position(beyond) else {
+            return Ok(());
+        };
+        self.check_no_point()?;
+        let of_headings = self.line_of(&self.headings);
+        let message = format!(
+            "the line has more fields than there are headings in line {of_headings}; begin lines above the headings with #, and \
+             with decimal commas separate the fields by semicolons or tabs"
+        );
+        Err(self.refuse_number(line, headings, message))
+    }
+
+    /// Refuses a table of hardpoints; a measured table may have such lines, too, if its headings say where the model is.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] at the first line that is a name with three numbers.
+    pub fn check_no_point(&self) -> Result<(), Failure> {
+        let point = self.lines.iter().position(|line| self.is_point(line));
+        point.map_or(Ok(()), |point| {
+            let message = "a name with three numbers, as in a table of hardpoints, which suspension import reads; a measured \
+                           table has a column of places and columns of quantities";
+            Err(self.refuse_number(point, 0, message))
+        })
+    }
+
+    /// Returns whether a line is a name with three numbers.
+    fn is_point(&self, line: &StringRecord) -> bool {
+        let is_number = |field: &str| self.decimals.number(field).is_some();
+        let mut fields = line.iter();
+        let name = fields.next().filter(|name| !name.is_empty());
+        name.is_some_and(|name| !is_number(name))
+            && fields.take(3).filter(|at| is_number(at)).count() == 3
     }
 
     /// The file's name.

@@ -87,6 +87,26 @@ fn a_quantity_shown_only_as_a_curve_is_defined_on_the_sheet() {
     }
 }
 
+/// 0.3 m are 300 mm, and 0.3 / 0.0254 in.
+#[test]
+fn the_radius_of_a_wheel_without_one_is_in_the_unit_of_the_file() {
+    let arm = |unit: &str| {
+        format!(
+            "unit = \"{unit}\"\ntime = {{ instants = [0.0] }}\ndrives = {{ bump = 0.0 }}\nstatements = \"\"\"\n\
+             fixed: fore at [3, 0, 0], aft at [-2, 0, 0];\nfree: hub at [0, 4, 0], tip at [0, 5, 0];\n\
+             hinge arm: fore, aft -> hub, tip;\nwheel: hub -> tip;\ndrive bump: tip.z;\n\"\"\"\n"
+        )
+    };
+    for (unit, radius) in [("m", "0.3 m"), ("mm", "300 mm"), ("in", "11.811 in")] {
+        let folder = folder();
+        std::fs::write(folder.path().join("a.toml"), arm(unit)).expect("written");
+        let output = run(folder.path(), &["sheet", "a.toml", "-o", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let expected = format!("drawn with a radius of {radius}. State it");
+        assert!(text(&output.stdout).contains(&expected), "{expected}");
+    }
+}
+
 /// The rulers of drawings, which a radius beyond all measure makes tiny, end.
 #[test]
 fn a_sheet_with_an_absurd_wheel_radius_terminates() {

@@ -5,6 +5,7 @@ mod course;
 mod heading;
 mod measured_quantity;
 mod model_at_places;
+mod opposite;
 mod out_of_reach;
 mod position_columns;
 mod quantities;
@@ -27,6 +28,7 @@ use columns::{KnownColumn, tell_doubts};
 use course::{Course, followed};
 use measured_quantity::MeasuredQuantity;
 use model_at_places::MovedModel;
+use opposite::opposite;
 use position_columns::divide;
 use quantities::quantities;
 
@@ -77,7 +79,11 @@ pub(super) fn compare(
             ),
         ],
         files,
-        notes: followed(&leads).into_iter().chain(unknown).collect(),
+        notes: followed(&leads)
+            .into_iter()
+            .chain(unknown)
+            .chain(opposite(&quantities, &course))
+            .collect(),
         missing: Vec::new(),
         parts: parts(&quantities, &course.label),
         charts: vec![(heading_of_charts(&course), charts.collect())],

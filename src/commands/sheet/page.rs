@@ -9,7 +9,8 @@ use crate::commands::sheet::curves::section;
 use crate::commands::sheet::derivatives::Derivatives;
 use crate::mechanism::{Description, Names};
 use crate::output::capitalised::capitalised;
-use crate::output::page::{cut_short, numbers, page};
+use crate::output::drawing::usual_radius;
+use crate::output::page::{cut_short, in_digits, numbers, page};
 use crate::quantities::{MEASURES, Quantity, from_design};
 
 pub(super) struct Page<'a> {
@@ -51,7 +52,7 @@ impl Page<'_> {
             @if names.wheels.iter().any(|wheel| wheel.radius.is_none()) {
                 p {
                     "The motion file states no " code { "wheel_radius" } ": contact point, scrub radius, mechanical trail and \
-                     roll centre are left out, and the wheel is drawn with a radius of 0.3 m. State it under [vehicle]."
+                     roll centre are left out, and the wheel is drawn with a radius of " (in_digits(usual_radius(*unit))) " " (unit.symbol()) ". State it under [vehicle]."
                 }
             }
             div.drawings {

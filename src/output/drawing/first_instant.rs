@@ -5,10 +5,15 @@ use suspension_runtime::Listing;
 use super::rack::racks;
 use super::{Drawing, Wheel};
 use crate::kinematics::Kinematics;
-use crate::mechanism::{self, Description};
+use crate::mechanism::{self, Description, Unit};
+
+/// The radius of a drawn wheel whose file states none, in the unit of the file: 0.3 m.
+pub fn usual_radius(unit: Unit) -> f64 {
+    0.3 * unit.metre()
+}
 
 /// Returns the drawing of a mechanism at its first instant. The wheel radius is `radius`, or else that of the file, or else
-/// 0.3 m.
+/// the usual one.
 pub fn drawing_of(
     mechanism: &dyn Kinematics,
     listing: &Listing,
@@ -20,7 +25,7 @@ pub fn drawing_of(
     let of_wheel = |wheel: &mechanism::Wheel| Wheel {
         axis: wheel.points.axis,
         kingpin: wheel.points.kingpin,
-        radius: wheel_radius.or(wheel.radius).unwrap_or(0.3 * unit.metre()),
+        radius: wheel_radius.or(wheel.radius).unwrap_or(usual_radius(*unit)),
     };
     Drawing {
         names: names.points.clone(),

@@ -2,6 +2,7 @@
 
 mod mistakes;
 mod noise;
+mod opposite;
 mod several;
 
 use std::process::Output;

@@ -94,6 +94,11 @@ fn drives_that_seem_to_be_counted_otherwise_are_noted() {
             "{message}"
         );
     }
+    let heights = "left wheel travel [mm],left toe [deg]\n250,0\n300,0\n350,0\n";
+    let (_folder, output) = beside(&axle(), heights, &[]);
+    let expected = "note: m.csv: `left wheel travel` counts from the design position, and its numbers look like heights of the wheel \
+                    centre, which is 300 mm there: subtract 300 mm from them\n";
+    assert!(text(&output.stderr).contains(expected), "{output:?}");
     let (folder, _) = beside(CORNER, changes, &[]);
     let output = run(
         folder.path(),
@@ -118,7 +123,7 @@ fn the_forms_of_rigs_are_read_alike() {
     };
     let left_out = |names: &str| {
         format!(
-            "note: m.csv: left out, as the model has no such quantities: {names}; suspension motion --help says what each quantity \
+            "note: m.csv: left out, as the model knows no such names: {names}; suspension motion --help says what each quantity \
              needs\n"
         )
     };
@@ -206,6 +211,16 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
             "front_left wheel travel [mm],rear_right toe [deg],rear_right wheel travel [mm],front_steer [mm],front_left camber [deg]",
             "Wheel travel FL [mm],Toe RR [deg],Wheel travel Z RR [mm],Rack displacement [mm],LF camber [deg]",
         ),
+        (
+            car,
+            "front_left wheel travel [mm],front_steer [mm],front_left toe [deg],rear_right camber [deg],front_right caster [deg]",
+            "Federweg VL [mm],Zahnstangenweg [mm],Spur VL [deg],Sturz HR [deg],Nachlauf VR [deg]",
+        ),
+        (
+            &axle,
+            "left wheel travel [mm],right wheel travel [mm],steering wheel angle [deg],left kingpin [deg],total toe [deg]",
+            "Radhub links [mm],Einfederung (rechts) [mm],Lenkradwinkel [deg],Spreizung links [deg],Gesamtspur [deg]",
+        ),
     ] {
         let compared = |headings: &str| {
             let table = format!("{headings}\n0,0,0,0,0\n9,8,7,6,5\n");
@@ -222,7 +237,7 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
 fn what_a_rig_measures_elsewhere_is_left_out() {
     let table = "Wheel travel L [mm],Toe L [deg],Toe R [deg],Jounce bumper force [N]\n0,0,0,0\n";
     let (_folder, output) = beside(CORNER, table, &[]);
-    let left_out = "has no such quantities: `Toe R [deg]`, `Jounce bumper force [N]`;";
+    let left_out = "knows no such names: `Toe R [deg]`, `Jounce bumper force [N]`;";
     assert!(text(&output.stderr).contains(left_out), "{output:?}");
     let table = "Wheel travel L [mm],Toe L [deg],Handwheel angle [deg]\n0,0,0\n";
     let (_folder, output) = beside(CORNER, table, &[]);
@@ -232,7 +247,7 @@ fn what_a_rig_measures_elsewhere_is_left_out() {
     let rear = axle().replace("wheel_radius = 0.3", "wheel_radius = 0.3, axle = \"rear\"");
     let table = "Wheel travel RL [mm],Toe FL [deg],Toe RL [deg]\n0,0,0\n";
     let (_folder, output) = beside(&rear, table, &[]);
-    let left_out = "has no such quantities: `Toe FL [deg]`;";
+    let left_out = "knows no such names: `Toe FL [deg]`;";
     assert!(text(&output.stderr).contains(left_out), "{output:?}");
 }
 

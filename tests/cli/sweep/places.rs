@@ -40,6 +40,21 @@ fn places_beyond_a_lock_are_omitted_and_counted() {
     assert_eq!(rows(&table).len(), 2);
 }
 
+#[test]
+fn a_sweep_that_reaches_no_place_leaves_an_earlier_table_as_it_is() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    let table = folder.path().join("t.csv");
+    std::fs::write(&table, "earlier").expect("written");
+    let arguments = ["sweep", "a.toml", "--drive", "steer=0.2", "--csv", "t.csv"];
+    let output = run(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(3), "{output:?}");
+    let message = text(&output.stderr);
+    assert!(message.contains("is out of reach"), "{message}");
+    assert!(!message.contains("wrote"), "{message}");
+    assert_eq!(std::fs::read_to_string(&table).expect("a table"), "earlier");
+}
+
 /// The tip of two arms reaches places nearer than their sum and farther than their difference; a straight path may pass
 /// either limit.
 #[test]

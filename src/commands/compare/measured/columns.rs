@@ -13,7 +13,7 @@ use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
 use crate::mechanism::{Description, ends};
-use crate::number::without_rounding;
+use crate::number::{number, without_rounding};
 use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
 
@@ -24,7 +24,7 @@ pub(super) struct KnownColumn {
     pub(super) stated: Stated,
     /// Those of a drive count from the design position; those of a quantity are NaN where a field is empty.
     pub(super) numbers: Vec<f64>,
-    /// For a drive: a sentence if its numbers seem to be in another unit, or counted otherwise.
+    /// For a drive or wheel travel: a sentence if its numbers seem to be in another unit, or counted otherwise.
     doubt: Option<String>,
 }
 
@@ -79,9 +79,9 @@ impl KnownColumn {
             }
             return Ok(Self {
                 column,
+                doubt: doubt_of_travel(mechanism, &stated, &numbers),
                 stated,
                 numbers,
-                doubt: None,
             });
         }
         let zero = match absolute {
@@ -189,7 +189,7 @@ fn tell_left_out(table: &str, headings: &[String]) {
     };
     if !named.is_empty() {
         let note = format!(
-            "left out, as the model has no such quantities: {named}{more}; suspension motion --help says what each quantity needs"
+            "left out, as the model knows no such names: {named}{more}; suspension motion --help says what each quantity needs"
         );
         print_notes_on(table, [note]);
     }
@@ -221,4 +221,26 @@ fn doubt(
     let is_held = !absolute && greatest - least < HELD * least.abs().max(greatest.abs());
     let ends = [if is_held { greatest } else { least }, greatest];
     doubt_of_option(mechanism, drive, (ends, stated.unit), absolute)
+}
+
+/// Returns a sentence if numbers of wheel travel seem to be heights of the wheel centre.
+fn doubt_of_travel(mechanism: &Description, stated: &Stated, numbers: &[f64]) -> Option<String> {
+    /// Heights are above this part of that at the design position: no wheel falls so far.
+    const LEAST: f64 = 0.4;
+    let named = &stated.named;
+    let travel = named.quantity.as_ref();
+    let travel = travel.filter(|quantity| quantity.is(&WHEEL_TRAVEL))?;
+    let name = travel.wheel.as_deref().unwrap_or_default();
+    let mut wheels = mechanism.names.wheels.iter();
+    let [_, centre] = wheels.find(|wheel| wheel.name == name)?.design?;
+    let height = mechanism.axes.turned(centre + mechanism.origin).z * stated.scale;
+    let [least, greatest] = ends(numbers.iter().copied())?;
+    let are_heights = least > LEAST * height && (least..=greatest).contains(&height);
+    are_heights.then(|| {
+        let (title, height, symbol) = (&named.title, number(height), &stated.symbol);
+        format!(
+            "`{title}` counts from the design position, and its numbers look like heights of the wheel centre, which is {height} \
+             {symbol} there: subtract {height} {symbol} from them"
+        )
+    })
 }

@@ -7,6 +7,10 @@ use crate::output::plot::{Chart, Curve};
 pub(super) struct MeasuredQuantity {
     pub(super) title: String,
     pub(super) symbol: String,
+    /// The name of the quantity without that of its wheel.
+    pub(super) kind: &'static str,
+    /// The least change over the places that is more than what rigs do not resolve.
+    pub(super) least_change: f64,
     /// Places with the numbers of the model and of the table there.
     pub(super) places: Vec<Place>,
     /// How far along the course the places around one tell of its noise.
@@ -67,6 +71,14 @@ impl MeasuredQuantity {
             }
         };
         self.places.iter().map(shifted).collect()
+    }
+
+    /// The number of the model's curve at a place along it; `None` beyond its ends.
+    pub(super) fn on_curve(&self, at: f64) -> Option<f64> {
+        let mut pieces = self.curve.windows(2);
+        let piece = pieces.find(|ends| (ends[0].0..=ends[1].0).contains(&at))?;
+        let [(from, start), (to, end)] = [piece[0], piece[1]];
+        Some(start + (end - start) * (at - from) / (to - from))
     }
 
     /// Draws the curve of the model and the measured points, as they are and without the offset. A curve of one place is a mark,

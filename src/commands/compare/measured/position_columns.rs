@@ -48,6 +48,7 @@ pub(super) fn divide(
     }
     leads.sort_by_key(|known| known.column);
     if leads.is_empty() {
+        table.check_no_point()?;
         return Err(table.refuse_heading(0, no_position_column(mechanism)));
     }
     Ok([leads, compared])

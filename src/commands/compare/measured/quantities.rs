@@ -7,7 +7,9 @@ use super::model_at_places::MovedModel;
 use super::out_of_reach::out_of_reach;
 use crate::commands::compare::differences::Place;
 use crate::failure::Failure;
+use crate::file::Dimension;
 use crate::measured_table::MeasuredTable;
+use crate::mechanism::Unit;
 use crate::quantities::Column;
 
 /// Reads the quantities of the model at the places of a table, beside the table's.
@@ -32,6 +34,7 @@ pub(super) fn quantities(
     let curve = course.curve.iter();
     let curve = curve.map(|(_, numbers)| model.read(numbers, &columns));
     let curve = curve.collect::<Result<Vec<_>, _>>()?;
+    let unit = model.mechanism.unit;
     let each = compared.into_iter().enumerate();
     let each = each.map(|(index, known)| {
         let read = |place: &Option<Vec<f64>>| {
@@ -39,7 +42,7 @@ pub(super) fn quantities(
             number * known.stated.scale
         };
         let model = [&lines, &curve].map(|places| places.iter().map(read).collect());
-        quantity(course, known, model)
+        quantity(course, known, model, unit)
     });
     Ok(each.collect())
 }
@@ -78,11 +81,21 @@ fn of_table(failure: Failure, table: &MeasuredTable, line: usize) -> Failure {
     }
 }
 
+/// Returns the least change that is well above what rigs resolve, in the model's unit.
+fn least_change(dimension: Dimension, unit: Unit) -> f64 {
+    match dimension {
+        Dimension::Angle => 0.1_f64.to_radians(),
+        Dimension::Length => 0.5e-3 * unit.metre(),
+        _ => 0.0,
+    }
+}
+
 /// Sets a column beside the model's numbers in the lines of the table and along the curve.
 fn quantity(
     course: &Course,
     measured: KnownColumn,
     [lines, curve]: [Vec<f64>; 2],
+    unit: Unit,
 ) -> MeasuredQuantity {
     let at = course.at.iter().zip(&course.from_design);
     let both = lines.into_iter().zip(measured.numbers);
@@ -93,7 +106,11 @@ fn quantity(
     });
     let is_known = |place: &Place| place.values.iter().all(|value| value.is_finite());
     let along = course.curve.iter().map(|(at, _)| *at);
+    let column = measured.stated.named.quantity.as_ref();
     MeasuredQuantity {
+        kind: column.map_or("", |column| column.quantity.name),
+        least_change: column.map_or(0.0, |column| least_change(column.dimension, unit))
+            * measured.stated.scale,
         title: measured.stated.named.title,
         symbol: measured.stated.symbol,
         places: places.filter(is_known).collect(),

@@ -4,7 +4,7 @@ use crate::mechanism::{Axle, Description, Wheel};
 use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
-const OF_RIGS: [(&[&str], &[&str]); 20] = [
+const OF_RIGS: [(&[&str], &[&str]); 38] = [
     (&["wheel", "centre", "vertical", "travel"], WHEEL_TRAVEL),
     (&["wheel", "vertical", "travel"], WHEEL_TRAVEL),
     (&["vertical", "travel"], WHEEL_TRAVEL),
@@ -25,6 +25,24 @@ const OF_RIGS: [(&[&str], &[&str]); 20] = [
     (&["caster", "trail"], &["mechanical", "trail"]),
     (&["wheel", "recession"], &["recession"]),
     (&["track", "width"], &["track"]),
+    (&["lenkradwinkel"], STEERING_WHEEL),
+    (&["zahnstangenweg"], RACK),
+    (&["zahnstangenhub"], RACK),
+    (&["federweg"], WHEEL_TRAVEL),
+    (&["einfederung"], WHEEL_TRAVEL),
+    (&["radhub"], WHEEL_TRAVEL),
+    (&["spur"], &["toe"]),
+    (&["spurwinkel"], &["toe"]),
+    (&["vorspur"], &["toe"]),
+    (&["gesamtspur"], &["total", "toe"]),
+    (&["spurweite"], &["track"]),
+    (&["sturz"], &["camber"]),
+    (&["sturzwinkel"], &["camber"]),
+    (&["nachlauf"], &["caster"]),
+    (&["nachlaufwinkel"], &["caster"]),
+    (&["nachlaufstrecke"], &["mechanical", "trail"]),
+    (&["spreizung"], &["kingpin"]),
+    (&["spreizungswinkel"], &["kingpin"]),
 ];
 
 const WHEEL_TRAVEL: &[&str] = &["wheel", "travel"];
@@ -61,6 +79,12 @@ fn plain(word: &str) -> Vec<&str> {
         (Some(section), _) => section.words(),
         (None, "displacement") => vec!["travel"],
         (None, "center") => vec!["centre"],
+        (None, "vl") => vec!["front", "left"],
+        (None, "vr") => vec!["front", "right"],
+        (None, "hl") => vec!["rear", "left"],
+        (None, "hr") => vec!["rear", "right"],
+        (None, "links") => vec!["left"],
+        (None, "rechts") => vec!["right"],
         (None, word) => vec![word],
     }
 }
