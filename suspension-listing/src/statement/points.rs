@@ -140,6 +140,6 @@ fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
 fn not_a_number(place: Span) -> Error {
     Error::new(
         place,
-        "a coordinate or a factor must be a finite number, for example `-1.25`",
+        "a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
     )
 }
