@@ -78,6 +78,10 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
 /// A number without sign.
 pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
     let place = input.span();
+    // `syn` reads the sign as part of a literal: `--0.5` would be 0.5.
+    if input.peek(Token![-]) {
+        return Err(not_a_number(place));
+    }
     let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
     let (digits, unit, value): (_, _, f64) = match &number {
         Lit::Int(whole) => (whole.base10_digits(), whole.suffix(), whole.base10_parse()?),
