@@ -85,8 +85,38 @@ fn a_stopped_advance_does_not_ask_for_shorter_steps() {
         stopped.named(five_link::Listing).to_string(),
         "stopped at time 0.750000 s: there is no configuration near by: the correction is too large: unknown \
          `lower_front_outer.z`, correction 1.000000, allowed 0.250000; shorter steps lead no further: the mechanism locks \
-         here, or the drives jump"
+         here, the drives jump, or the start is no configuration: assemble it"
     );
+}
+
+suspension_core::linkage! {
+    mod off_the_line {
+        fixed: low at [0.0, 0.0, 0.0], high at [0.0, 0.0, 1.0];
+        free:  slider at [0.03, 0.0, 0.4];
+        slide guide: slider on low -> high;
+        drive lift: slider.z;
+    }
+}
+
+/// A point 30 mm beside the line on which it slides: neither a lock nor a jump of the drives.
+#[test]
+fn a_first_step_from_points_off_a_slide_asks_to_assemble_them() {
+    use off_the_line::{Corner, Model};
+    use suspension_core::linkage::Designed;
+    let mut corner: Corner = Corner::design().expect("a model");
+    let drives = Signal::still(corner.drives());
+    let message = corner
+        .step(1e-3, drives)
+        .map(|_| ())
+        .expect_err("points off the line")
+        .to_string();
+    assert!(
+        message.ends_with("or the start is no configuration: assemble it"),
+        "{message}"
+    );
+
+    let mut assembled = Corner::assembled(*corner.model(), &Model::design()).expect("an assembly");
+    assert!(assembled.step(1e-3, drives).is_ok());
 }
 
 #[test]

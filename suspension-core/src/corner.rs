@@ -130,12 +130,13 @@ pub struct Derivatives<L: Linkage<N>, const N: usize> {
 
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// Points and measures with their derivatives for the change of drives `change`. If one drive has 1 in `change`
-    /// and the others 0, these are the motion ratios and how they change. The corner may be at rest.
+    /// and the others 0, these are the motion ratios and how they change. The corner may be at rest. Where a measure
+    /// turns back its derivatives are NaN: see [`measure`](crate::model::measure).
     ///
     /// # Errors
     ///
     /// [`SolveError::Singular`] if the drives lock, [`SolveError::NotFinite`] if a change is NaN or infinite,
-    /// [`SolveError::Overflow`] if a derivative is.
+    /// [`SolveError::Overflow`] if a derivative of an unknown is.
     pub fn per(
         &self,
         change: L::Drives,
@@ -169,7 +170,8 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         self.motion.points(&self.model, &inputs)
     }
 
-    /// The measures of the listing, by name, with their time derivatives.
+    /// The measures of the listing, by name, with their time derivatives, which are NaN where a measure turns back: see
+    /// [`measure`](crate::model::measure).
     pub fn measures(&self) -> Signal<L::Measures> {
         self.model.measures(&self.points())
     }

@@ -80,6 +80,17 @@ pub(crate) fn keyword_as_name(message: &str) -> Option<String> {
     ))
 }
 
+/// The error for what is no name, which replaces that of `syn`; that for a keyword stays.
+pub(crate) fn no_name(error: Error) -> Error {
+    if error.to_string() == "expected identifier" {
+        let message =
+            "expected a name, of letters, digits and `_`, that does not begin with a digit";
+        Error::new(error.span(), message)
+    } else {
+        error
+    }
+}
+
 pub(crate) fn not_a_doc_comment(attribute: &Attribute) -> Error {
     Error::new(
         attribute.span(),

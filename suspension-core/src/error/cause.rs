@@ -92,7 +92,7 @@ macro_rules! define {
                     | Self::TooFar
                     | Self::StepTooLong
                     | Self::NotConverged => {
-                        "shorter steps lead no further: the mechanism locks here, or the drives jump"
+                        "shorter steps lead no further: the mechanism locks here, the drives jump, or the start is no configuration: assemble it"
                     }
                     _ => self.remedy(),
                 }

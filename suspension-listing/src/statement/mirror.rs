@@ -38,6 +38,15 @@ pub(crate) const MIRROR: Word = Word {
                 ),
             ));
         }
+        let [one, other] = &sides;
+        if one == other {
+            return Err(errors::at(
+                other,
+                format!(
+                    "both sides are named `{other}`; name the other side by another word, as in `mirror: left -> right;`"
+                ),
+            ));
+        }
         if listing.mirror.is_some() {
             return Err(stated_twice(&head.word));
         }

@@ -54,7 +54,7 @@ pub(crate) fn lines(attributes: &[Attribute]) -> syn::Result<Vec<String>> {
 
 /// A name of the listing. `r#name` is the same name if it does not need the `r#`.
 pub(crate) fn name(input: ParseStream<'_>) -> syn::Result<Ident> {
-    let name: Ident = input.parse()?;
+    let name: Ident = input.parse().map_err(errors::no_name)?;
     let plain = syn::parse_str::<Ident>(&name.unraw().to_string());
     Ok(plain.map_or(name.clone(), |plain| {
         Ident::new(&plain.to_string(), name.span())

@@ -78,6 +78,10 @@ pub(super) fn vector(input: ParseStream<'_>, what: &str) -> syn::Result<Vector> 
 /// A number without sign.
 pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
     let place = input.span();
+    // `syn` reads the sign as part of a literal: `--0.5` would be 0.5.
+    if input.peek(Token![-]) {
+        return Err(not_a_number(place));
+    }
     let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
     let (digits, unit, value): (_, _, f64) = match &number {
         Lit::Int(whole) => (whole.base10_digits(), whole.suffix(), whole.base10_parse()?),
@@ -140,6 +144,6 @@ fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
 fn not_a_number(place: Span) -> Error {
     Error::new(
         place,
-        "a coordinate or a factor must be a finite number, for example `-1.25`",
+        "a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
     )
 }

@@ -80,9 +80,14 @@ impl Statement for Axis {
                 .ends
                 .iter()
                 .any(|end| check.listing.is_on_short_body(end));
-        if self.role == Role::Wheel && known && !is_carried {
-            let carried = check.listing.one_carried(from, to);
-            check.report_missing(wheel_without_carrier(from, to, carried));
+        if self.role == Role::Wheel && known {
+            let stands = |end| check.is(end, Kind::CHASSIS_POINT);
+            if !is_carried {
+                let carried = check.listing.one_carried(from, to);
+                check.report_missing(wheel_without_carrier(from, to, carried));
+            } else if self.ends.iter().all(stands) {
+                check.report(wheel_on_chassis(from, to));
+            }
         }
     }
 
@@ -226,6 +231,15 @@ fn too_many_wheels(word: &Ident) -> Error {
     errors::at(
         word,
         format!("a listing states at most {MOST_WHEELS} wheels; remove this one"),
+    )
+}
+
+fn wheel_on_chassis(from: &Ident, to: &Ident) -> Error {
+    errors::at(
+        from,
+        format!(
+            "the wheel's points `{from}` and `{to}` are chassis points, which no drive moves; name points of the body that carries the wheel"
+        ),
     )
 }
 

@@ -138,3 +138,19 @@ fn for_missing_equations_a_body_on_one_slide_is_named_as_turning() {
     let read = text::parse(&stopped, "corner.linkage", &NoIncludes);
     assert_eq!(read.err().map(|mistakes| mistakes.to_string()), None);
 }
+
+/// Such a wheel stands still whatever the drives do.
+#[test]
+fn a_wheel_on_chassis_points_is_refused() {
+    let text = "fixed: a, b;\nfree: p;\nhinge arm: a, b -> p;\ndrive bump: p.z;\nwheel: a -> b;\n";
+    assert_eq!(
+        only_message(text),
+        "the wheel's points `a` and `b` are chassis points, which no drive moves; name points of the body that carries the wheel"
+    );
+    text::parse(
+        &text.replace("wheel: a -> b", "wheel: a -> p"),
+        "",
+        &NoIncludes,
+    )
+    .expect("a wheel that moves");
+}

@@ -3,7 +3,7 @@
 use suspension_listing::include::NoIncludes;
 use suspension_listing::text;
 
-use super::texts::only_message;
+use super::texts::{mistakes, only_message};
 
 #[test]
 fn for_a_mistyped_name_the_intended_name_is_suggested() {
@@ -151,4 +151,44 @@ fn for_a_missing_equation_a_body_on_two_joints_is_named_as_spinning() {
     let expected = "or list a point in its body; body `rod` can rotate about the line through `a` and `p`: an `angle` or a `plane` for \
                     another of its points prevents that";
     assert!(message.ends_with(expected), "{message}");
+}
+
+/// `.5` and `+0.2` are numbers elsewhere; `--0.5` is more likely -0.5 than 0.5.
+#[test]
+fn a_number_that_begins_otherwise_is_refused_with_how_it_begins() {
+    for (text, column) in [
+        ("fixed: a at [.5, 0, 0];", 14),
+        ("fixed: a at [+0.5, 0, 0];", 14),
+        ("fixed: a at [--0.5, 0, 0];", 15),
+        ("drive x: p.x - -2 q.x;", 16),
+    ] {
+        let [mistake, ..] = &mistakes(text)[..] else {
+            panic!("{text}: no mistake");
+        };
+        assert_eq!(
+            mistake.message,
+            "a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
+            "{text}"
+        );
+        assert_eq!([mistake.line, mistake.column], [1, column], "{text}");
+    }
+}
+
+/// Not `identifier`, which is a word of programmers, but how a name is written.
+#[test]
+fn what_is_no_name_is_refused_with_how_names_are_written() {
+    for (text, column) in [
+        ("free: 2nd_ball at [0.1, 0.7, 0.2];", 7),
+        ("link \"tie rod\": a -> p;", 6),
+        ("hinge: a, b -> p;", 6),
+    ] {
+        let reported = mistakes(text);
+        let expected =
+            "expected a name, of letters, digits and `_`, that does not begin with a digit; ";
+        let found = reported
+            .iter()
+            .find(|mistake| mistake.message.starts_with(expected));
+        let found = found.unwrap_or_else(|| panic!("{text}: {reported:?}"));
+        assert_eq!(found.column, column, "{text}");
+    }
 }

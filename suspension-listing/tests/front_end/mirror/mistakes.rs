@@ -18,6 +18,15 @@ pub(super) fn only_mistake(text: &str) -> Mistake {
     mistake.clone()
 }
 
+#[test]
+fn two_sides_of_one_name_are_refused() {
+    let mistake = only_mistake(&HALF.replace("left -> right", "left -> left"));
+    assert_eq!(
+        mistake.message,
+        "both sides are named `left`; name the other side by another word, as in `mirror: left -> right;`"
+    );
+}
+
 /// A mistake on one side is reported once, at its place.
 #[test]
 fn a_mistake_on_one_side_is_reported_once_at_its_place() {
