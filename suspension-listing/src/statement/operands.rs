@@ -69,7 +69,10 @@ pub(crate) fn names(input: ParseStream<'_>) -> syn::Result<Vec<Ident>> {
 
 /// `point on` in a statement that is written like `example`.
 pub(crate) fn point_on(input: ParseStream<'_>, example: &str) -> syn::Result<Ident> {
-    let (point, word) = (name(input)?, input.parse::<Ident>()?);
+    let point = name(input)?;
+    let word: Ident = input
+        .parse()
+        .map_err(|error: syn::Error| syn::Error::new(error.span(), "expected `on`"))?;
     if word == "on" {
         Ok(point)
     } else {

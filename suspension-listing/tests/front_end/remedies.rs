@@ -192,3 +192,15 @@ fn what_is_no_name_is_refused_with_how_names_are_written() {
         assert_eq!(found.column, column, "{text}");
     }
 }
+
+#[test]
+fn a_missing_word_is_named() {
+    let [mistake, ..] = &mistakes("slide s: c, a -> b;")[..] else {
+        panic!("no mistake");
+    };
+    assert_eq!(
+        mistake.message,
+        "expected `on`; a `slide` is written `slide strut: top on low -> high;`"
+    );
+    assert_eq!([mistake.line, mistake.column], [1, 11]);
+}
