@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use suspension_runtime::Listing;
 
 use crate::failure::Failure;
 use crate::file::Source;
@@ -55,12 +56,10 @@ impl Arguments {
         };
         let is_interrupted = interrupted.load(Ordering::Relaxed);
         let has_ranges = ranges.is_ok();
-        let near = near_lock::notes(mechanism, ranges.as_deref().unwrap_or_default());
-        let own = near
-            .chain(pulling::notes(mechanism))
-            .chain(zero_length::notes(mechanism, loaded.listing()));
-        let own = own.map(|note| format!("{name}: {note}"));
-        let notes: Vec<String> = mechanism.notes.iter().cloned().chain(own).collect();
+        let notes = notes(
+            (name, mechanism, loaded.listing()),
+            ranges.as_deref().unwrap_or_default(),
+        );
         let is_known = !is_singular && !is_interrupted;
         let report = Report {
             file: name,
@@ -94,6 +93,18 @@ impl Arguments {
             None => Ok(()),
         }
     }
+}
+
+/// Returns the notes on the file, those that other commands print too before those of this one.
+fn notes(
+    (file, mechanism, listing): (&str, &dyn Kinematics, &Listing),
+    ranges: &[DriveRange],
+) -> Vec<String> {
+    let own = near_lock::notes(mechanism, ranges)
+        .chain(pulling::notes(mechanism))
+        .chain(zero_length::notes(mechanism, listing));
+    let own = own.map(|note| format!("{file}: {note}"));
+    mechanism.notes.iter().cloned().chain(own).collect()
 }
 
 /// Returns the range of each drive, or why the solver does not find one.

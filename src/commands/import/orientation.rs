@@ -38,16 +38,7 @@ pub(super) fn orientation(
 ) -> Result<Orientation, String> {
     check_side_of_wheel(choice)?;
     check_outboard(choice)?;
-    let Arrangement { ahead, above, .. } = arrangement;
-    let mut otherwise = arrangement.otherwise.iter();
-    let is_otherwise = otherwise.any(|name| name == choice.linkage);
-    let ahead = if is_otherwise { &[][..] } else { ahead };
-    let along = majority(clues_from_order(choice, ahead, 0, "behind"));
-    let up = majority(clues_from_order(choice, above, 2, "below"));
-    let against = [along.1, up.1].into_iter().flatten();
-    let against: Vec<String> = against.map(|clue| clue.why).collect();
-    let clues = [along.0, up.0, clue_from_side(choice)];
-    let clues: Vec<Clue> = clues.into_iter().flatten().collect();
+    let (clues, against) = clues(choice, arrangement);
     let fits = |axes: &Axes, clue: &Clue| axes.signs()[clue.axis] == clue.sign;
     if let Some(axes) = stated {
         // The side of the corner is checked separately.
@@ -83,6 +74,22 @@ pub(super) fn orientation(
             doubts: against,
         }),
     }
+}
+
+/// Returns a clue for each axis of which the points show the direction, and what a few points show against these.
+fn clues(choice: &Choice<'_>, arrangement: &Arrangement) -> (Vec<Clue>, Vec<String>) {
+    let Arrangement { ahead, above, .. } = arrangement;
+    let mut otherwise = arrangement.otherwise.iter();
+    let is_otherwise = otherwise.any(|name| name == choice.linkage);
+    let ahead = if is_otherwise { &[][..] } else { ahead };
+    let along = majority(clues_from_order(choice, ahead, 0, "behind"));
+    let up = majority(clues_from_order(choice, above, 2, "below"));
+    let against = [along.1, up.1].into_iter().flatten();
+    let clues = [along.0, up.0, clue_from_side(choice)].into_iter();
+    (
+        clues.flatten().collect(),
+        against.map(|clue| clue.why).collect(),
+    )
 }
 
 /// Names the columns whose axes point the other way than those of ISO 8855.
