@@ -4,7 +4,7 @@ use super::super::program::folder;
 use super::refused::refusal;
 use super::{CORNER, import, table};
 
-/// A double wishbone with a coil-over, front left by its heading, in centimetres or with another scale; without a point.
+/// A double wishbone with a coil-over, front left by its heading, in millimetres times `scale`, without the point `without`.
 fn coilover(without: &str, scale: f64) -> String {
     let points = [
         ("Lower wishbone front pivot", [152.5, 358.0, 142.0]),

@@ -9,7 +9,7 @@ pub(super) struct MeasuredQuantity {
     pub(super) symbol: String,
     /// The name of the quantity without that of its wheel.
     pub(super) kind: &'static str,
-    /// The least change over the places that is more than what rigs do not resolve.
+    /// The least change over the places that is well above what rigs resolve, in the unit of the model.
     pub(super) least_change: f64,
     /// Places with the numbers of the model and of the table there.
     pub(super) places: Vec<Place>,
