@@ -110,7 +110,8 @@ fn check_side_of_wheel(choice: &Choice<'_>) -> Result<(), String> {
     };
     let others = choice.found.iter();
     let others = others.filter(|(name, _)| !["wheel_centre", "axle"].contains(&name.as_str()));
-    let mut others = others.map(|(_, point)| *point);
+    let others = others.map(|(_, point)| *point);
+    let mut others = others.filter(|point| point.at[1] != 0.0);
     let is_across = |point: &Hardpoint| point.at[1] * centre.at[1] < 0.0;
     let first = others.clone().find(|point| is_across(point));
     match first.filter(|_| others.all(is_across)) {

@@ -30,7 +30,10 @@ fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
 #[test]
 fn a_wheel_centre_alone_on_its_side_is_refused() {
     for options in [&[][..], &["--axes", "adams"]] {
-        let turned = table(&CORNER).replace("-610", "610");
+        // A point in the middle of the vehicle, as that of a bar, is on neither side.
+        let turned = table(&CORNER)
+            .replace("-610", "610")
+            .replace("4, -20, 530", "4, 0, 530");
         let message = refusal("a.csv", &turned, options);
         assert_eq!(
             message,
