@@ -137,18 +137,29 @@ impl Labels {
             names.filter_map(move |(index, name)| (Some(index) != own).then_some(name))
         };
         let around = |away: usize| places_around((x, y), [width, height], GAPS[away], self.unit);
-        let places = (0..GAPS.len()).flat_map(|away| around(away).map(|place| (away, place)));
-        let cost = |(away, (_, place)): &(usize, (HPos, [i32; 4]))| {
+        let cost = |away: usize, place: &[i32; 4]| {
             let doubt = match (self.is_beside_another(place, (x, y)), away) {
                 (false, _) => 0.0,
                 (true, 0) => DOUBTFUL,
                 // A leader says whose name it is.
                 (true, _) => AWAY / 2.0,
             };
-            self.collisions(place, others()) + AWAY * *away as f64 + doubt
+            self.collisions(place, others()) + AWAY * away as f64 + doubt
         };
-        let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b)));
-        let (away, (anchor, place)) = best.unwrap_or((0, (HPos::Left, [x, y, x, y])));
+        let mut best = (f64::INFINITY, 0, (HPos::Left, [x, y, x, y]));
+        for away in 0..GAPS.len() {
+            // No place farther away costs less than its distance.
+            if best.0 <= AWAY * away as f64 {
+                break;
+            }
+            for place in around(away) {
+                let cost = cost(away, &place.1);
+                if cost < best.0 {
+                    best = (cost, away, place);
+                }
+            }
+        }
+        let (_, away, (anchor, place)) = best;
         let [left, top, right, bottom] = place;
         let across = match anchor {
             HPos::Left => left,
