@@ -140,6 +140,10 @@ fn reach<const N: usize>(terms: &[Vector<N>; TERMS], tolerance: f64) -> f64 {
 /// The value of the series without its constant.
 fn sum<const N: usize>(terms: &[Vector<N>; TERMS], step: f64) -> Vector<N> {
     let step = Complex::from(step);
-    let horner = |sum: Vector<N>, term: &Vector<N>| (sum + term) * step;
-    terms.iter().rev().fold(Vector::zeros(), horner)
+    let mut sum = Vector::zeros();
+    for term in terms.iter().rev() {
+        sum += term;
+        sum *= step;
+    }
+    sum
 }

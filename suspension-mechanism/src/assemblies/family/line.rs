@@ -123,10 +123,10 @@ impl<G: Listing<N>, const N: usize> Line<'_, G, N> {
             let orders = if i == j { 1.0 } else { 2.0 };
             curvature * Complex::from(orders)
         };
-        let pairs = 0..terms.len().div_ceil(2);
-        let sum = pairs
-            .map(of_pair)
-            .fold(Vector::zeros(), |sum, one| sum + one);
+        let mut sum = Vector::zeros();
+        for i in 0..terms.len().div_ceil(2) {
+            sum += of_pair(i);
+        }
         self.family.own(sum)
     }
 }
