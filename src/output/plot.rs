@@ -5,6 +5,7 @@ mod axis;
 use plotters::coord::types::RangedCoordf64;
 use plotters::element::{DashedPathElement, DynElement, IntoDynElement};
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::output::colour::Colour;
 use crate::output::svg::{Area, Drawn, FINE, document};
@@ -73,11 +74,11 @@ impl Chart {
         const BESIDE_NUMBERS: u32 = 32;
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
-        let title_size = fitting(&self.title, 22, width - 2 * MARGIN[0]);
+        let below = self.draw_title(area, width, width - 2 * MARGIN[0])?;
         let width = width - beside - MARGIN[0] - MARGIN[1];
-        let mut plane = ChartBuilder::on(area)
-            .caption(&self.title, font(title_size))
+        let mut plane = ChartBuilder::on(&below)
             .margin(MARGIN[0] * FINE)
+            .margin_top(0)
             .margin_right(MARGIN[1] * FINE)
             .x_label_area_size(48 * FINE)
             .y_label_area_size(beside * FINE)
@@ -103,6 +104,22 @@ impl Chart {
             .border_style(BLACK.mix(0.3).stroke_width(FINE))
             .draw()?;
         Ok(())
+    }
+
+    /// Draws the title of at most a width, in the middle; returns the area below it and a gap.
+    fn draw_title<'b>(
+        &self,
+        area: &Area<'b>,
+        width: u32,
+        most: u32,
+    ) -> Result<Area<'b>, Box<dyn std::error::Error>> {
+        const HEIGHT: u32 = 48;
+        let (above, below) = area.split_vertically(HEIGHT * FINE);
+        let style = TextStyle::from(font(fitting(&self.title, 22, most)).into_font());
+        let style = style.pos(Pos::new(HPos::Center, VPos::Top));
+        let at = [width / 2, 14].map(|pixels| (pixels * FINE) as i32);
+        above.draw_text(&self.title, &style, at.into())?;
+        Ok(below)
     }
 
     fn draw_axes(
