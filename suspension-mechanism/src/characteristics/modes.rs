@@ -15,6 +15,8 @@ pub(super) struct Mode {
     pub(super) moved: String,
     /// The drives, by number, each with its fraction.
     pub(super) drives: Vec<(usize, f64)>,
+    /// How far the wheels rise per change in travel; `None` in roll and steering, and where it is unknown.
+    pub(super) rise: Option<f64>,
 }
 
 impl Mode {
@@ -34,6 +36,7 @@ impl Mode {
             effect,
             moved,
             drives: vec![(drive, way)],
+            rise: None,
         }
     }
 
@@ -56,17 +59,20 @@ impl Mode {
             let [first, second] = [a, b].map(|drive| names.drives[drive].name.as_str());
             let of_axle = |what: &str| format!("{} {what}", pair.name).trim_start().to_owned();
             let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
+            let both = rises.parts(wheels, [1.0, 1.0]);
             modes.push(Self {
                 title: of_axle("heave"),
                 effect: Effect::Travel,
                 moved: format!("change of {first} and {second}, both upwards"),
-                drives: drives(rises.parts(wheels, [1.0, 1.0])),
+                drives: drives(both),
+                rise: rises.rise_of_first(wheels, both),
             });
             modes.push(Self {
                 title: of_axle("roll"),
                 effect: Effect::Roll,
                 moved: format!("change of {first} upwards and of {second} downwards"),
                 drives: drives(rises.parts(wheels, [1.0, -1.0])),
+                rise: None,
             });
         }
         let vehicle = &names.vehicle;
@@ -78,7 +84,10 @@ impl Mode {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
-            Self::for_drive(names, *drive, Effect::Travel, way)
+            Self {
+                rise: wheel.and_then(|wheel| Some(way * rises.rise_per_drive(wheel, wheel)?)),
+                ..Self::for_drive(names, *drive, Effect::Travel, way)
+            }
         }));
         let steer = vehicle.steer.iter();
         modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Effect::Steer, 1.0)));
@@ -125,6 +134,12 @@ impl RisePerDrive {
     /// The sign of the change of a wheel's drive of travel that raises it.
     fn upwards(&self, wheel: usize) -> f64 {
         self.rise_per_drive(wheel, wheel).map_or(1.0, f64::signum)
+    }
+
+    /// The rise of the first of two wheels per change of both their drives by these fractions.
+    fn rise_of_first(&self, [first, second]: [usize; 2], parts: [f64; 2]) -> Option<f64> {
+        let [own, other] = [first, second].map(|of| self.rise_per_drive(first, of));
+        Some(own? * parts[0] + other? * parts[1])
     }
 
     /// The fractions of both wheels' drives that make the wheels rise as given; the larger is 1.
