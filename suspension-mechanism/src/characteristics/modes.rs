@@ -1,10 +1,12 @@
 //! The modes in which curves move wheels: heave and roll of axles, travel of single wheels, steering.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Matrix2, Vector2};
 
 use crate::characteristics::movement::Effect;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, Names, Pair, Place, Wheel};
+use crate::mechanism::{Description, Names, Pair, Place, Wheel, listed};
 
 /// A mode in which wheels move.
 pub(super) struct Mode {
@@ -93,6 +95,30 @@ impl Mode {
         modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Effect::Steer, 1.0)));
         modes
     }
+}
+
+/// A sentence on drives of travel that become less as their wheels rise, as z of SAE axes and the length of a damper; `None`
+/// if there are none.
+pub fn counted_downwards(mechanism: &dyn Kinematics) -> Option<String> {
+    let names = &mechanism.names;
+    let rises = RisePerDrive::compute(mechanism);
+    let wheels = names.wheels.iter().enumerate();
+    let downwards = wheels.filter(|(wheel, _)| rises.upwards(*wheel) < 0.0);
+    let drives: BTreeSet<usize> = downwards.filter_map(|(_, wheel)| wheel.travel).collect();
+    let called = drives
+        .iter()
+        .map(|drive| format!("`{}`", names.drives[*drive].name));
+    let called = listed(called);
+    let verb = if drives.len() == 1 {
+        "becomes"
+    } else {
+        "become"
+    };
+    (!drives.is_empty()).then(|| {
+        format!(
+            "As the wheel rises, {called} {verb} less: derivatives per {called} have the opposite sign of those per wheel travel."
+        )
+    })
 }
 
 /// Both wheels of an axle, the left one first, in whichever order a listing states them.
