@@ -336,17 +336,18 @@ fn a_range_of_a_scaled_drive_is_noted_by_how_far_the_wheel_rises() {
     let folder = folder();
     std::fs::write(folder.path().join("a.toml"), file).expect("written");
     for (options, note) in [
+        (&["carmaker"][..], ""),
         (
-            &[][..],
+            &["carsim"],
             "note: a.toml: over the usual range of bump the wheel rises by 0.00012 m; --travel sets another range\n",
         ),
-        (&["--travel", "-60:60"], ""),
+        (&["carsim", "--travel", "-60:60"], ""),
         (
-            &["--travel", "-0.06:0.06"],
+            &["carsim", "--travel", "-0.06:0.06"],
             "note: a.toml: bump is from -0.06 m to 0.06 m: is it in another unit?\n",
         ),
     ] {
-        let tables = ["tables", "a.toml", "--out", "-", "--as", "carsim"];
+        let tables = ["tables", "a.toml", "--out", "-", "--as"];
         let output = run(folder.path(), &[&tables, options].concat());
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         assert_eq!(text(&output.stderr), note, "{options:?}");
