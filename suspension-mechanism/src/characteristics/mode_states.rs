@@ -40,7 +40,7 @@ const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
 /// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
-/// are in `unit`; that of travel also applies to heave and roll. [`check_spans`](crate::characteristics::check_spans) checks them.
+/// are in `unit`; that of travel also applies to heave and roll. [`check_spans`](fn@crate::characteristics::check_spans) checks them.
 pub fn mode_states(
     mechanism: &dyn Kinematics,
     spans: [Option<Span>; 2],
