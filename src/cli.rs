@@ -191,6 +191,9 @@ Units: lengths are in the unit that the motion file states (m, mm or in; m for t
 seconds, angles in radians or, if the file says so, degrees. Tables and plots are in millimetres or degrees where
 they say so.
 
+Results without a path of their own go to the folder out, under the name of the motion file: those of files of the same
+name in two folders go to the same place, which the options of the commands change.
+
 Points 8 and 11 define the spin axis. The paper prints no coordinates for point 11, the wheel centre. We assume it
 0.10 m outboard (+y) of point 8 at theta = pi/2, so that the spin axis is parallel to y there. Camber, toe and
 wheel-centre height depend on this assumption; Tables 2 and 3 do not.

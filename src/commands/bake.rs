@@ -16,7 +16,7 @@ use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
 use crate::option_numbers::{derivatives, number};
 use crate::output::default_path::in_out;
-use crate::output::notes::with_notes_printed;
+use crate::output::notes::{print_notes_on, with_notes_printed};
 use crate::output::progress::Busy;
 use crate::output::target::Target;
 use crate::prepare::load;
@@ -105,6 +105,7 @@ impl Arguments {
             let _shown = Busy::new("baking");
             baking.execute()?
         };
+        print_notes_on(source.name(), wheel::note_on_still(&baking));
         let language = match self.language {
             Form::Rust => Language::Rust,
             Form::C => Language::C,

@@ -141,7 +141,8 @@ derivatives with respect to travel and steering, such as bump camber, bump steer
 their curves over travel and steering differ most. A difference is B - A. The layouts may be different: quantities have the
 same names in all layouts, and the report names those that only one of the files has above its tables. Positions and drives
 are in the axes and the unit of A; quantities with signs of their own, such as camber and toe, are the same in all axes. The
-[vehicle] tables of the files state what the listings do not, as for suspension sheet.
+[vehicle] tables of the files state what the listings do not, as for suspension sheet. Wheels with the same numbers share a
+row of the report and of the page; --csv and --json have a row for each.
 
 Instant centres, swing arms and roll centres that are near infinity within the travel are not compared over it.
 Derivatives are per unit of the drive, whose values may count downwards, as in SAE axes: `per travel of the wheel` where

@@ -91,7 +91,7 @@ impl Arguments {
     ) -> Result<(String, Option<Failure>), Failure> {
         let number = self.number(mechanism, file)?;
         let spans = [self.travel, None];
-        print_notes(check_spans(mechanism, file, spans, mechanism.unit)?);
+        let notes = check_spans(mechanism, file, spans, mechanism.unit)?;
         let modes = mode_states(mechanism, spans, mechanism.unit, interrupted);
         let drive = mechanism.names.wheels[number].travel;
         let mut of_wheel = modes
@@ -122,7 +122,10 @@ impl Arguments {
         };
         // Derivatives at the design position are complete wherever travel ends.
         let missing = match self.program {
-            Program::Carsim => print_unmet_range(slice::from_ref(&travel), file),
+            Program::Carsim => {
+                print_notes(notes);
+                print_unmet_range(slice::from_ref(&travel), file)
+            }
             Program::Carmaker => None,
         };
         Ok((text, missing))

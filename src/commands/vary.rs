@@ -165,7 +165,8 @@ quantity, unit and number; `of` has design, per bump and the like.
 
 The page of --html has a chart for each quantity that the values change visibly, over the drives of travel and steering and,
 where a drive of travel is not the height of its wheel, over wheel travel; its curves are blue for the least value, red for
-the greatest and black for the design, and dashed below the design.
+the greatest and black for the design, and dashed below the design. Of more than 100 values it has the curves of some, evenly
+chosen, and says so.
 
 A note names points that are assembled elsewhere, as the points do not satisfy the listing with the values. Values with which
 no suspension can be assembled are left out, and the last message says why. After an interrupt the values that are done are

@@ -1,10 +1,13 @@
 //! Plots as SVG: over time, or over another quantity.
 
 mod axis;
+#[cfg(test)]
+mod tests;
 
 use plotters::coord::types::RangedCoordf64;
 use plotters::element::{DashedPathElement, DynElement, IntoDynElement};
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::output::colour::Colour;
 use crate::output::svg::{Area, Drawn, FINE, document};
@@ -41,6 +44,11 @@ pub struct Curve {
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
 const FONT: &str = "sans-serif";
+/// The margin of a plot, and that on its right, in pixels.
+const MARGIN: [u32; 2] = [14, 28];
+/// The heights of the title with a gap below it, and of what is below the horizontal axis, in pixels.
+const TITLE: u32 = 46;
+const BELOW: u32 = 48;
 
 fn font(size: u32) -> (&'static str, u32) {
     (FONT, size * FINE)
@@ -63,23 +71,22 @@ impl Chart {
 
     /// Returns the plot with a width and a height in pixels.
     pub fn svg_of(&self, shown: (u32, u32)) -> Option<String> {
-        let axes = self.axes()?;
+        let axes = self.axes(shown.1)?;
         document(shown, |area| self.draw(area, &axes, shown.0))
     }
 
     fn draw(&self, area: &Area<'_>, axes: &[Axis; 2], width: u32) -> Drawn {
-        const MARGIN: [u32; 2] = [14, 28];
         /// The width of the vertical axis without its numbers: its label, its ticks and gaps.
         const BESIDE_NUMBERS: u32 = 32;
         let [x, y] = axes;
         let beside = BESIDE_NUMBERS + y.label_width();
-        let title_size = fitting(&self.title, 22, width - 2 * MARGIN[0]);
+        let below = self.draw_title(area, width, width - 2 * MARGIN[0])?;
         let width = width - beside - MARGIN[0] - MARGIN[1];
-        let mut plane = ChartBuilder::on(area)
-            .caption(&self.title, font(title_size))
+        let mut plane = ChartBuilder::on(&below)
             .margin(MARGIN[0] * FINE)
+            .margin_top(0)
             .margin_right(MARGIN[1] * FINE)
-            .x_label_area_size(48 * FINE)
+            .x_label_area_size(BELOW * FINE)
             .y_label_area_size(beside * FINE)
             .build_cartesian_2d(x.low..x.high, y.low..y.high)?;
         let name_size = fitting(&self.across, 17, width + MARGIN[1]);
@@ -103,6 +110,21 @@ impl Chart {
             .border_style(BLACK.mix(0.3).stroke_width(FINE))
             .draw()?;
         Ok(())
+    }
+
+    /// Draws the title of at most a width, in the middle; returns the area below it and a gap.
+    fn draw_title<'b>(
+        &self,
+        area: &Area<'b>,
+        width: u32,
+        most: u32,
+    ) -> Result<Area<'b>, Box<dyn std::error::Error>> {
+        let (above, below) = area.split_vertically(TITLE * FINE);
+        let style = TextStyle::from(font(fitting(&self.title, 22, most)).into_font());
+        let style = style.pos(Pos::new(HPos::Center, VPos::Top));
+        let at = [width / 2, MARGIN[0]].map(|pixels| (pixels * FINE) as i32);
+        above.draw_text(&self.title, &style, at.into())?;
+        Ok(below)
     }
 
     fn draw_axes(
@@ -167,18 +189,33 @@ impl Chart {
         Ok(())
     }
 
-    /// Returns the horizontal and the vertical axis: all points and a margin, with the legend above them.
-    fn axes(&self) -> Option<[Axis; 2]> {
+    /// Returns the horizontal and the vertical axis of a plot of a height in pixels: all points and a margin, with the legend above
+    /// them.
+    fn axes(&self, height: u32) -> Option<[Axis; 2]> {
         const MARGIN: f64 = 0.08;
-        const LEGEND_LINE: f64 = 0.17;
         let curves = self.curves.iter();
         let all = curves.flat_map(|curve| curve.line.iter().chain(&curve.marks));
         let all: Vec<_> = all.copied().filter(is_finite).collect();
         let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
-        let above = MARGIN + LEGEND_LINE * named.count() as f64;
+        let legend = part_of_legend(named.count(), height);
+        let above = (legend / (1.0 - legend) * (1.0 + MARGIN)).max(MARGIN);
         let time = Axis::fit(all.iter().map(|point| point.0), [0.02, 0.02])?;
         let value = Axis::fit(all.iter().map(|point| point.1), [MARGIN, above])?;
         Some([time, value])
+    }
+}
+
+/// Returns the part of the vertical axis that a legend takes, and a gap below it.
+fn part_of_legend(names: usize, height: u32) -> f64 {
+    const NAME: usize = 19;
+    /// The legend without its names, and the gap, in which marks at points have room.
+    const AROUND: usize = 35;
+    /// Points need the other part.
+    const MOST: f64 = 0.7;
+    let plane = height.saturating_sub(TITLE + BELOW + MARGIN[0]);
+    match names {
+        0 => 0.0,
+        _ => ((AROUND + NAME * names) as f64 / f64::from(plane)).min(MOST),
     }
 }
 

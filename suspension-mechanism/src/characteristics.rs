@@ -2,6 +2,7 @@
 //! over travel and steering; and all quantities at the places of a grid.
 
 mod all_curves;
+mod check_spans;
 mod curves;
 mod design_number;
 mod grid_table;
@@ -20,13 +21,15 @@ mod title;
 mod wheel_rise;
 
 pub use all_curves::all_curves;
+pub use check_spans::check_spans;
 pub use curves::{Curves, curves};
 pub use design_number::{DesignNumber, refuse_unknown_numbers};
 pub use grid_table::{GridTable, columns_of_positions};
 pub use line::{Line, Sort};
 pub use mode_states::{
-    ModeStates, check_spans, mode_states, no_steering, shorter_roll, unmet_range, usual_change,
+    ModeStates, mode_states, no_steering, shorter_roll, unmet_range, usual_change,
 };
+pub use modes::counted_downwards;
 pub use movement::{Effect, Movement};
 pub(crate) use parameters::columns_in;
 pub use parameters::{Derivative, Parameter, columns, parameters};

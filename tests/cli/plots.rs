@@ -232,3 +232,31 @@ fn titles_and_labels_of_horizontal_axes_stay_on_their_charts() {
     }
     assert!(named > 100, "{named}");
 }
+
+/// The title stands clear of the numbers beside the vertical axis, of which the topmost may be at the upper end.
+#[test]
+fn titles_of_charts_do_not_touch_numbers() {
+    let folder = folder();
+    let axle = include_str!("../../examples/live_axle_watt.toml");
+    std::fs::write(folder.path().join("a.toml"), axle).expect("written");
+    let output = run(folder.path(), &["sheet", "a.toml", "--out", "-"]);
+    let page = String::from_utf8(output.stdout).expect("text");
+    let charts = page.split("<svg ").skip(1);
+    let charts: Vec<Vec<Label>> = charts.map(labels).collect();
+    let titles = charts.iter().filter_map(|texts| texts.first());
+    assert!(
+        titles
+            .filter(|title| title.text == "swing arm in the front view")
+            .count()
+            > 0
+    );
+    for texts in charts {
+        let is_number = |label: &&Label| label.text.parse::<f64>().is_ok();
+        let beside = texts.iter().filter(|label| label.anchor == "end");
+        let numbers = beside.filter(is_number);
+        let top = numbers.map(|label| label.y - label.size / 2.0);
+        let top = top.fold(f64::INFINITY, f64::min);
+        let title = &texts[0];
+        assert!(title.y + 1.2 * title.size < top, "{}", title.text);
+    }
+}

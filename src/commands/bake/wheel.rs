@@ -1,8 +1,9 @@
 //! The wheel whose motion is baked.
 
-use crate::commands::bake::baking::Variables;
+use crate::bake::Wish;
+use crate::commands::bake::baking::{Baking, Variables};
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Place, Wheel};
+use crate::mechanism::{Place, Wheel, listed};
 
 /// The number of the wheel that is `wanted` by its name, or else of the first that one of the drives moves up and down, or
 /// else of the first that one of them moves at all.
@@ -19,21 +20,46 @@ pub(super) fn chosen(
     if let Some(wanted) = wanted.filter(|_| !names.wheels.is_empty()) {
         return names.chosen_wheel(wanted);
     }
-    // The names of drives that do not exist are refused with their ranges.
-    let drives = variables.drives().into_iter();
-    let drives = drives.filter_map(|drive| names.chosen_drive(drive).ok());
-    let drives: Vec<usize> = drives.collect();
+    let drives = drives(mechanism, variables);
     let travels = |drive: &usize| {
         let mut wheels = names.wheels.iter();
         wheels.position(|wheel| wheel.travel == Some(*drive))
     };
-    let moves = |drive: &usize| first_moved(mechanism, *drive);
+    let moves = |drive: &usize| are_moved(mechanism, *drive).iter().position(|moved| *moved);
     let found = drives.iter().find_map(travels);
     Ok(found.or_else(|| drives.iter().find_map(moves)).unwrap_or(0))
 }
 
-/// The first wheel that a drive moves at the first instant.
-fn first_moved(mechanism: &dyn Kinematics, drive: usize) -> Option<usize> {
+/// A note that none of the drives moves the wheel that is baked.
+pub(super) fn note_on_still(baking: &Baking<'_>) -> Option<String> {
+    let mechanism = baking.mechanism;
+    let Wish::Wheel(wheel) = baking.wish else {
+        return None;
+    };
+    let drives = drives(mechanism, &baking.variables);
+    let is_moved = |drive: &usize| are_moved(mechanism, *drive).get(wheel) != Some(&false);
+    if drives.iter().any(is_moved) {
+        return None;
+    }
+    let names = &mechanism.names;
+    let called = drives.iter().map(|drive| names.drives[*drive].name.clone());
+    Some(format!(
+        "{} {} not move the {}: what is baked is constant",
+        listed(called),
+        if drives.len() == 1 { "does" } else { "do" },
+        names.wheels.get(wheel)?.title("wheel")
+    ))
+}
+
+/// The drives that move. The names of those that do not exist are refused with their ranges.
+fn drives(mechanism: &dyn Kinematics, variables: &Variables) -> Vec<usize> {
+    let drives = variables.drives().into_iter();
+    let known = drives.filter_map(|drive| mechanism.names.chosen_drive(drive).ok());
+    known.collect()
+}
+
+/// Whether a drive moves each wheel at the first instant.
+fn are_moved(mechanism: &dyn Kinematics, drive: usize) -> Vec<bool> {
     /// A part of the largest velocity of a point.
     const ROUNDING: f64 = 1e-9;
     let mut read = |place: &dyn Place| {
@@ -42,7 +68,7 @@ fn first_moved(mechanism: &dyn Kinematics, drive: usize) -> Option<usize> {
         let least = ROUNDING * largest.fold(0.0, f64::max);
         let moves = |point: usize| velocities[point].norm() > least;
         let is_moved = |wheel: &Wheel| wheel.points.axis.into_iter().any(moves);
-        mechanism.names.wheels.iter().position(is_moved)
+        Some(mechanism.names.wheels.iter().map(is_moved).collect())
     };
-    mechanism.at_start(&mut read).flatten()
+    mechanism.at_start(&mut read).flatten().unwrap_or_default()
 }

@@ -52,7 +52,7 @@ fn drawn(sides: [&Suspension; 2], a: &Curves, b: &Curves) -> Vec<Chart> {
         ..Curve::default()
     };
     let chart = |[of_a, of_b]: [&Line; 2]| Chart {
-        title: title_of_both([&of_a.title, &of_b.title]),
+        title: title_of_both([&of_a.title, &of_b.title]).to_string(),
         across: a.axis_label(sides[0].unit),
         quantity: of_a.symbol.clone(),
         curves: vec![curve(&name_a, a, of_a), curve(&name_b, b, of_b)],
@@ -143,7 +143,7 @@ fn of_parameters([a, b]: [&Suspension; 2], [of_a, of_b]: [&Read<'_>; 2]) -> Vec<
         let is_alone = a.title.wheel != b.title.wheel;
         let ((value, symbol), (other, of_other)) = (of_a(a, is_alone)?, of_b(b, is_alone)?);
         (symbol == of_other && value.is_finite() && other.is_finite()).then(|| Difference {
-            quantity: title_of_both([&a.title, &b.title]),
+            title: title_of_both([&a.title, &b.title]).clone(),
             symbol,
             at: None,
             values: [value, other],

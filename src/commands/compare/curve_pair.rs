@@ -70,6 +70,6 @@ fn largest(curves: &Curves, [a, b]: [&Line; 2]) -> Option<Difference> {
         })
     };
     let places = places.filter_map(place);
-    let named = (title_of_both([&a.title, &b.title]), a.symbol.clone());
-    Difference::largest(named, &places.collect::<Vec<_>>())
+    let title = title_of_both([&a.title, &b.title]).clone();
+    Difference::largest((title, a.symbol.clone()), &places.collect::<Vec<_>>())
 }

@@ -2,11 +2,12 @@
 
 use crate::characteristics::{Curves, Line, Title};
 use crate::commands::compare::suspension::Suspension;
-use crate::mechanism::ends;
+use crate::mechanism::{ends, listed};
 
 /// A number of both suspensions.
+#[derive(Clone)]
 pub(super) struct Difference {
-    pub(super) quantity: String,
+    pub(super) title: Title,
     pub(super) symbol: String,
     /// The drive's change where two curves differ most; `None` if they are equal, or equally far apart everywhere. The values are
     /// then those nearest to the design position.
@@ -35,7 +36,7 @@ impl Place {
 
 impl Difference {
     /// Returns the difference of a quantity, named with its unit, where it is largest; `None` without places.
-    pub(super) fn largest((quantity, symbol): (String, String), places: &[Place]) -> Option<Self> {
+    pub(super) fn largest((title, symbol): (Title, String), places: &[Place]) -> Option<Self> {
         let offs = || places.iter().map(Place::difference);
         let [least, greatest] = ends(offs())?;
         let by = |size: &dyn Fn(&Place) -> f64| {
@@ -45,7 +46,7 @@ impl Difference {
         let Place { at, values, .. } = by(&|place| place.difference().abs())?;
         let squares: f64 = offs().map(|off| off * off).sum();
         let mut difference = Self {
-            quantity,
+            title,
             symbol,
             at: Some(at),
             values,
@@ -73,12 +74,33 @@ impl Difference {
     }
 
     /// Returns whether a difference of `off` between these numbers is rounding.
-    pub(super) fn is_rounding_of(&self, off: f64) -> bool {
-        /// The limit, relative for numbers above one. The largest that rounding made is 7e-14.
-        const ROUNDING: f64 = 1e-11;
-        let [a, b] = self.values;
-        off.abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
+    fn is_rounding_of(&self, off: f64) -> bool {
+        is_rounding(off, self.values)
     }
+
+    /// Returns whether another wheel has the same numbers of this quantity.
+    fn is_same_of_another_wheel(&self, other: &Self) -> bool {
+        let is_near = |[a, b]: [f64; 2]| is_rounding(b - a, [a, b]);
+        let is_same_rms = match (self.rms, other.rms) {
+            (Some(a), Some(b)) => is_near([a, b]),
+            (a, b) => a == b,
+        };
+        let numbers = self.values.into_iter().zip(other.values);
+        self.title.wheel.is_some()
+            && other.title.wheel.is_some()
+            && self.title.of_wheel == other.title.of_wheel
+            && self.symbol == other.symbol
+            && self.at == other.at
+            && is_same_rms
+            && numbers.into_iter().all(|(a, b)| is_near([a, b]))
+    }
+}
+
+/// Returns whether a difference of `off` between numbers is rounding.
+fn is_rounding(off: f64, [a, b]: [f64; 2]) -> bool {
+    /// The limit, relative for numbers above one. The largest that rounding made is 7e-14.
+    const ROUNDING: f64 = 1e-11;
+    off.abs() <= ROUNDING * a.abs().max(b.abs()).max(1.0)
 }
 
 /// The text at the place of a difference that is equal all along the curves.
@@ -101,6 +123,25 @@ impl Part {
         let mut each = self.differences.iter();
         each.any(|difference| difference.rms.is_some())
     }
+
+    /// Returns the differences for people: one for all wheels of which it is the same, with the names of these wheels.
+    pub(super) fn rows(&self) -> Vec<Difference> {
+        let mut groups: Vec<Vec<&Difference>> = Vec::new();
+        for difference in &self.differences {
+            let mut known = groups.iter_mut();
+            match known.find(|group| group[0].is_same_of_another_wheel(difference)) {
+                Some(group) => group.push(difference),
+                None => groups.push(vec![difference]),
+            }
+        }
+        let row = |group: Vec<&Difference>| {
+            let mut row = group[0].clone();
+            let wheels = group.iter().map(|same| same.title.wheel.clone());
+            row.title.wheel = wheels.collect::<Option<Vec<_>>>().map(listed);
+            row
+        };
+        groups.into_iter().map(row).collect()
+    }
 }
 
 /// Pairs what both sides have, wheel by wheel. A wheel without a name is paired with every wheel of the other side.
@@ -116,8 +157,8 @@ pub(super) fn is_same([a, b]: [&Title; 2]) -> bool {
 }
 
 /// Returns the common title, with the wheel's name if one has it.
-pub(super) fn title_of_both([a, b]: [&Title; 2]) -> String {
-    if a.wheel.is_none() { b } else { a }.to_string()
+pub(super) fn title_of_both([a, b]: [&Title; 2]) -> &Title {
+    if a.wheel.is_none() { b } else { a }
 }
 
 /// Two wheels are compared by their own travel if equal changes of their drives move them differently by more than this

@@ -48,7 +48,7 @@ pub(super) fn by_wheel([a, b]: [&Curves; 2], unit: Unit) -> Option<[Curves; 2]> 
         return None;
     }
     let travels = through_design([from, to], a.changes.len());
-    let title = title_of_both([&of_a.title, &of_b.title]);
+    let title = title_of_both([&of_a.title, &of_b.title]).to_string();
     let over = |(curves, wheel): (&Curves, &Line)| Curves {
         title: title.clone(),
         moved: title.clone(),

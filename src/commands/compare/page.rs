@@ -26,7 +26,8 @@ pub(super) fn html(report: &Report) -> String {
 }
 
 fn table(part: &Part) -> Markup {
-    let differences = || part.differences.iter();
+    let rows = part.rows();
+    let differences = || rows.iter();
     let column = |value: &dyn Fn(&Difference) -> Option<f64>| numbers(differences().map(value));
     let a = column(&|difference| Some(difference.values[0]));
     let b = column(&|difference| Some(difference.values[1]));
@@ -40,9 +41,9 @@ fn table(part: &Part) -> Markup {
                 th { "quantity" } th.number { "A" } th.number { "B" } th.number { "B - A" } th { "unit" }
                 th.number { @if is_of_curves { "at" } } th.number { @if part.has_rms() { "rms" } }
             } }
-            @for (row, difference) in part.differences.iter().enumerate() {
+            @for (row, difference) in rows.iter().enumerate() {
                 tr.first {
-                    td { (difference.quantity) }
+                    td { (difference.title) }
                     (a[row]) (b[row]) (more[row])
                     td.unit { (difference.symbol) }
                     @if is_of_curves && difference.at.is_none() { td.number { (EVERYWHERE) } } @else { (at[row]) }

@@ -69,7 +69,7 @@ impl Report {
                 let [a, b] = difference.values;
                 vec![
                     Field::Text(part.of.clone()),
-                    Field::Text(difference.quantity.clone()),
+                    Field::Text(difference.title.to_string()),
                     Field::Text(difference.symbol.clone()),
                     Field::Number(difference.at),
                     Field::Number(Some(a)),
@@ -89,12 +89,13 @@ impl Report {
 
 /// Returns the columns of a table; those of the place of the largest difference and of the rms are for curves only.
 fn columns(part: &Part) -> Vec<TextColumn> {
-    let differences = || part.differences.iter();
+    let rows = part.rows();
+    let differences = || rows.iter();
     let numbers = |title, value: &dyn Fn(&Difference) -> f64| {
         let cells = differences().map(|difference| in_digits(value(difference)));
         TextColumn::numbers(cells).headed(title)
     };
-    let quantities = differences().map(|difference| &difference.quantity);
+    let quantities = differences().map(|difference| &difference.title);
     let symbols = differences().map(|difference| &difference.symbol);
     let mut columns = vec![
         TextColumn::left(quantities).headed("quantity"),

@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use crate::characteristics::{DesignNumber, refuse_unknown_numbers};
+use crate::characteristics::{DesignNumber, counted_downwards, refuse_unknown_numbers};
 use crate::commands::sensitivities::scatter::{DIGITS, Scatter};
 use crate::failure::Failure;
-use crate::mechanism::{Description, Length};
+use crate::kinematics::Kinematics;
+use crate::mechanism::Length;
 use crate::number::{rounded, without_rounding};
 use crate::output::records::{self, Field};
 use crate::output::rows::TableTargets;
@@ -17,7 +18,7 @@ const ROUNDING: f64 = 1e-9;
 
 pub(super) struct Report<'a> {
     pub(super) file: &'a str,
-    pub(super) mechanism: &'a Description,
+    pub(super) mechanism: &'a dyn Kinematics,
     pub(super) found: &'a Sensitivities,
     pub(super) scatter: Option<Scatter>,
 }
@@ -50,10 +51,12 @@ impl Report<'_> {
     pub(super) fn text(&self, of: &[String], largest: usize) -> String {
         let (per, _) = self.usual_change();
         let axes = self.mechanism.axes.in_words();
+        let downwards = counted_downwards(self.mechanism);
+        let downwards = downwards.map_or_else(String::new, |note| format!(". {note}"));
         let is_wanted = |number: &DesignNumber| of.is_empty() || number.is_one_of(of);
         let numbers: Vec<DesignNumber> = self.numbers().filter(is_wanted).collect();
         let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}\n{}",
+            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}{downwards}\n{}",
             self.file,
             self.tie_rod_note(&numbers)
         );

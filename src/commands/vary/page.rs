@@ -15,7 +15,8 @@ use crate::output::plot::{Chart, Curve};
 pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
     let study = report.study;
     // An interrupt may come before the design.
-    let first = study.design().or_else(|| study.variants.first());
+    let drawn = study.drawn();
+    let first = study.design().or_else(|| drawn.first().copied());
     let sections = first.map_or(&[][..], |variant| &variant.curves);
     let body = html! {
         p { (report.heading()) }
@@ -24,6 +25,9 @@ pub(super) fn html(report: &Report<'_>, draws_all: bool) -> String {
         }
         @if let Some(unbuilt) = study.describe_unbuilt(report.varied) {
             p { strong { "Values are left out: " } (unbuilt) }
+        }
+        @if study.stride > 1 {
+            p { "The charts have the curves of 1 of " (study.stride) " values; the table of --csv has the numbers of all." }
         }
         (folded(&study.cut_short))
         @for curves in sections { (section(report, curves, draws_all)) }
@@ -127,20 +131,23 @@ fn differ(chart: &Chart) -> bool {
     !others.iter().all(lies_on_design)
 }
 
-/// The variants with their colours.
+/// The variants that are drawn, with their colours.
 fn coloured<'a>(report: &Report<'a>) -> impl Iterator<Item = (&'a Variant, Colour)> {
-    let variants = &report.study.variants;
+    let variants = report.study.drawn();
     let last = variants.len().saturating_sub(1).max(1) as f64;
     let is_falling = variants.first().map(|variant| variant.value)
         > variants.last().map(|variant| variant.value);
-    variants.iter().enumerate().map(move |(place, variant)| {
-        let part = place as f64 / last;
-        let colour = match variant.value {
-            0.0 => Colour::Black,
-            _ => Colour::OfScale(if is_falling { 1.0 - part } else { part }),
-        };
-        (variant, colour)
-    })
+    variants
+        .into_iter()
+        .enumerate()
+        .map(move |(place, variant)| {
+            let part = place as f64 / last;
+            let colour = match variant.value {
+                0.0 => Colour::Black,
+                _ => Colour::OfScale(if is_falling { 1.0 - part } else { part }),
+            };
+            (variant, colour)
+        })
 }
 
 /// Returns whether the curve of a variant is dashed: those below the design are, so that black and white tells them from those

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::characteristics::DesignNumber;
+use crate::characteristics::{DesignNumber, counted_downwards};
 use crate::commands::vary::study::{Study, Variant};
 use crate::commands::vary::varied::{Varied, label};
 use crate::failure::Failure;
@@ -84,8 +84,10 @@ impl Report<'_> {
             change,
         } = self.varied;
         let (unit, axes) = (mechanism.unit.length.in_words(), mechanism.axes.in_words());
+        let downwards = counted_downwards(*mechanism);
+        let downwards = downwards.map_or_else(String::new, |note| format!(". {note}"));
         format!(
-            "{file}: change of {} from the design, in {unit}; axes of {axes}",
+            "{file}: change of {} from the design, in {unit}; axes of {axes}{downwards}",
             change.name
         )
     }

@@ -18,13 +18,16 @@ use crate::sensitivities::design_values;
 /// Smaller differences are rounding, absolute or relative to a larger number.
 pub(super) const ROUNDING: f64 = 1e-9;
 
+/// The most values of which the page has curves, but for the last and the design: more are no clearer, and make the page slow.
+const MOST_DRAWN: usize = 100;
+
 /// The suspension at a value.
 pub(super) struct Variant {
     /// The change from the design, in the unit of the file; zero for the design itself.
     pub(super) value: f64,
     /// For each column its value at the design position, and its derivatives with respect to each drive.
     pub(super) numbers: Vec<Vec<f64>>,
-    /// Curves over travel and steering, if they are asked for.
+    /// Curves over travel and steering, if they are asked for and the page shows those of this value.
     pub(super) curves: Vec<Curves>,
 }
 
@@ -41,6 +44,8 @@ impl Variant {
 pub(super) struct Study {
     pub(super) columns: Vec<Column>,
     pub(super) variants: Vec<Variant>,
+    /// Of how many values one has curves, beside the first, the last and the design.
+    pub(super) stride: usize,
     /// The values with which there is no suspension.
     unbuilt: Vec<(f64, Unbuilt)>,
     /// Sentences on curves that end before the range does.
@@ -65,6 +70,7 @@ impl Study {
         let mut study = Self {
             columns: columns(varied.mechanism),
             variants: Vec::new(),
+            stride: values.len().div_ceil(MOST_DRAWN).max(1),
             unbuilt: Vec::new(),
             cut_short: Vec::new(),
             locked: None,
@@ -76,7 +82,8 @@ impl Study {
         }
         let mut progress = Progress::new(values.len(), "values");
         for (done, value) in values.iter().enumerate() {
-            study.add(varied, *value, spans, interrupted);
+            let is_drawn = done % study.stride == 0 || done + 1 == values.len() || *value == 0.0;
+            study.add(varied, *value, spans.filter(|_| is_drawn), interrupted);
             if interrupted.load(Ordering::Relaxed) {
                 study.variants.truncate(done);
                 study.left_out = values.len() - done;
@@ -136,6 +143,14 @@ impl Study {
             numbers,
             curves,
         });
+    }
+
+    /// Returns the variants with curves.
+    pub(super) fn drawn(&self) -> Vec<&Variant> {
+        let variants = self.variants.iter();
+        variants
+            .filter(|variant| !variant.curves.is_empty())
+            .collect()
     }
 
     /// Returns whether a number has a value in one of the variants.

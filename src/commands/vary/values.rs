@@ -23,7 +23,7 @@ impl FromStr for Values {
         let count = swept.count();
         if count > MOST {
             return Err(format!(
-                "COUNT is {count}; at most {MOST} are allowed, of which each has a column in the table and curves on the page"
+                "COUNT is {count}; at most {MOST} are allowed, of which each has a column in the table"
             ));
         }
         if swept.values() == [0.0] {

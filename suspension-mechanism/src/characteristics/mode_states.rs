@@ -9,9 +9,7 @@ use crate::characteristics::movement::{Effect, Movement};
 use crate::characteristics::span::{Span, through_design};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{
-    CountedFrom, DerivativeOrder, Grid, GridAxis, Names, Place, State, Unit, Visited,
-};
+use crate::mechanism::{CountedFrom, DerivativeOrder, Grid, GridAxis, Place, State, Unit, Visited};
 use crate::number::number;
 
 /// The states along a drive, or along several that move together.
@@ -41,12 +39,8 @@ const PLACES: usize = 61;
 const USUAL: [f64; 2] = [0.06, 0.03];
 const USUAL_ANGLE: f64 = 0.2;
 
-/// The shortest and the longest span of a wheel's drive from end to end that anyone asks for, in metres.
-const SHORTEST: f64 = 3e-4;
-const LONGEST: f64 = 1.0;
-
 /// The states in heave and roll of axles, along travel of single wheels, and along steering if a drive steers. Spans
-/// are in `unit`; that of travel also applies to heave and roll. [`check_spans`] checks them.
+/// are in `unit`; that of travel also applies to heave and roll. [`check_spans`](fn@crate::characteristics::check_spans) checks them.
 pub fn mode_states(
     mechanism: &dyn Kinematics,
     spans: [Option<Span>; 2],
@@ -118,28 +112,6 @@ pub fn unmet_range(modes: &[ModeStates], file: &str) -> (Vec<String>, Option<Fai
     (notes, None)
 }
 
-/// The remedy if no drive is known to move the wheel up and down.
-fn no_travel(names: &Names) -> String {
-    let is_still = names.wheels.iter().all(|wheel| wheel.lifted_by.is_empty());
-    match names.wheels.first() {
-        Some(wheel) if is_still => {
-            let [_, centre] = wheel.points.axis;
-            let centre = &names.points[centre];
-            format!(
-                "the curves need a drive that moves the wheel up and down, and only steering does; if the wheel can rise, add \
-                 one to the listing, for example `drive bump: {centre}.z;`; `suspension sweep` makes tables over any drive"
-            )
-        }
-        _ => {
-            let known = names.drive_names().join(", ");
-            let travel = names.travel_in_file(&names.wheels);
-            format!(
-                "which drive moves the wheel up and down? Write [vehicle] with travel = {travel}; the drives are {known}"
-            )
-        }
-    }
-}
-
 /// The failure that an option moves a drive that steers although no drive does.
 pub fn no_steering(file: &str) -> Failure {
     Failure::Input(format!(
@@ -148,41 +120,8 @@ pub fn no_steering(file: &str) -> Failure {
 }
 
 /// The number of the span that a mode moves through: that of travel or that of steering.
-fn option_of(mode: &Mode) -> usize {
+pub(super) fn option_of(mode: &Mode) -> usize {
     usize::from(mode.effect == Effect::Steer)
-}
-
-/// Returns notes on spans that seem to be in another unit.
-///
-/// # Errors
-///
-/// [`Failure::Input`] if no drive is known to move the wheel up and down.
-pub fn check_spans(
-    mechanism: &dyn Kinematics,
-    file: &str,
-    spans: [Option<Span>; 2],
-    unit: Unit,
-) -> Result<Vec<String>, Failure> {
-    let names = &mechanism.names;
-    if names.vehicle.travel.is_empty() {
-        return Err(Failure::Input(format!("{file}: {}", no_travel(names))));
-    }
-    let notes = Mode::all(mechanism).into_iter().filter_map(|mode| {
-        let kind = names.drives[mode.drives[0].0].kind;
-        let span = spans[option_of(&mode)].filter(|_| kind == DriveKind::Coordinate)?;
-        note_on_length(file, &mode.title, span, unit)
-    });
-    Ok(notes.collect())
-}
-
-/// A note if a span seems to be in another unit.
-fn note_on_length(file: &str, way: &str, Span([from, to]): Span, unit: Unit) -> Option<String> {
-    let is_usual = (SHORTEST..=LONGEST).contains(&((to - from) / unit.metre()));
-    (!is_usual).then(|| {
-        let symbol = unit.symbol();
-        let [from, to] = [from, to].map(number);
-        format!("{file}: {way} is from {from} {symbol} to {to} {symbol}: is it in another unit?")
-    })
 }
 
 /// The part of a span that a mode moves through: in roll, where one wheel moves down as far as the other moves up, the
@@ -225,6 +164,7 @@ fn compute_states(
         effect,
         moved,
         drives,
+        rise: _,
     } = mode;
     let changes = through_design(span, PLACES);
     let axis = GridAxis {

@@ -1,10 +1,12 @@
 //! The modes in which curves move wheels: heave and roll of axles, travel of single wheels, steering.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Matrix2, Vector2};
 
 use crate::characteristics::movement::Effect;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, Names, Pair, Place, Wheel};
+use crate::mechanism::{Description, Names, Pair, Place, Wheel, listed};
 
 /// A mode in which wheels move.
 pub(super) struct Mode {
@@ -15,6 +17,8 @@ pub(super) struct Mode {
     pub(super) moved: String,
     /// The drives, by number, each with its fraction.
     pub(super) drives: Vec<(usize, f64)>,
+    /// How far the wheels rise per change in travel; `None` in roll and steering, and where it is unknown.
+    pub(super) rise: Option<f64>,
 }
 
 impl Mode {
@@ -34,6 +38,7 @@ impl Mode {
             effect,
             moved,
             drives: vec![(drive, way)],
+            rise: None,
         }
     }
 
@@ -56,17 +61,20 @@ impl Mode {
             let [first, second] = [a, b].map(|drive| names.drives[drive].name.as_str());
             let of_axle = |what: &str| format!("{} {what}", pair.name).trim_start().to_owned();
             let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
+            let both = rises.parts(wheels, [1.0, 1.0]);
             modes.push(Self {
                 title: of_axle("heave"),
                 effect: Effect::Travel,
                 moved: format!("change of {first} and {second}, both upwards"),
-                drives: drives(rises.parts(wheels, [1.0, 1.0])),
+                drives: drives(both),
+                rise: rises.rise_of_first(wheels, both),
             });
             modes.push(Self {
                 title: of_axle("roll"),
                 effect: Effect::Roll,
                 moved: format!("change of {first} upwards and of {second} downwards"),
                 drives: drives(rises.parts(wheels, [1.0, -1.0])),
+                rise: None,
             });
         }
         let vehicle = &names.vehicle;
@@ -78,12 +86,39 @@ impl Mode {
             let mut wheels = names.wheels.iter();
             let wheel = wheels.position(|wheel| wheel.travel == Some(*drive));
             let way = wheel.map_or(1.0, |wheel| rises.upwards(wheel));
-            Self::for_drive(names, *drive, Effect::Travel, way)
+            Self {
+                rise: wheel.and_then(|wheel| Some(way * rises.rise_per_drive(wheel, wheel)?)),
+                ..Self::for_drive(names, *drive, Effect::Travel, way)
+            }
         }));
         let steer = vehicle.steer.iter();
         modes.extend(steer.map(|drive| Self::for_drive(names, *drive, Effect::Steer, 1.0)));
         modes
     }
+}
+
+/// A sentence on drives of travel that become less as their wheels rise, as z of SAE axes and the length of a damper; `None`
+/// if there are none.
+pub fn counted_downwards(mechanism: &dyn Kinematics) -> Option<String> {
+    let names = &mechanism.names;
+    let rises = RisePerDrive::compute(mechanism);
+    let wheels = names.wheels.iter().enumerate();
+    let downwards = wheels.filter(|(wheel, _)| rises.upwards(*wheel) < 0.0);
+    let drives: BTreeSet<usize> = downwards.filter_map(|(_, wheel)| wheel.travel).collect();
+    let called = drives
+        .iter()
+        .map(|drive| format!("`{}`", names.drives[*drive].name));
+    let called = listed(called);
+    let verb = if drives.len() == 1 {
+        "becomes"
+    } else {
+        "become"
+    };
+    (!drives.is_empty()).then(|| {
+        format!(
+            "As the wheel rises, {called} {verb} less: derivatives per {called} have the opposite sign of those per wheel travel."
+        )
+    })
 }
 
 /// Both wheels of an axle, the left one first, in whichever order a listing states them.
@@ -125,6 +160,12 @@ impl RisePerDrive {
     /// The sign of the change of a wheel's drive of travel that raises it.
     fn upwards(&self, wheel: usize) -> f64 {
         self.rise_per_drive(wheel, wheel).map_or(1.0, f64::signum)
+    }
+
+    /// The rise of the first of two wheels per change of both their drives by these fractions.
+    fn rise_of_first(&self, [first, second]: [usize; 2], parts: [f64; 2]) -> Option<f64> {
+        let [own, other] = [first, second].map(|of| self.rise_per_drive(first, of));
+        Some(own? * parts[0] + other? * parts[1])
     }
 
     /// The fractions of both wheels' drives that make the wheels rise as given; the larger is 1.

@@ -55,3 +55,15 @@ fn compared_derivatives_per_drive_are_not_called_those_of_the_wheel() {
     );
     assert!(!report.contains("per travel of the wheel"), "{report}");
 }
+
+#[test]
+fn reports_of_derivatives_per_drive_say_that_it_counts_downwards() {
+    let note = "As the wheel rises, `bump` becomes less: derivatives per `bump` have the opposite sign of those per wheel travel.\n";
+    for arguments in [
+        &["vary", "a.toml", "front.z=0.01"][..],
+        &["sensitivities", "a.toml"],
+    ] {
+        let report = stdout(arguments);
+        assert!(report.contains(note), "{report}");
+    }
+}

@@ -43,6 +43,14 @@ fn the_wheel_that_the_drive_moves_is_baked() {
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let baked = text(&output.stdout);
         assert!(baked.contains(expected), "{arguments:?}: {baked}");
+        let still = arguments == ["--drive", "bump_right=0.26:0.34", "--wheel", "left"];
+        let note = match still {
+            true => {
+                "note: a.toml: bump_right does not move the left wheel: what is baked is constant\n"
+            }
+            false => "",
+        };
+        assert_eq!(text(&output.stderr), note, "{arguments:?}");
     }
 }
 

@@ -226,3 +226,44 @@ fn wheels_on_opposite_sides_are_named() {
         "{output:?}"
     );
 }
+
+/// The roll centres of these axles differ, the toe of their wheels in heave does not.
+#[test]
+fn wheels_with_the_same_numbers_share_a_row_for_people() {
+    let [a, b] = [
+        include_str!("../../../examples/live_axle_watt.toml"),
+        include_str!("../../../examples/live_axle_panhard.toml"),
+    ];
+    let (_folder, output) = compare(a, b, &[]);
+    let report = text(&output.stdout);
+    let (_, design) = report.split_once("At the design position\n").expect("it");
+    let (design, _) = design.split_once("per travel").expect("its end");
+    let begin = |name: &str| {
+        let lines = design.lines();
+        lines
+            .filter(|line| line.trim_start().starts_with(name))
+            .count()
+    };
+    for (name, rows) in [
+        ("left and right damper ", 1),
+        ("left damper ", 0),
+        ("right damper ", 0),
+        ("left wheel centre y ", 1),
+        ("right wheel centre y ", 1),
+        ("left support angle of outboard brakes ", 1),
+        ("right support angle of outboard brakes ", 1),
+    ] {
+        assert_eq!(begin(name), rows, "{name}: {design}");
+    }
+    let (folder, output) = compare(a, b, &["--csv", "-", "--html", "c.html"]);
+    let of_damper = |wheel: &str| {
+        let quantity = format!("{wheel} damper");
+        let rows = rows(&output).into_iter();
+        let mut rows = rows.filter(|(names, _)| names[0] == "design" && names[1] == quantity);
+        rows.next().map(|(_, numbers)| (numbers[1], numbers[2]))
+    };
+    assert!(of_damper("left").is_some());
+    assert_eq!(of_damper("left"), of_damper("right"));
+    let page = std::fs::read_to_string(folder.path().join("c.html")).expect("a page");
+    assert!(page.contains("<td>left and right damper</td>"));
+}

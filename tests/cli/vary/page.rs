@@ -117,3 +117,25 @@ fn curves_that_differ_in_their_ends_alone_have_no_chart() {
     assert!(toe.contains("sweeps end before the range does"));
     assert!(of("damper").contains("<svg"));
 }
+
+/// Each of many curves is no clearer, and makes the page slow.
+#[test]
+fn of_many_values_the_page_has_the_curves_of_some() {
+    let (page, _) = page(
+        &corner(""),
+        &["rack.z=-0.006:0.006:201", "--of", "toe", "--csv", "v.csv"],
+        0,
+    );
+    let told =
+        "The charts have the curves of 1 of 3 values; the table of --csv has the numbers of all.";
+    assert!(page.contains(told));
+    // Of 201 values every third, the design in the middle, and the last.
+    for value in ["-0.006 m<", ">design<", "+0.006 m<"] {
+        assert!(page.contains(value), "{value}");
+    }
+    let named = page.matches("class=\"line\"").count();
+    assert_eq!(named, 67 + 2, "{named}");
+    let (page, _) = self::page(&corner(""), &["rack.z=-0.006:0.006:99", "--of", "toe"], 0);
+    assert!(!page.contains("The charts have"));
+    assert_eq!(page.matches("class=\"line\"").count(), 99);
+}

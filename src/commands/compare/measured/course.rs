@@ -10,7 +10,9 @@ use crate::number::number;
 pub(super) struct Course {
     /// What places are counted along: that of a column, or the lines of the table.
     pub(super) title: String,
-    /// The same with what is counted, and its unit.
+    /// The columns that change about as far as any, as those of travel of both wheels in roll.
+    pub(super) wide: String,
+    /// The same as the title with what is counted, and its unit.
     pub(super) label: String,
     /// Where each measured place is along it.
     pub(super) at: Vec<f64>,
@@ -64,6 +66,9 @@ impl Course {
         let shares: Vec<Vec<f64>> = moving.iter().map(|lead| lead.shares(mechanism)).collect();
         let from_design = from_design(&shares);
         let axis = widest(&shares);
+        let wide = are_wide(&shares).into_iter().zip(&moving);
+        let wide = wide.filter(|(is_wide, _)| *is_wide);
+        let wide = listed(wide.map(|(_, lead)| lead.stated.named.title.clone()));
         let stride = table.lines().div_ceil(MOST_DRAWN).max(1);
         if is_ambiguous(&shares, axis) {
             let at: Vec<f64> = (0..table.lines())
@@ -78,6 +83,7 @@ impl Course {
                     .collect(),
                 at,
                 around: 0.0,
+                wide,
                 stride,
                 from_design,
             };
@@ -89,6 +95,7 @@ impl Course {
             label: axis.label(),
             at: axis.numbers.clone(),
             around,
+            wide,
             stride,
             from_design,
             curve: curve(leads, axis, around),
@@ -114,11 +121,17 @@ const AROUND: f64 = 0.05;
 /// How much more than the axis another column may change.
 const STEEPEST: f64 = 2.0;
 
+/// Returns which columns change about as far as any.
+fn are_wide(shares: &[Vec<f64>]) -> Vec<bool> {
+    let spans = shares.iter().map(|column| span(column));
+    let widest = spans.clone().fold(0.0, f64::max);
+    spans.map(|span| STEEPEST * span >= widest).collect()
+}
+
 /// Returns the first column that changes about as far as any.
 fn widest(shares: &[Vec<f64>]) -> usize {
-    let widest = shares.iter().map(|column| span(column)).fold(0.0, f64::max);
-    let is_wide = |column: &Vec<f64>| STEEPEST * span(column) >= widest;
-    shares.iter().position(is_wide).unwrap_or_default()
+    let is_wide = are_wide(shares).into_iter();
+    is_wide.take_while(|is_wide| !is_wide).count()
 }
 
 /// Returns whether places near each other on the axis are apart in another column, as on a grid of bump and steering.

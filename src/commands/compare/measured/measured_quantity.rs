@@ -1,6 +1,7 @@
 //! A measured quantity beside that of the model.
 
 use super::smoothing::smoothed;
+use crate::characteristics::Title;
 use crate::commands::compare::differences::{Difference, Place};
 use crate::output::plot::{Chart, Curve};
 
@@ -29,6 +30,14 @@ impl MeasuredQuantity {
         self.places.is_empty().then_some(message)
     }
 
+    /// The title of its differences; the name of its wheel, if it has one, is part of it.
+    fn title(&self) -> Title {
+        Title {
+            wheel: None,
+            of_wheel: self.title.clone(),
+        }
+    }
+
     pub(super) fn largest(&self) -> Option<Difference> {
         self.largest_of(&self.places)
     }
@@ -38,7 +47,7 @@ impl MeasuredQuantity {
     }
 
     fn largest_of(&self, places: &[Place]) -> Option<Difference> {
-        Difference::largest((self.title.clone(), self.symbol.clone()), places)
+        Difference::largest((self.title(), self.symbol.clone()), places)
     }
 
     /// The model's number at the place nearest to the design position, and the difference there without the noise of the rig
@@ -50,7 +59,7 @@ impl MeasuredQuantity {
         let differences = places().map(|place| (place.at, place.difference()));
         let [model, _] = nearest.values;
         Some(Difference {
-            quantity: self.title.clone(),
+            title: self.title(),
             symbol: self.symbol.clone(),
             at: Some(nearest.at),
             values: [

@@ -22,7 +22,7 @@ struct Fit<'a> {
 /// the other way.
 pub(super) fn opposite(quantities: &[MeasuredQuantity], course: &Course) -> Vec<String> {
     let fits: Vec<Fit<'_>> = quantities.iter().filter_map(Fit::new).collect();
-    let along = &course.title;
+    let along = &course.wide;
     if is_other_way(&fits) {
         return vec![format!(
             "B seems to count {along} the other way: its quantities change as those of A do at the opposite places"

@@ -52,6 +52,29 @@ fn another_sign_and_another_way_of_counting_are_noted() {
     }
 }
 
+/// A rig states the travel of both wheels.
+#[test]
+fn all_columns_that_count_the_other_way_are_named() {
+    let folder = folder();
+    let axle = include_str!("../../../../examples/live_axle_watt.toml");
+    std::fs::write(folder.path().join("a.toml"), axle).expect("written");
+    let heave = "bump_left,bump_right=-0.06:0.06:13";
+    let arguments = ["sweep", "a.toml", "--drive", heave, "--csv", "-"];
+    let output = run(folder.path(), &arguments);
+    let line = |row: &std::collections::BTreeMap<String, f64>| {
+        let fall = 0.31 - row["bump_left_m"];
+        let [recession, damper] = ["left_recession_m", "damper_left_m"].map(|name| row[name]);
+        format!("{fall},{fall},{recession},{damper}\n")
+    };
+    let lines: String = rows(&output.stdout).iter().map(line).collect();
+    let table = format!(
+        "left wheel travel [m],right wheel travel [m],left recession [m],damper left [m]\n{lines}"
+    );
+    let (_folder, output) = beside(axle, &table, &[]);
+    let note = "B seems to count left wheel travel and right wheel travel the other way: ";
+    assert!(text(&output.stdout).contains(note), "{output:?}");
+}
+
 /// The wheel leans outwards by 0.011 deg per mm here, inwards in the model.
 #[test]
 fn changes_that_rigs_do_not_resolve_are_not_noted() {
