@@ -46,7 +46,7 @@ impl ImportedCorner<'_> {
         let mut remarks = vec![
             format!(
                 "the layout is {}: {}",
-                choice.linkage,
+                choice.linkage(),
                 self.layout_in_words()
             ),
             format!(
@@ -121,7 +121,7 @@ impl ImportedCorner<'_> {
     fn semi_trailing_arm(&self) -> Option<String> {
         /// The angle in plan view at which an axis counts as oblique, degrees.
         const OBLIQUE: f64 = 3.0;
-        let is_arm = self.choice.linkage == "trailing_arm";
+        let is_arm = self.choice.linkage() == "trailing_arm";
         let [inner, outer] = ["pivot_inner", "pivot_outer"].map(|name| self.choice.point(name));
         let (inner, outer) = (inner?.at, outer?.at);
         let angle = (outer[0] - inner[0])
@@ -193,7 +193,7 @@ impl ImportedCorner<'_> {
         let (_, centre) = points
             .clone()
             .find(|((name, _), _)| name == "wheel_centre")?;
-        let points = points.map(|(point, y)| (point, y, choice.is_on_chassis(&point.0)));
+        let points = points.map(|(point, y)| (point, y, choice.layout.is_on_chassis(&point.0)));
         let (_, point) = only_on_wrong_side(points, centre)?;
         let point = self.stated.quoted(point);
         Some(format!(
