@@ -2,6 +2,7 @@
 
 mod corner_points;
 mod corner_words;
+mod doubts;
 mod format;
 mod hardpoint_corners;
 mod hardpoints;

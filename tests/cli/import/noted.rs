@@ -74,6 +74,21 @@ fn an_inner_end_outboard_of_its_outer_end_is_noted() {
     assert!(!notes.contains(doubt), "{notes}");
 }
 
+/// As points of unknown names are.
+#[test]
+fn rows_of_numbers_with_unknown_names_are_listed() {
+    let folder = folder();
+    let rows =
+        "Reifenhalbmesser; 310\nfoo radius, 12 mm\nstops, 1, 2\nseen by Smith in 2024, a Monday\n";
+    let imported = import(folder.path(), "a.csv", &(table(&CORNER) + rows), &[]);
+    let expected = "note: a.csv: numbers that are not used: `Reifenhalbmesser` (a.csv:16), `foo radius` (a.csv:17), `stops` (a.csv:18)\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+    let many: String = (0..100).map(|row| format!("foo {row}, 1\n")).collect();
+    let imported = import(folder.path(), "a.csv", &(table(&CORNER) + &many), &[]);
+    let expected = "`foo 39` (a.csv:55), and 60 more\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
+
 /// Corners of the catalogue are left ones; the imported one may be either.
 #[test]
 fn the_note_on_the_layout_does_not_name_a_side() {
