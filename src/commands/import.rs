@@ -2,6 +2,7 @@
 
 mod corner_points;
 mod corner_words;
+mod doubts;
 mod format;
 mod hardpoint_corners;
 mod hardpoints;
@@ -159,7 +160,7 @@ impl Arguments {
         let points = stated.of_side(side)?;
         let choice = choose(stated, &points, names, self.linkage.as_deref()).map_err(refuse)?;
         if self.axle && choice.point("wheel_centre").is_none() {
-            let linkage = choice.linkage;
+            let linkage = choice.linkage();
             return Err(refuse(format!(
                 "--axle is for corners; {linkage} has both sides"
             )));
@@ -187,7 +188,7 @@ impl Arguments {
     /// Returns the right corner, in the layout, axes and unit of the left one.
     fn right_corner<'a>(&self, left: &ImportedCorner<'a>) -> Result<ImportedCorner<'a>, Failure> {
         let as_left = Self {
-            linkage: Some(left.choice.linkage.to_owned()),
+            linkage: Some(left.choice.linkage().to_owned()),
             axes: Some(left.orientation.axes),
             unit: Some(left.unit().0),
             ..self.clone()

@@ -47,7 +47,7 @@ impl CornerPoints {
                 }),
                 Some(_) => Err(format!(
                     "--side is for corners; {} has both sides",
-                    choice.linkage
+                    choice.linkage()
                 )),
             };
         };

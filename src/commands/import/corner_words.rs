@@ -25,15 +25,16 @@ impl Arguments {
             matches!(reading.as_ref().map(corner), Ok(Ok(_)))
         };
         // Whichever corner the points are of.
-        let lacking = |reading: &Hardpoints<'_>| {
+        let lacking = readings.iter().map(|reading| {
             let points: Vec<&Hardpoint> = reading.points.iter().collect();
             lacking(&points, names, self.linkage.as_deref())
-        };
-        let used = |it: usize| lacking(&readings[it]).map_or(0, |(_, _, Reverse(found))| found);
+        });
+        let lacking: Vec<_> = lacking.collect();
+        let used = |it: usize| lacking[it].map_or(0, |(_, _, Reverse(found))| found);
         let uses_most = |it: &usize| (0..*it).all(|before| used(before) <= used(*it));
         let most = || (0..readings.len()).filter(uses_most);
         let suspension = most().find(|&it| is_suspension(&readings[it]));
-        let nearest = || most().min_by_key(|&it| lacking(&readings[it]));
+        let nearest = || most().min_by_key(|&it| lacking[it]);
         let best = suspension.or_else(nearest);
         readings
             .swap_remove(best.unwrap_or_default())

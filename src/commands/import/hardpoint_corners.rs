@@ -110,6 +110,8 @@ impl Hardpoints<'_> {
             }
             self.points.retain(|point| is_wanted(point.end));
             self.numbers.retain(|number| is_wanted(number.end));
+            let unknown = &mut self.unknown_numbers;
+            unknown.retain(|number| is_wanted(number.end));
         }
         self.wanted = wanted;
         self.check_numbers()?;

@@ -38,6 +38,15 @@ pub(super) struct Number {
     pub(super) place: Range<usize>,
 }
 
+/// A row of numbers whose name is unknown.
+#[derive(Clone, Debug)]
+pub(super) struct UnknownNumber {
+    /// As the file writes it.
+    pub(super) name: String,
+    pub(super) end: Option<End>,
+    pub(super) place: Range<usize>,
+}
+
 /// The end of Lotus' names for centres of mass.
 const CENTRE_OF_MASS: &str = "c_of_g";
 
@@ -47,8 +56,7 @@ pub(super) struct Hardpoints<'a> {
     pub(super) source: &'a Source,
     pub(super) points: Vec<Hardpoint>,
     pub(super) numbers: Vec<Number>,
-    /// Sentences about rows that are not used.
-    pub(super) unread: Vec<String>,
+    pub(super) unknown_numbers: Vec<UnknownNumber>,
     /// The unit of lengths; `None` if the file does not state it.
     pub(super) unit: Option<Length>,
     /// The ends of the vehicle that the file names, each with its place.
@@ -70,7 +78,7 @@ impl<'a> Hardpoints<'a> {
             source,
             points: Vec::new(),
             numbers: Vec::new(),
-            unread: Vec::new(),
+            unknown_numbers: Vec::new(),
             unit: None,
             ends: Vec::new(),
             wanted: None,

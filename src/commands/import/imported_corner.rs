@@ -10,7 +10,6 @@ use super::orientation::Orientation;
 use super::stand_in::{Spin, stand_in};
 use crate::mechanism::Length;
 use crate::number::rounded;
-use crate::prepare;
 use crate::vehicle_corner::Side;
 
 /// The data that the file has for a corner.
@@ -173,12 +172,11 @@ impl ImportedCorner<'_> {
         let (unit, _) = self.unit();
         let (side, stated_side) = (self.corner.side, self.corner.stated_side);
         let spin = Spin::new(stated, self.names, side, stated_side);
-        let names = prepare::point_names(&choice.listing).map(str::to_owned);
-        let each = names.filter_map(|name| {
-            let (position, origin) = match (self.position(&name), choice.point(&name)) {
+        let each = choice.layout.points.iter().filter_map(|name| {
+            let (position, origin) = match (self.position(name), choice.point(name)) {
                 (Some(at), Some(point)) => {
                     let origin = format!("{}, {}", point.name, stated.line(&point.place));
-                    let halved = self.halved(&name, at).filter(|_| !before.is_empty());
+                    let halved = self.halved(name, at).filter(|_| !before.is_empty());
                     match halved {
                         Some(at) => (
                             format!("{at:?}"),
@@ -192,7 +190,7 @@ impl ImportedCorner<'_> {
                     }
                 }
                 _ => stand_in(
-                    &name,
+                    name,
                     |name| self.position(name),
                     &spin,
                     (unit.metre(), before),

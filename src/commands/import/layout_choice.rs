@@ -5,10 +5,10 @@ mod candidate;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use suspension_core::listing::{Kind, Parts};
-use suspension_runtime::{Listing, Mistakes, catalogue};
+use suspension_runtime::catalogue;
 
 use super::hardpoints::{Hardpoint, Hardpoints};
+use super::layout::Layout;
 use super::names::Names;
 use super::rack::{self, RACK};
 use super::upper_wishbone::{on_upper, point_on_upper};
@@ -20,17 +20,16 @@ const FEW: usize = 2;
 /// A chosen listing, with the points that the file has for it.
 #[derive(Debug)]
 pub(super) struct Choice<'a> {
-    pub(super) linkage: &'static str,
+    pub(super) layout: &'a Layout,
     /// The text of the listing, with the changes that the file asks for.
     pub(super) text: String,
     /// Whether there are such changes.
     pub(super) is_changed: bool,
-    pub(super) listing: Listing,
     /// The points that the file has, in the order of the listing, each with its name in the listing.
     pub(super) found: Vec<(String, &'a Hardpoint)>,
     /// Missing points that are computed from others.
     pub(super) spare: Vec<String>,
-    /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `listing`.
+    /// Why the inner end of the tie rod does not steer, in a layout with a rack; its drive is then not in `text`.
     pub(super) fixed: Option<String>,
     /// A layout that would use more points of the file, and the points that it lacks.
     pub(super) larger: Option<String>,
@@ -39,11 +38,7 @@ pub(super) struct Choice<'a> {
 }
 
 impl<'a> Choice<'a> {
-    fn new(
-        candidate: Candidate<'a>,
-        larger: Option<String>,
-        stated: &Hardpoints<'_>,
-    ) -> Result<Self, Mistakes> {
+    fn new(candidate: Candidate<'a>, larger: Option<String>, stated: &Hardpoints<'_>) -> Self {
         let point = |name: &str| point_of(&candidate.found, name);
         let fixed = point(RACK).and_then(|inner| rack::why_fixed(inner, stated));
         let layout = candidate.layout;
@@ -55,9 +50,8 @@ impl<'a> Choice<'a> {
         if upper.is_some() {
             text = on_upper(&text);
         }
-        Ok(Self {
-            linkage: layout.name,
-            listing: Listing::parse_file(&text, layout.name)?,
+        Self {
+            layout,
             text,
             is_changed: fixed.is_some() || upper.is_some(),
             fixed,
@@ -65,20 +59,17 @@ impl<'a> Choice<'a> {
             upper,
             found: candidate.found,
             spare: candidate.spare,
-        })
+        }
+    }
+
+    /// Returns the name of the layout.
+    pub(super) fn linkage(&self) -> &'static str {
+        self.layout.name
     }
 
     /// Returns whether a point of the file is one of the listing's.
     pub(super) fn uses(&self, point: &Hardpoint) -> bool {
         is_used(&self.found, point)
-    }
-
-    /// Returns whether a point of the listing is on the chassis.
-    pub(super) fn is_on_chassis(&self, name: &str) -> bool {
-        let chassis = self.listing.count(Kind::ChassisPoint);
-        self.listing
-            .point(name)
-            .is_some_and(|point| point < chassis)
     }
 
     /// Returns the file's point for a point of the listing.
@@ -128,7 +119,7 @@ pub(super) fn choose<'a>(
         other => {
             let others = other.into_iter().chain(candidates);
             let larger = larger(others, &best).map(|larger| larger.in_words(&best, names, stated));
-            Choice::new(best, larger, stated).map_err(|mistakes| mistakes.to_string())
+            Ok(Choice::new(best, larger, stated))
         }
     }
 }
@@ -173,7 +164,7 @@ fn candidates<'a>(
     let by_form: BTreeMap<String, &Hardpoint> = by_form.collect();
     let candidates = layouts.map(|layout| Candidate::new(layout, &by_form, names));
     let mut candidates: Vec<Candidate<'a>> = candidates.collect();
-    candidates.sort_by_key(|candidate| {
+    candidates.sort_by_cached_key(|candidate| {
         let (found, needed) = (candidate.found.len(), candidate.needed().len());
         // Of two listings with equally many points, prefer the one that states its spin axis.
         (

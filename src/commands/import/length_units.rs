@@ -39,7 +39,7 @@ pub(super) fn unit(word: &str) -> Option<Length> {
             Some(Length::Millimetre)
         }
         "m" | "meter" | "metre" | "meters" | "metres" => Some(Length::Metre),
-        "in" | "inch" | "inches" => Some(Length::Inch),
+        "in" | "inch" | "inches" | "zoll" => Some(Length::Inch),
         _ => None,
     }
 }

@@ -7,6 +7,8 @@ mod vehicle;
 
 use std::path::{Path, PathBuf};
 
+use suspension_runtime::Listing;
+
 use super::imported_corner::ImportedCorner;
 use crate::failure::Failure;
 use crate::output::files::write_file;
@@ -19,7 +21,10 @@ pub(super) fn write_corner(
     corner: &ImportedCorner<'_>,
     out: &Path,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let text = checked_text(&Draft::for_corner(corner), out)?;
+    let choice = &corner.choice;
+    let listing = Listing::parse_file(&choice.text, choice.linkage());
+    let listing = listing.map_err(|mistakes| Failure::Input(mistakes.to_string()))?;
+    let text = checked_text(&Draft::for_corner(corner, &listing), out)?;
     write_file(out, &text)?;
     Ok(vec![out.to_owned()])
 }

@@ -2,6 +2,7 @@
 
 mod words;
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Deserialize;
@@ -56,6 +57,8 @@ pub(super) struct Names {
     pub(super) unsaid: Vec<String>,
     pub(super) arrangement: Arrangement,
     words: Words,
+    /// The normal forms that have been asked for.
+    normal: RefCell<BTreeMap<String, String>>,
     /// The normal forms of the names of each point.
     forms: BTreeMap<String, Vec<String>>,
     /// The normal forms of the names of all points, and of all numbers.
@@ -103,6 +106,7 @@ impl Names {
             unsaid: table.unsaid,
             arrangement: table.arrangement,
             words,
+            normal: RefCell::default(),
         })
     }
 
@@ -118,7 +122,14 @@ impl Names {
 
     /// Returns the form that all spellings of a name have.
     pub(super) fn normal(&self, name: &str) -> String {
-        self.words.normal(name)
+        let found = self.normal.borrow().get(name).cloned();
+        found.unwrap_or_else(|| {
+            let form = self.words.normal(name);
+            self.normal
+                .borrow_mut()
+                .insert(name.to_owned(), form.clone());
+            form
+        })
     }
 
     /// Returns the spelled words of a heading in English. A word that English has too is translated beside another foreign one.

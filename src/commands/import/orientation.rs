@@ -80,7 +80,7 @@ pub(super) fn orientation(
 fn clues(choice: &Choice<'_>, arrangement: &Arrangement) -> (Vec<Clue>, Vec<String>) {
     let Arrangement { ahead, above, .. } = arrangement;
     let mut otherwise = arrangement.otherwise.iter();
-    let is_otherwise = otherwise.any(|name| name == choice.linkage);
+    let is_otherwise = otherwise.any(|name| name == choice.linkage());
     let ahead = if is_otherwise { &[][..] } else { ahead };
     let along = majority(clues_from_order(choice, ahead, 0, "behind"));
     let up = majority(clues_from_order(choice, above, 2, "below"));
@@ -145,7 +145,7 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     };
     let chassis = choice.found.iter();
     let outboard = chassis
-        .filter(|(name, _)| choice.is_on_chassis(name))
+        .filter(|(name, _)| choice.layout.is_on_chassis(name))
         .map(|(_, point)| *point)
         .find(|point| point.at[1].abs() >= centre.at[1].abs());
     if let Some(point) = outboard {

@@ -28,6 +28,11 @@ pub(super) fn why_fixed(inner: &Hardpoint, stated: &Hardpoints<'_>) -> Option<St
     }
 }
 
+/// Returns whether a layout has a rack that steers.
+pub(super) fn steers(layout: &str) -> bool {
+    layout.contains(STEER)
+}
+
 /// Returns a layout whose rack stays in its place.
 pub(super) fn fixed(layout: &str) -> String {
     layout.replace(STEER, "")

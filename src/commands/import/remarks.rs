@@ -1,16 +1,16 @@
-//! Assumptions about hardpoints and doubts about them, one sentence each.
+//! Remarks on an import, one sentence each: assumptions, conversions, and what is not used.
 
 use std::ops::RangeInclusive;
 
-use super::hardpoints::Hardpoint;
+use super::hardpoints::{Hardpoint, UnknownNumber};
 use super::imported_corner::ImportedCorner;
 use super::names::{MOST_NAMES, and_more};
 use super::orientation::Orientation;
 use super::rack::RACK;
+use super::spelling::key_of;
 use crate::listing_description::first_sentence;
 use crate::mechanism::{Axes, Length};
 use crate::number::rounded;
-use crate::prepare::only_on_wrong_side;
 
 impl ImportedCorner<'_> {
     /// Returns the unit of lengths and the reason for it.
@@ -46,7 +46,7 @@ impl ImportedCorner<'_> {
         let mut remarks = vec![
             format!(
                 "the layout is {}: {}",
-                choice.linkage,
+                choice.linkage(),
                 self.layout_in_words()
             ),
             format!(
@@ -63,7 +63,7 @@ impl ImportedCorner<'_> {
         ];
         let doubts = doubts.iter();
         remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
-        remarks.extend(self.stated.unread.iter().cloned());
+        remarks.extend(self.unknown_numbers());
         remarks.extend(self.notes.iter().cloned());
         remarks
     }
@@ -87,13 +87,8 @@ impl ImportedCorner<'_> {
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
         let unused = self.points.iter().filter(|point| !choice.uses(point));
-        let mut unused = unused.peekable();
-        if unused.peek().is_some() {
-            let told = unused.by_ref().take(MOST_NAMES);
-            let mut told: Vec<String> = told.map(|point| self.unused(point)).collect();
-            told.extend(and_more(unused.count()));
-            remarks.push(format!("not used: {}", told.join(", ")));
-        }
+        let unused = listed(unused, |point| self.unused(point));
+        remarks.extend(unused.map(|unused| format!("not used: {unused}")));
         remarks.extend(choice.larger.clone());
         remarks
     }
@@ -121,7 +116,7 @@ impl ImportedCorner<'_> {
     fn semi_trailing_arm(&self) -> Option<String> {
         /// The angle in plan view at which an axis counts as oblique, degrees.
         const OBLIQUE: f64 = 3.0;
-        let is_arm = self.choice.linkage == "trailing_arm";
+        let is_arm = self.choice.linkage() == "trailing_arm";
         let [inner, outer] = ["pivot_inner", "pivot_outer"].map(|name| self.choice.point(name));
         let (inner, outer) = (inner?.at, outer?.at);
         let angle = (outer[0] - inner[0])
@@ -147,6 +142,19 @@ impl ImportedCorner<'_> {
         ))
     }
 
+    /// Names the rows of numbers that are not used, each with the name of the number that may have been meant.
+    fn unknown_numbers(&self) -> Option<String> {
+        let numbers = self.stated.unknown_numbers.iter();
+        let unknown = listed(numbers, |number| {
+            let UnknownNumber { name, place, .. } = number;
+            let meant = self.names.number_meant(&key_of(name).0);
+            let hint = meant.map(|meant| format!(", did you mean {meant}?"));
+            let line = self.stated.line(place);
+            format!("`{name}` ({line}{})", hint.unwrap_or_default())
+        })?;
+        Some(format!("numbers that are not used: {unknown}"))
+    }
+
     /// Names a point that is not used and, if its name is unknown, the point that may have been meant.
     fn unused(&self, point: &Hardpoint) -> String {
         let is_known = self.names.is_point(&point.key);
@@ -168,38 +176,13 @@ impl ImportedCorner<'_> {
              {moved} to lower_wishbone in the statements of the corner"
         ))
     }
+}
 
-    /// Notes inner ends of links and wishbones that are outboard of their outer ends.
-    fn exchanged_ends(&self) -> impl Iterator<Item = String> {
-        let pairs = self.names.arrangement.outboard.iter();
-        pairs.filter_map(|[outer, inner]| {
-            let ends = [self.choice.point(outer)?, self.choice.point(inner)?];
-            let [out, inward] = ends.map(|end| end.at[1].abs());
-            let [outer, inner] =
-                ends.map(|end| format!("`{}` ({})", end.name, self.stated.line(&end.place)));
-            (out < inward).then(|| {
-                format!(
-                    "{inner} is further from the middle of the vehicle than {outer}: have they each other's names?"
-                )
-            })
-        })
-    }
-
-    /// Notes a free point of a corner that is on the other side of the vehicle than its wheel.
-    fn point_across(&self) -> Option<String> {
-        let choice = &self.choice;
-        let y = self.corner.at.iter().map(|[_, y, _]| *y);
-        let points = choice.found.iter().zip(y);
-        let (_, centre) = points
-            .clone()
-            .find(|((name, _), _)| name == "wheel_centre")?;
-        let points = points.map(|(point, y)| (point, y, choice.is_on_chassis(&point.0)));
-        let (_, point) = only_on_wrong_side(points, centre)?;
-        let point = self.stated.quoted(point);
-        Some(format!(
-            "{point} is on the other side of the vehicle than the wheel centre: is the sign of its y right?"
-        ))
-    }
+/// Describes the first of some items, no more than a message names, and counts the others; `None` if there are none.
+fn listed<T>(mut items: impl Iterator<Item = T>, describe: impl Fn(T) -> String) -> Option<String> {
+    let mut told: Vec<String> = items.by_ref().take(MOST_NAMES).map(describe).collect();
+    told.extend(and_more(items.count()));
+    (!told.is_empty()).then(|| told.join(", "))
 }
 
 /// Says how points that the file does not have are placed; points with the same reason share a sentence.

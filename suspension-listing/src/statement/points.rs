@@ -84,6 +84,8 @@ pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
     }
     let number: Lit = input.parse().map_err(|_| not_a_number(place))?;
     let (digits, unit, value): (_, _, f64) = match &number {
+        // `0x10`, `0o17`, `0b1`.
+        Lit::Int(whole) if has_prefix(&whole.to_string()) => return Err(not_a_number(place)),
         Lit::Int(whole) => (whole.base10_digits(), whole.suffix(), whole.base10_parse()?),
         Lit::Float(float) => (float.base10_digits(), float.suffix(), float.base10_parse()?),
         _ => return Err(not_a_number(place)),
@@ -96,6 +98,13 @@ pub(super) fn number(input: ParseStream<'_>) -> syn::Result<f64> {
     } else {
         Err(not_a_number(place))
     }
+}
+
+/// Whether a whole number is written in another base than ten.
+fn has_prefix(number: &str) -> bool {
+    ["0x", "0o", "0b"]
+        .iter()
+        .any(|base| number.starts_with(base))
 }
 
 /// A number with or without sign.
@@ -144,6 +153,6 @@ fn has_a_unit(place: Span, digits: &str, unit: &str) -> Error {
 fn not_a_number(place: Span) -> Error {
     Error::new(
         place,
-        "a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
+        "a coordinate or a factor must be a finite decimal number that begins with a digit or `-`, for example `0.5` or `-1.25`",
     )
 }

@@ -153,7 +153,7 @@ fn for_a_missing_equation_a_body_on_two_joints_is_named_as_spinning() {
     assert!(message.ends_with(expected), "{message}");
 }
 
-/// `.5` and `+0.2` are numbers elsewhere; `--0.5` is more likely -0.5 than 0.5.
+/// `.5`, `+0.2` and `0x10` are numbers elsewhere; `--0.5` is more likely -0.5 than 0.5.
 #[test]
 fn a_number_that_begins_otherwise_is_refused_with_how_it_begins() {
     for (text, column) in [
@@ -161,13 +161,15 @@ fn a_number_that_begins_otherwise_is_refused_with_how_it_begins() {
         ("fixed: a at [+0.5, 0, 0];", 14),
         ("fixed: a at [--0.5, 0, 0];", 15),
         ("drive x: p.x - -2 q.x;", 16),
+        ("fixed: a at [0x10, 0, 0];", 14),
+        ("fixed: a at [-0b1, 0, 0];", 15),
     ] {
         let [mistake, ..] = &mistakes(text)[..] else {
             panic!("{text}: no mistake");
         };
         assert_eq!(
             mistake.message,
-            "a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
+            "a coordinate or a factor must be a finite decimal number that begins with a digit or `-`, for example `0.5` or `-1.25`",
             "{text}"
         );
         assert_eq!([mistake.line, mistake.column], [1, column], "{text}");

@@ -38,6 +38,25 @@ pub fn load(source: &Source) -> Result<Loaded<'_>, Failure> {
 }
 
 impl Loaded<'_> {
+    /// The file with the drives of another text, which differs from its own in nothing else: the listing is not read again.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Input`] with a place if the text is no motion file.
+    pub fn with_drives_of<'b>(&self, source: &'b Source) -> Result<Loaded<'b>, Failure> {
+        let drives = MotionFile::parse(source)?.drives;
+        let same = self.clone();
+        Ok(Loaded {
+            source,
+            file: MotionFile {
+                drives,
+                ..same.file
+            },
+            listing: same.listing,
+            instants: same.instants,
+        })
+    }
+
     /// The linkage's name.
     pub fn linkage(&self) -> &str {
         &self.listing.name

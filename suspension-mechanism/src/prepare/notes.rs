@@ -21,7 +21,7 @@ use crate::prepare::design::unsatisfied::{Unsatisfied, largest};
 use crate::prepare::task::Task;
 pub(super) use numbers::{length, short_of_stop};
 use numbers::{lengths, rates};
-use wheels::{named_side, notes_on_wheel};
+use wheels::{diameter, named_side, notes_on_wheel};
 
 /// The limits of a suspension's size, in metres: the largest, and after it the smallest.
 const LARGEST: f64 = 10.0;
@@ -52,9 +52,12 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let wheels = task.names.wheels.iter().filter(|_| !has_outlier);
     let mut sides = wheels.clone();
     let of_side = sides.find_map(|wheel| named_side(task, wheel, &placed_points));
+    let of_radius = wheels
+        .clone()
+        .find_map(|wheel| diameter(task, wheel, &placed_points));
     let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
     let of_points = of_points.into_iter().flatten();
-    let notes = of_points.chain(of_side).chain(of_wheels);
+    let notes = of_points.chain(of_side).chain(of_wheels).chain(of_radius);
     let of_numbers = lengths(task).chain(rates(task));
     notes.chain(of_numbers).collect()
 }

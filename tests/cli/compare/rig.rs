@@ -221,6 +221,11 @@ fn the_names_of_rigs_are_read_as_those_of_the_model() {
             "left wheel travel [mm],right wheel travel [mm],steering wheel angle [deg],left kingpin [deg],total toe [deg]",
             "Radhub links [mm],Einfederung (rechts) [mm],Lenkradwinkel [deg],Spreizung links [deg],Gesamtspur [deg]",
         ),
+        (
+            &axle,
+            "left wheel travel [mm],right wheel travel [mm],steer [mm],left steer angle [deg],left toe [deg]",
+            "Radhub links [mm],Radhub rechts [mm],Zahnstangenhub [mm],Lenkwinkel links [deg],Spur links [deg]",
+        ),
     ] {
         let compared = |headings: &str| {
             let table = format!("{headings}\n0,0,0,0,0\n9,8,7,6,5\n");

@@ -212,7 +212,7 @@ fn a_mistake_in_a_listing_file_is_reported_at_its_place() {
         (
             "lower_rear  at [-0.20,",
             "lower_rear  at [rear,",
-            "a.linkage:8:24: a coordinate or a factor must be a finite number that begins with a digit or `-`, for example `0.5` or `-1.25`",
+            "a.linkage:8:24: a coordinate or a factor must be a finite decimal number that begins with a digit or `-`, for example `0.5` or `-1.25`",
         ),
     ] {
         let listing = listing.replace(from, to);

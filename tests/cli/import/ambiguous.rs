@@ -83,6 +83,7 @@ fn in_and_m_in_a_remark_are_not_units_unless_they_stand_for_one() {
         ("Hardpoints by M. Smith", "mm"),
         ("x, y, z in the vehicle frame", "mm"),
         ("name, x [in], y [in], z [in], mass", "in"),
+        ("Name, x [Zoll], y [Zoll], z [Zoll]", "in"),
         ("Hardpoints in in", "in"),
         ("Units: in, deg", "in"),
         ("All points in m, ISO 8855", "m"),

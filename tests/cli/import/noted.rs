@@ -74,6 +74,60 @@ fn an_inner_end_outboard_of_its_outer_end_is_noted() {
     assert!(!notes.contains(doubt), "{notes}");
 }
 
+#[test]
+fn a_slipped_decimal_point_is_noted() {
+    let folder = folder();
+    for (written, slipped, expected) in [
+        (
+            "tierod_inner, -72",
+            "tierod_inner, -1200",
+            "`rack` lies 1.06e3 mm from the other points: should its x be 120 instead of 1200?",
+        ),
+        (
+            "4, -20, 530",
+            "4, -20, 1582",
+            "`damper_inner` lies 1.08e3 mm from the other points: should its z be 158.2 instead of 1582?",
+        ),
+    ] {
+        let file = table(&CORNER);
+        assert!(file.contains(written), "{file}");
+        let notes = import(folder.path(), "a.csv", &file.replace(written, slipped), &[]).notes;
+        assert!(notes.contains(expected), "{notes}");
+        let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+        assert!(!notes.contains("from the other points"), "{notes}");
+    }
+}
+
+#[test]
+fn a_wheel_radius_that_seems_to_be_the_diameter_is_noted() {
+    let folder = folder();
+    let doubt = "is it the diameter?";
+    for (radius, is_noted) in [(229, false), (440, false), (465, true)] {
+        let file = format!("{}tire_radius, {radius}\n", table(&CORNER));
+        let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+        let expected = format!(
+            "wheel_radius is {radius} mm, and `wheel_centre` is at y = 610 and z = 229: {doubt}\n"
+        );
+        assert_eq!(notes.contains(&expected), is_noted, "{notes}");
+        assert_eq!(notes.contains(doubt), is_noted, "{notes}");
+    }
+}
+
+/// As points of unknown names are.
+#[test]
+fn rows_of_numbers_with_unknown_names_are_listed() {
+    let folder = folder();
+    let rows =
+        "Reifenhalbmesser; 310\nfoo radius, 12 mm\nstops, 1, 2\nseen by Smith in 2024, a Monday\n";
+    let imported = import(folder.path(), "a.csv", &(table(&CORNER) + rows), &[]);
+    let expected = "note: a.csv: numbers that are not used: `Reifenhalbmesser` (a.csv:16), `foo radius` (a.csv:17), `stops` (a.csv:18)\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+    let many: String = (0..100).map(|row| format!("foo {row}, 1\n")).collect();
+    let imported = import(folder.path(), "a.csv", &(table(&CORNER) + &many), &[]);
+    let expected = "`foo 39` (a.csv:55), and 60 more\n";
+    assert!(imported.notes.contains(expected), "{}", imported.notes);
+}
+
 /// Corners of the catalogue are left ones; the imported one may be either.
 #[test]
 fn the_note_on_the_layout_does_not_name_a_side() {

@@ -171,7 +171,7 @@ fn a_mistyped_name_of_a_number_is_noted_with_a_suggestion() {
         &(table(&CORNER) + "toe_angel, 0.2\n"),
         &[],
     );
-    let expected = "`toe_angel` (a.csv:16) is not used: did you mean toe_angle?";
+    let expected = "numbers that are not used: `toe_angel` (a.csv:16, did you mean toe_angle?)\n";
     assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
 

@@ -4,7 +4,7 @@ use crate::mechanism::{Axle, Description, Wheel};
 use crate::vehicle_corner::Section;
 
 /// Words of rigs, and the model's words in their place; an entry comes before those that have a part of its words.
-const OF_RIGS: [(&[&str], &[&str]); 38] = [
+const OF_RIGS: [(&[&str], &[&str]); 39] = [
     (&["wheel", "centre", "vertical", "travel"], WHEEL_TRAVEL),
     (&["wheel", "vertical", "travel"], WHEEL_TRAVEL),
     (&["vertical", "travel"], WHEEL_TRAVEL),
@@ -26,6 +26,7 @@ const OF_RIGS: [(&[&str], &[&str]); 38] = [
     (&["wheel", "recession"], &["recession"]),
     (&["track", "width"], &["track"]),
     (&["lenkradwinkel"], STEERING_WHEEL),
+    (&["lenkwinkel"], &["steer", "angle"]),
     (&["zahnstangenweg"], RACK),
     (&["zahnstangenhub"], RACK),
     (&["federweg"], WHEEL_TRAVEL),

@@ -2,7 +2,7 @@
 
 use super::ambiguous_rows::{check_group, check_row};
 use super::row::Row;
-use crate::commands::import::hardpoints::Hardpoints;
+use crate::commands::import::hardpoints::{Hardpoints, UnknownNumber};
 use crate::commands::import::length_units::{length, unit};
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::key_of;
@@ -44,25 +44,21 @@ pub(super) fn add(
             check_group(stated, row, (name, y))?;
         }
     }
-    match row.numbers()[..] {
-        _ if !places.is_empty() && !key.is_empty() => {
-            for (group, at) in places {
-                let section = group.or(row.section);
-                stated.add_point(section, name, row.sides(), at, row.place.clone());
-            }
+    if !places.is_empty() && !key.is_empty() {
+        for (group, at) in places {
+            let section = group.or(row.section);
+            stated.add_point(section, name, row.sides(), at, row.place.clone());
         }
-        _ if is_number && row.has_digits() => add_numbers(stated, row, name, names)?,
-        _ if is_point && row.begins_a_number() => {
-            return Err(misread(stated, name, row, names));
-        }
-        [_] => {
-            let meant = names.number_meant(&key);
-            let place = stated.line(&row.place);
-            let said =
-                meant.map(|meant| format!("`{name}` ({place}) is not used: did you mean {meant}?"));
-            stated.unread.extend(said);
-        }
-        _ => {}
+    } else if is_number && row.has_digits() {
+        add_numbers(stated, row, name, names)?;
+    } else if is_point && row.begins_a_number() {
+        return Err(misread(stated, name, row, names));
+    } else if !key.is_empty() && row.ends_with_number() && !row.is_title() {
+        stated.unknown_numbers.push(UnknownNumber {
+            name: name.to_owned(),
+            end: row.section.end,
+            place: row.place.clone(),
+        });
     }
     Ok(())
 }

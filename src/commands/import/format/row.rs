@@ -130,6 +130,12 @@ impl<'a> Row<'a> {
         behind.filter_map(|field| self.number(field)).collect()
     }
 
+    /// Returns whether a number is the last field.
+    pub(super) fn ends_with_number(&self) -> bool {
+        let last = self.fields.last();
+        last.is_some_and(|field| self.number(field).is_some())
+    }
+
     /// Returns whether a field is this word, in small letters.
     pub(super) fn has_field(&self, word: &str) -> bool {
         let mut fields = self.fields.iter();

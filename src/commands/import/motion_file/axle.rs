@@ -53,13 +53,13 @@ measure bar_twist: angle(right_bar_outer -> right_drop_lower, left_bar_outer -> 
 impl Axle {
     /// Makes an axle of a layout, for a motion file.
     pub(super) fn new(choice: &Choice<'_>, out: &Path) -> Self {
-        let twist = choice.listing.point(BAR).map_or("", |_| TWIST);
+        let twist = if choice.layout.has(BAR) { TWIST } else { "" };
         let mirrored =
             |what: &str| format!("mirror: left -> right;\ninclude left: {what};\n{twist}");
-        let is_steered = choice.listing.drive("steer").is_some();
+        let is_steered = rack::steers(&choice.text);
         if !is_steered && !choice.is_changed {
             return Self {
-                statements: mirrored(choice.linkage),
+                statements: mirrored(choice.linkage()),
                 corner: None,
                 is_steered,
             };

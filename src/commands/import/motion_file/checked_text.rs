@@ -15,10 +15,13 @@ pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Fail
     let file = |text: &str| Source::new(out.display().to_string(), text.to_owned());
     // The drives' values at the design position come from the mechanism, so it is built first.
     let unmoved = file(&draft.text(&vec![0.0; draft.drives()]));
-    let moved = load(&unmoved).and_then(|loaded| Ok(draft.text(&loaded.at_design()?.design)));
-    let text = moved.map_err(|failure| with_line(failure, &unmoved))?;
+    let moved = load(&unmoved).and_then(|loaded| {
+        let text = draft.text(&loaded.at_design()?.design);
+        Ok((loaded, text))
+    });
+    let (loaded, text) = moved.map_err(|failure| with_line(failure, &unmoved))?;
     let written = file(&text);
-    let loaded = load(&written)?;
+    let loaded = loaded.with_drives_of(&written)?;
     with_notes_printed(loaded.at_design()?);
     if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
         tell(format_args!(

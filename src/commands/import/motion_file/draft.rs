@@ -61,17 +61,17 @@ fn spin_axis_between_hardpoints(listing: &Listing) -> Option<String> {
 
 impl<'a> Draft<'a> {
     /// Drafts the motion file of one corner.
-    pub(super) fn for_corner(imported: &'a ImportedCorner<'_>) -> Self {
+    pub(super) fn for_corner(imported: &'a ImportedCorner<'_>, listing: &'a Listing) -> Self {
         let choice = &imported.choice;
         let stated = if choice.is_changed {
             let statements = rack::without_places(&choice.text);
             format!("statements = '''\n{}'''", statements.trim_start())
         } else {
-            format!("linkage = \"{}\"", choice.linkage)
+            format!("linkage = \"{}\"", choice.linkage())
         };
         let corner = corner(imported, "");
         let vehicle = Vehicle::of_corner(imported);
-        Self::new(imported, &choice.listing, stated, corner, vehicle)
+        Self::new(imported, listing, stated, corner, vehicle)
     }
 
     /// Drafts the motion file of an axle, the left corner first.

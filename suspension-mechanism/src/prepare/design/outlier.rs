@@ -16,10 +16,10 @@ use crate::prepare::task::Task;
 const FAR: f64 = 10.0;
 
 /// The same multiple if one coordinate would lie among those of the others if it were a tenth.
-const FAR_BY_ONE_DIGIT: f64 = 1.5;
+const FAR_BY_ONE_DIGIT: f64 = 1.0;
 
-/// How far beyond the others' coordinates a tenth may lie, as a fraction of their extent.
-const BESIDE: f64 = 0.1;
+/// How far beyond the coordinates of the others a tenth, and the other two coordinates, may lie, as a fraction of their extent.
+const BESIDE: f64 = 0.25;
 
 /// The distance of a point from the others once its unit is corrected, as a multiple of the extent of the others.
 const IN_UNIT: f64 = 1.5;

@@ -1,5 +1,7 @@
 //! Notes on the points of a wheel that their author may not have meant.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use crate::mechanism::{Wheel, side_of};
@@ -85,6 +87,23 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
     (outboard * side < 0.0).then(|| {
         let wheel = wheel.stated("wheel");
         format!("the spin axis points inboard; write `{wheel}: {to} -> {from};` if `{from}` is the wheel centre")
+    })
+}
+
+/// A note that the radius is large beside the distance of the wheel centre from the middle of the vehicle, and beside its height above
+/// the origin, which is often on the ground: it is probably the diameter.
+pub(super) fn diameter(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
+    const OF_DISTANCE: Range<f64> = 0.75..1.5;
+    const OF_HEIGHT: f64 = 1.5;
+    let radius = wheel.radius?;
+    let [_, centre] = wheel.points.axis;
+    let at = placed[centre] + task.origin.position();
+    let is_large = OF_DISTANCE.contains(&(radius / at.y.abs())) && radius > OF_HEIGHT * at.z.abs();
+    is_large.then(|| {
+        let centre = &task.names.points[centre];
+        let [radius, y, z] = [radius, at.y, at.z].map(|length| rounded(length, 4));
+        let unit = task.file.length.symbol();
+        format!("wheel_radius is {radius} {unit}, and `{centre}` is at y = {y} and z = {z}: is it the diameter?")
     })
 }
 
