@@ -2,6 +2,7 @@
 
 mod drives;
 mod no_length;
+mod singular;
 mod stored;
 
 use nalgebra::Vector3;
