@@ -1,5 +1,6 @@
 //! `Corner`: a suspension with its motion, drives and time in one value.
 
+mod beside;
 mod drives;
 mod no_length;
 mod singular;
