@@ -70,7 +70,7 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
         let error = largest(error);
         let next = series.motion(dt);
         for rates in [&next.velocity, &next.acceleration] {
-            magnitude(rates).map_err(SolveError::overflow)?;
+            magnitude(rates).map_err(|unknown| SolveError::overflow(unknown).of_step(dt))?;
         }
         let Prescribed { fixed, drives } = Prescribed::new(linkage, &inputs.at(dt));
         let residual = linkage.residual(&next.position, &fixed.value, &drives.value);
