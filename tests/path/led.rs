@@ -269,6 +269,12 @@ fn a_nan_quantity_or_target_of_a_led_motion_is_reported() {
         ..height(points)
     };
     demand(&no_rate, height_at_start);
+    for dt in [f64::NAN, f64::INFINITY] {
+        let mut led = start;
+        let target = &height_at_start;
+        let step = Leader::default().step(&case.model, &inputs, height, target, dt, &mut led);
+        assert_eq!((step, led), (Err(SolveError::StepNotFinite), start));
+    }
 }
 
 suspension_core::linkage! {

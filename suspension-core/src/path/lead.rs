@@ -73,12 +73,12 @@ impl<T: Real> Leader<T> {
             target,
         };
         course.number(target.value)?;
-        match course.step::<C>(dt, led) {
+        match course.step::<C>(dt, led).map_err(|error| error.of_step(dt)) {
             Ok((next, report)) => {
                 *led = next;
                 Ok(report)
             }
-            Err(error @ SolveError::NotFinite { .. }) => Err(error.of_step(dt)),
+            Err(error @ (SolveError::NotFinite { .. } | SolveError::StepNotFinite)) => Err(error),
             Err(error) => Err(course.turning_before(led).unwrap_or(error)),
         }
     }

@@ -64,7 +64,8 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
                 "of order 2 or more: the acceleration is the second term"
             )
         };
-        let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)?;
+        let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)
+            .map_err(|error| error.of_step(dt))?;
         self.check_length(&series, turning, dt)?;
         let [error] = difference(&motion.position, &series.unknowns.value).data.0;
         let error = largest(error);
