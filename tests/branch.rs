@@ -265,8 +265,8 @@ fn a_failed_solve_leaves_the_state_untouched() {
         step: 1.0,
         bound: 0.5,
     };
-    let culprit = attia2003::Listing.name(far.part());
-    assert_eq!(culprit, "p6.z");
+    let culprit = far.part().map(|part| attia2003::Listing.name(part));
+    assert_eq!(culprit, Some("p6.z"));
 }
 
 /// At theta = 0 the cosine has no slope: the drive does not determine the motion.

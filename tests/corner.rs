@@ -1,7 +1,9 @@
 //! `Corner`: a suspension with its motion, drives and time in one value.
 
+mod beside;
 mod drives;
 mod no_length;
+mod singular;
 mod stored;
 
 use nalgebra::Vector3;

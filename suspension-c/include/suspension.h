@@ -70,6 +70,8 @@ enum {
     SUSP_ERROR_NO_LINE = 25,
     /** the fixed order of elimination has too small a pivot at these hardpoints; state hardpoints near these in the listing, or step with partial pivoting */
     SUSP_ERROR_SMALL_PIVOT = 26,
+    /** the equations do not determine the motion at these hardpoints: the mechanism locks there, or a drive has no effect; state hardpoints away from the lock, or drive something else */
+    SUSP_ERROR_SINGULAR_DESIGN = 27,
     /** an input or a residual is not a finite number; look at inputs, start and time step */
     SUSP_ERROR_NOT_FINITE = 40,
     /** a correction, velocity, acceleration or force is not a finite number; look at the inputs and their rates, or at the forces */

@@ -5,6 +5,8 @@ mod clock;
 mod drives;
 mod steps;
 
+use nalgebra::SVector;
+
 use crate::arithmetic::scalar::Real;
 use crate::directions::Directions;
 use crate::error::{Failure, SolveError};
@@ -131,19 +133,21 @@ pub struct Derivatives<L: Linkage<N>, const N: usize> {
 impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     /// Points and measures with their derivatives for the change of drives `change`. If one drive has 1 in `change`
     /// and the others 0, these are the motion ratios and how they change. The corner may be at rest. Where a measure
-    /// turns back its derivatives are NaN: see [`measure`](crate::model::measure).
+    /// turns back its derivatives are NaN: see [`measure`](crate::model::measure). If the points of a new corner do not
+    /// satisfy the listing, the values are those to which the first step moves them.
     ///
     /// # Errors
     ///
     /// [`SolveError::Singular`] if the drives lock, [`SolveError::NotFinite`] if a change is NaN or infinite,
-    /// [`SolveError::Overflow`] if a derivative of an unknown is.
+    /// [`SolveError::Overflow`] if a derivative of an unknown is; as [`Tracker::step`] if the points of a new corner are no
+    /// configuration and none is near by.
     pub fn per(
         &self,
         change: L::Drives,
     ) -> Result<Derivatives<L, N>, Failure<SolveError<T>, L::Listing>> {
-        let position = &self.motion.position;
-        let derived = drives::check_change(&change).and_then(|()| {
-            Directions::at(&self.model, self.drives.value, position, |directions| {
+        let derived = drives::check_change(&self.model, &change).and_then(|()| {
+            let position = self.configuration()?;
+            Directions::at(&self.model, self.drives.value, &position, |directions| {
                 directions.points(change)
             })
         });
@@ -154,14 +158,31 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         })
     }
 
-    /// The corner in its present configuration, at rest, ready to be loaded with forces.
+    /// The corner in its present configuration, at rest, ready to be loaded with forces. If the points of a new corner do
+    /// not satisfy the listing, it is the one to which the first step moves them.
     ///
     /// # Errors
     ///
-    /// [`SolveError::Singular`] if the drives lock.
+    /// [`SolveError::Singular`] if the drives lock; as [`Tracker::step`] if the points of a new corner are no
+    /// configuration and none is near by.
     pub fn statics(&self) -> Result<Statics<'_, L, N>, Failure<SolveError<T>, L::Listing>> {
-        let statics = Statics::new(&self.model, self.drives.value, &self.motion.position);
+        let statics = self
+            .configuration()
+            .and_then(|position| Statics::new(&self.model, self.drives.value, &position));
         statics.map_err(|error| error.named(self.model.listing()))
+    }
+
+    /// The position or, where it is none of the linkage, the one to which a step without length leads from it.
+    fn configuration(&self) -> Result<SVector<T, N>, SolveError<T>> {
+        let inputs: Inputs<Still, _> = Inputs::still(self.drives);
+        let mut motion = self.motion;
+        let newton = &self.tracker.newton;
+        if !newton.is_root(&self.model, &inputs, &motion.position) {
+            let no_time = T::zero();
+            self.tracker
+                .step(&self.model, &inputs, no_time, &mut motion)?;
+        }
+        Ok(motion.position)
     }
 
     /// Positions, velocities and accelerations of all points, by name.

@@ -4,6 +4,7 @@ use core::fmt;
 
 use nalgebra::Vector3;
 use suspension_core::listing::{Kind, Parts};
+use suspension_core::solve::pivots::check_regular;
 use suspension_core::{Build, Corner, GeometryError, Values};
 
 use crate::listing::Listing;
@@ -112,13 +113,17 @@ impl Listing {
             return Err(ModelError::TooSmall { count, most, what });
         };
         let points = Points::<Vector3<f64>, N>::from_values(hardpoints.iter().copied());
-        let refused = |error: GeometryError| ModelError::Geometry {
+        let model = Model::of(listing, &points).map_err(|error| self.refused(error))?;
+        let checked = model.check_pivots(&points);
+        checked.map_err(|error| self.refused(error))?;
+        Ok(model)
+    }
+
+    fn refused(&self, error: GeometryError) -> ModelError {
+        ModelError::Geometry {
             error,
             message: error.named(self).to_string(),
-        };
-        let model = Model::of(listing, &points).map_err(refused)?;
-        model.check_pivots(&points).map_err(refused)?;
-        Ok(model)
+        }
     }
 
     /// A suspension at rest with these hardpoints, ready to be moved. It borrows the listing, and so do its failures,
@@ -145,7 +150,8 @@ impl Listing {
     ///
     /// # Errors
     ///
-    /// [`ModelError`].
+    /// [`ModelError`]. With [`GeometryError::Singular`] the mechanism locks at the hardpoints or a drive has no effect:
+    /// there may be a [`model`](Self::model), but no drive leads from there.
     pub fn corner<const N: usize>(
         &self,
         hardpoints: &[Vector3<f64>],
@@ -154,7 +160,9 @@ impl Listing {
         Room<N>: Size,
     {
         let points = Points::from_values(hardpoints.iter().copied());
-        Ok(Corner::of(self.model(hardpoints)?, &points))
+        let model = self.model(hardpoints)?;
+        check_regular(&model, &points).map_err(|error| self.refused(error))?;
+        Ok(Corner::of(model, &points))
     }
 }
 

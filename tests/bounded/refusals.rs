@@ -5,7 +5,7 @@ use suspension_core::linkages::five_link;
 use suspension_core::listing::Part;
 use suspension_core::solve::tolerance::Tolerance;
 use suspension_core::step::bounded::Outputs;
-use suspension_core::{Bounded, Inputs, Linkage, Motion, SolveError, Still};
+use suspension_core::{Bounded, Inputs, Linkage, Motion, SolveError, Still, Tracker};
 
 use super::case::{Case, attia, five_link};
 use crate::support::{self, differences};
@@ -111,7 +111,13 @@ fn non_finite_inputs_are_refused_by_name() {
         let second_rate = spoiled(|inputs, bad| inputs.drives.second_rate.theta = bad, bad);
         assert_eq!(refused(&case, &bounded, &second_rate, STEP), of_the_drive);
         let error = refused(&case, &bounded, &(case.inputs)(STEP), bad);
-        assert!(matches!(error, SolveError::NotFinite { .. }), "{error}");
+        assert_eq!(error, SolveError::StepNotFinite);
+        let mut motion = case.start;
+        let stepped = Tracker::default().step(&case.model, &(case.inputs)(STEP), bad, &mut motion);
+        assert_eq!(
+            (stepped, motion),
+            (Err(SolveError::StepNotFinite), case.start)
+        );
     }
     for large in [1e160, 1e300, -1e300] {
         let rate = spoiled(|inputs, bad| inputs.drives.rate.theta = bad, large);

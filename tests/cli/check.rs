@@ -1,5 +1,6 @@
 //! The report on a design position.
 
+mod exchanged_ends;
 mod locks;
 mod pulling;
 mod unfollowed;

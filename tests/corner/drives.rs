@@ -1,6 +1,7 @@
 //! Drives that are not finite, and angles that are driven beyond their range.
 
-use suspension_core::{Signal, linkage};
+use suspension_core::{Signal, Values, linkage};
+use suspension_runtime::{Listing, catalogue};
 
 linkage! {
     /// A point on two links, and a chassis point that is driven and only measured.
@@ -103,4 +104,29 @@ fn a_driven_angle_is_followed_through_its_range_and_refused_beyond() {
             assert_eq!(corner.motion(), before.motion());
         }
     }
+}
+
+/// A model at run time has room for more drives than its listing has.
+#[test]
+fn values_beyond_the_last_drive_change_nothing() {
+    let text = catalogue::listing("double_wishbone").expect("a layout");
+    let listing = Listing::parse(text).expect("valid");
+    let design = listing.design().expect("a design");
+    let corner = listing.corner::<15>(&design).expect("regular");
+    let bump = listing.drive("bump").expect("a drive");
+    let drives = corner.drives().with(bump, 0.31);
+    let beyond = drives.with(7, f64::NAN);
+    let one = drives.map(|_| 0.0).with(bump, 1.0);
+    let [good, odd] = [drives, beyond].map(|drives| {
+        let mut corner = corner;
+        let step = corner.step(1e-3, Signal::still(drives));
+        step.expect("within reach");
+        corner
+    });
+    assert_eq!(good.motion(), odd.motion());
+    let [good, odd] = [(good, one), (odd, one.with(7, f64::NAN))].map(|(corner, change)| {
+        let derived = corner.per(change).expect("regular");
+        derived.points
+    });
+    assert_eq!(good, odd);
 }

@@ -9,6 +9,7 @@ use crate::signal::{Inputs, Signal};
 use crate::solve::assemble::assemble;
 use crate::solve::motion::Motion;
 use crate::solve::newton::Newton;
+use crate::solve::pivots::check_regular;
 use crate::step::tracker::Tracker;
 
 impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
@@ -16,7 +17,7 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Build::of`].
+    /// See [`Corner::new`].
     pub fn design() -> Result<Self, Failure<GeometryError, L::Listing>>
     where
         L: Designed<N>,
@@ -30,12 +31,14 @@ impl<L: Build<N, Scalar: Real, Listing: Default>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Build::of`].
+    /// See [`Build::new`]; [`GeometryError::Singular`] if the mechanism locks at the points or a drive has no effect.
     pub fn new(points: &L::Points) -> Result<Self, Failure<GeometryError, L::Listing>> {
-        match L::new(points) {
-            Ok(model) => Ok(Self::of(model, points)),
-            Err(error) => Err(error.named(L::Listing::default())),
-        }
+        let build = || {
+            let model = L::new(points)?;
+            check_regular(&model, points)?;
+            Ok(Self::of(model, points))
+        };
+        build().map_err(|error: GeometryError| error.named(L::Listing::default()))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::Linkage;
-use crate::listing::Part;
+use crate::listing::{Kind, Part};
 use crate::signal::Signal;
 use crate::step::substeps::Stopped;
 use crate::values::Values;
@@ -17,6 +17,7 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
 ) -> Result<(), Stopped<T>> {
     let rates = drives.rate.values().zip(drives.second_rate.values());
     let each = drives.value.values().zip(rates).enumerate();
+    let each = each.take(model.count(Kind::Drive));
     for (drive, (value, (rate, second_rate))) in each {
         let part = Part::Drive(drive);
         let is_finite = value.is_finite() && rate.is_finite() && second_rate.is_finite();
@@ -41,8 +42,12 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
 }
 
 /// Refuses a change of drives that is NaN or infinite.
-pub(super) fn check_change<T: Real, D: Values<T>>(change: &D) -> Result<(), SolveError<T>> {
-    let not_finite = change.values().position(|change| !change.is_finite());
+pub(super) fn check_change<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
+    model: &L,
+    change: &L::Drives,
+) -> Result<(), SolveError<T>> {
+    let mut each = change.values().take(model.count(Kind::Drive));
+    let not_finite = each.position(|change| !change.is_finite());
     not_finite.map_or(Ok(()), |drive| {
         let part = Part::Drive(drive);
         Err(SolveError::NotFinite { part })

@@ -23,6 +23,8 @@ macro_rules! causes {
                 "put its ends apart";
             SmallPivot = 26: "the fixed order of elimination has too small a pivot at these hardpoints",
                 "state hardpoints near these in the listing, or step with partial pivoting";
+            SingularDesign = 27: "the equations do not determine the motion at these hardpoints: the mechanism locks there, or a drive has no effect",
+                "state hardpoints away from the lock, or drive something else";
 
             NotFinite = 40: "an input or a residual is not a finite number",
                 "look at inputs, start and time step";

@@ -3,7 +3,7 @@
 use super::{Cause, Explain, Facts};
 use crate::listing::Part;
 
-/// Why a linkage cannot be built. Numbers are indices of the listing's points and lengths.
+/// Why a linkage cannot be built. Numbers are indices of parts of the listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GeometryError {
     /// A coordinate of the point is NaN or infinite.
@@ -45,10 +45,17 @@ pub enum GeometryError {
         /// The equation of the pivot.
         equation: usize,
     },
+    /// To rounding, the equations do not determine the motion at these points: the mechanism locks there, or a drive
+    /// has no effect, so that a [`Corner`](crate::Corner) could not leave them. There may be a model of them all the same:
+    /// [`assemble`](crate::assemble) may lead it elsewhere.
+    Singular {
+        /// The unknown of the column that has no pivot.
+        unknown: usize,
+    },
 }
 
 impl GeometryError {
-    /// The point, length or equation concerned.
+    /// The point, length, equation or unknown concerned.
     pub fn part(&self) -> Part {
         match *self {
             Self::NotFinite { point }
@@ -58,6 +65,7 @@ impl GeometryError {
             | Self::NotClosed { point } => Part::Point(point),
             Self::BadLength { length } => Part::Length(length),
             Self::SmallPivot { equation } => Part::Equation(equation),
+            Self::Singular { unknown } => Part::Unknown(unknown),
         }
     }
 }
@@ -72,6 +80,7 @@ impl Explain for GeometryError {
             Self::NotClosed { .. } => Cause::NotClosed,
             Self::NoLine { .. } => Cause::NoLine,
             Self::SmallPivot { .. } => Cause::SmallPivot,
+            Self::Singular { .. } => Cause::SingularDesign,
         };
         Facts::new(cause, Some(self.part()))
     }

@@ -10,8 +10,8 @@ use crate::listing::Part;
 /// be the free drive, which stands for its coordinate and for the quantity that leads in its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolveError<T> {
-    /// A residual, or a derivative of it, is NaN or infinite. Either an input, the start or the time step is so too,
-    /// or the number is too large for the number type.
+    /// A residual, or a derivative of it, is NaN or infinite. Either an input or the start is so too, or the number is
+    /// too large for the number type.
     NotFinite {
         /// The equation of the residual, or the drive that is NaN or infinite.
         part: Part,
@@ -77,6 +77,8 @@ pub enum SolveError<T> {
         /// The bound that it must not exceed.
         bound: T,
     },
+    /// The time step is NaN or infinite.
+    StepNotFinite,
     /// The quantity that leads the motion turns before it meets its target: beyond its extreme
     /// value there is no configuration on this branch.
     TurningPoint {
@@ -122,9 +124,22 @@ impl<T> SolveError<T> {
         Self::Overflow { part }
     }
 
-    /// The equation, unknown, point or drive concerned.
-    pub fn part(&self) -> Part {
+    /// The error of a step of length `dt`, which is the cause if it is not finite.
+    pub(crate) fn of_step(self, dt: T) -> Self
+    where
+        T: Real,
+    {
+        if dt.is_finite() {
+            self
+        } else {
+            Self::StepNotFinite
+        }
+    }
+
+    /// The equation, unknown, point or drive concerned; `None` if it is the time step.
+    pub fn part(&self) -> Option<Part> {
         match *self {
+            Self::StepNotFinite => None,
             Self::NotFinite { part }
             | Self::Overflow { part }
             | Self::CrossedSingularity { part }
@@ -135,7 +150,7 @@ impl<T> SolveError<T> {
             | Self::StepTooLong { part, .. }
             | Self::TurningPoint { part, .. }
             | Self::OutOfRange { part, .. }
-            | Self::NotConverged { part, .. } => part,
+            | Self::NotConverged { part, .. } => Some(part),
         }
     }
 }
@@ -151,6 +166,7 @@ impl<T: Real> SolveError<T> {
             Self::Diverging { .. } => Cause::Diverging,
             Self::TooFar { .. } => Cause::TooFar,
             Self::StepTooLong { .. } => Cause::StepTooLong,
+            Self::StepNotFinite => Cause::StepNotFinite,
             Self::TurningPoint { .. } => Cause::TurningPoint,
             Self::OutOfRange { .. } => Cause::AngleOutOfRange,
             Self::NotConverged { .. } => Cause::NotConverged,
@@ -164,7 +180,8 @@ impl<T: Real> SolveError<T> {
             Self::NotFinite { .. }
             | Self::Overflow { .. }
             | Self::CrossedSingularity { .. }
-            | Self::Mirrored { .. } => return None,
+            | Self::Mirrored { .. }
+            | Self::StepNotFinite => return None,
             Self::Singular { pivot, threshold, .. } => ("pivot", pivot, "needed more than", threshold),
             Self::Diverging { step, bound, .. } => ("correction", step, "allowed", bound),
             Self::TooFar { change, bound, .. } => ("change", change, "allowed", bound),
@@ -181,7 +198,7 @@ impl<T: Real> Explain for SolveError<T> {
     fn facts(&self) -> Facts {
         Facts {
             compared: self.compared(),
-            ..Facts::new(self.cause(), Some(self.part()))
+            ..Facts::new(self.cause(), self.part())
         }
     }
 }

@@ -73,12 +73,12 @@ impl<T: Real> Leader<T> {
             target,
         };
         course.number(target.value)?;
-        match course.step::<C>(dt, led) {
+        match course.step::<C>(dt, led).map_err(|error| error.of_step(dt)) {
             Ok((next, report)) => {
                 *led = next;
                 Ok(report)
             }
-            Err(error @ SolveError::NotFinite { .. }) => Err(error),
+            Err(error @ (SolveError::NotFinite { .. } | SolveError::StepNotFinite)) => Err(error),
             Err(error) => Err(course.turning_before(led).unwrap_or(error)),
         }
     }
@@ -102,8 +102,21 @@ impl<T: Real> Leader<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        advance_in_steps([from, to], self.max_steps, |next, dt| {
+        let advanced = advance_in_steps([from, to], self.max_steps, |next, dt| {
             self.step(linkage, &inputs(next), &quantity, &target(next), dt, led)
-        })
+        });
+        let ends = [from, to].map(|time| target(time).value);
+        advanced.map_err(|stopped| asked_at_end(stopped, ends))
     }
+}
+
+/// A stop at a turning point with the target of the end in place of that of the last halved step, if the extreme value
+/// lies before it.
+fn asked_at_end<T: Real>(mut stopped: Stopped<T>, [start, end]: [T; 2]) -> Stopped<T> {
+    if let Some((_, SolveError::TurningPoint { asked, extreme, .. })) = &mut stopped.refused
+        && (end - *extreme) * (*extreme - start) > T::zero()
+    {
+        *asked = end;
+    }
+    stopped
 }

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::arithmetic::pivot::{growth_limit, is_healthy, least_pivot};
 use crate::arithmetic::scalar::Real;
-use crate::error::GeometryError;
+use crate::error::{GeometryError, SolveError};
 use crate::linkage::{Factors, Linkage};
 use crate::solve::lu::Lu;
 
@@ -33,6 +33,30 @@ where
         Err(GeometryError::SmallPivot { equation })
     } else {
         Ok(())
+    }
+}
+
+/// Refuses a position from which no drive leads, because the Jacobian is singular to rounding there.
+///
+/// # Errors
+///
+/// [`GeometryError::Singular`].
+#[cold]
+#[inline(never)]
+pub fn check_regular<T, L, const N: usize>(
+    linkage: &L,
+    points: &L::Points,
+) -> Result<(), GeometryError>
+where
+    T: Real,
+    L: Linkage<N, Scalar = T>,
+{
+    let mut lu = Lu::unfactored(linkage.jacobian(&linkage.unknowns(points), linkage.fixed()));
+    match lu.eliminate_jacobian(T::zero()) {
+        Err(SolveError::Singular { part, .. }) => Err(GeometryError::Singular {
+            unknown: part.index(),
+        }),
+        _ => Ok(()),
     }
 }
 

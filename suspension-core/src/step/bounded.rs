@@ -205,7 +205,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
         // NaN is the reason even if the pivots are too small as well.
         let start = step.residual_called(at);
         if let Some(equation) = start.iter().position(|x| !x.is_finite()) {
-            return Err(SolveError::not_finite(equation));
+            return Err(SolveError::not_finite(equation).of_step(dt));
         }
         let (next, evidence) =
             with_pivoting_for_rates(linkage, at, fixed, |lu| step.settle::<_, true>(lu, outputs))?;
@@ -215,7 +215,7 @@ impl<T: Real, const CORRECTIONS: usize, const ORDER: usize> Bounded<T, CORRECTIO
                 *motion = evidence.signed(next);
                 Ok(settled)
             }
-            Err(refusal) => Err(step.explain(self, refusal, &next, &evidence)),
+            Err(refusal) => Err(step.explain(self, refusal, &next, &evidence).of_step(dt)),
         }
     }
 }

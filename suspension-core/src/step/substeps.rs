@@ -19,7 +19,6 @@ pub struct Stopped<T> {
 impl<T: Real> Explain for Stopped<T> {
     fn facts(&self) -> Facts {
         let facts = match &self.refused {
-            Some((dt, _)) if !dt.is_finite() => Facts::new(Cause::StepNotFinite, None),
             Some((_, error)) => error.facts(),
             None => Facts::new(Cause::StepsUsedUp, None),
         };

@@ -137,9 +137,10 @@ impl<T: Real> Tracker<T> {
         let mut position = motion.predict(change.dt);
         let [moves] = (position - motion.position).data.0;
         let bound = self.correction_bound(largest(moves), linkage.size());
-        let report =
-            self.newton
-                .solve_prescribed(linkage, prescribed, &mut position, Some(bound))?;
+        let solved = self
+            .newton
+            .solve_prescribed(linkage, prescribed, &mut position, Some(bound));
+        let report = solved.map_err(|error| error.of_step(change.dt))?;
         handedness::check(linkage, &position, &prescribed.fixed.value)?;
         let moves = &(position - motion.position);
         let before = motion.positive_determinant;

@@ -79,7 +79,7 @@ impl<'a> Task<'a> {
                 .and_then(|lengths| lengths.get_ref().get(name))
                 .map(Spanned::span),
             GeometryError::NotClosed { .. } => lengths.map(Spanned::span),
-            GeometryError::SmallPivot { .. } => None,
+            GeometryError::SmallPivot { .. } | GeometryError::Singular { .. } => None,
         };
         source.refuse(
             &span.unwrap_or_else(|| file.points.span()),

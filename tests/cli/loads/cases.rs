@@ -49,6 +49,10 @@ fn an_invalid_load_is_refused_at_its_place() {
             "load `contact` is not finite",
         ),
         (
+            "[loads.a]\ncontact = [0.0, 0.0, 1e308]\n",
+            "load `contact` is not finite, or too large to compute with: write forces in N",
+        ),
+        (
             "[loads.a]\ncontact = 3.0\n",
             "`contact` is a place: write a force [x, y, z] in N",
         ),

@@ -118,6 +118,7 @@ where
         }
         Err(error) => {
             let room = match error.part() {
+                Part::Unknown(_) | Part::Equation(_) => N,
                 Part::Length(_) => L::Lengths::from_values([]).values().count(),
                 _ => L::Points::from_values([]).values().count(),
             };

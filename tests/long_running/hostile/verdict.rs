@@ -66,7 +66,11 @@ pub(crate) fn demand_cause<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
     model: &L,
     error: &SolveError<T>,
 ) {
-    assert_ne!(model.name(error.part()), "?", "{error:?}");
+    let name = error.part().map(|part| model.name(part));
+    assert!(
+        name.is_some_and(|name| name != "?") || matches!(error, SolveError::StepNotFinite),
+        "{error:?}"
+    );
     let holds = match *error {
         SolveError::Singular {
             pivot, threshold, ..

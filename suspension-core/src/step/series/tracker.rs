@@ -64,13 +64,14 @@ impl<T: Real, const K: usize> SeriesTracker<T, K> {
                 "of order 2 or more: the acceleration is the second term"
             )
         };
-        let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)?;
+        let (series, turning) = series_from::<T, L, C, N, K>(linkage, inputs, dt, motion)
+            .map_err(|error| error.of_step(dt))?;
         self.check_length(&series, turning, dt)?;
         let [error] = difference(&motion.position, &series.unknowns.value).data.0;
         let error = largest(error);
         let next = series.motion(dt);
         for rates in [&next.velocity, &next.acceleration] {
-            magnitude(rates).map_err(SolveError::overflow)?;
+            magnitude(rates).map_err(|unknown| SolveError::overflow(unknown).of_step(dt))?;
         }
         let Prescribed { fixed, drives } = Prescribed::new(linkage, &inputs.at(dt));
         let residual = linkage.residual(&next.position, &fixed.value, &drives.value);

@@ -86,8 +86,10 @@ impl Reader<'_> {
             return Ok(());
         }
         let mut numbers = load.get_ref().numbers().into_iter();
-        if numbers.any(|number| !number.is_finite()) {
-            return refuse(format!("load `{name}` is not finite"));
+        if numbers.any(|number| !is_computable(number)) {
+            return refuse(format!(
+                "load `{name}` is not finite, or too large to compute with: write forces in N and moments in N m"
+            ));
         }
         let drive = self.mechanism.names.drive(name);
         match (load.get_ref(), self.measure(name)) {
@@ -131,7 +133,7 @@ impl Reader<'_> {
         }
         match load.get_ref() {
             Load::At(Wrench { force, moment })
-                if *moment == [0.0; 3] && force.iter().all(|x| x.is_finite()) =>
+                if *moment == [0.0; 3] && force.iter().all(|x| is_computable(*x)) =>
             {
                 let field = Vector3::from(*force);
                 Ok(Some(if name == GRAVITY {
@@ -210,4 +212,10 @@ impl Reader<'_> {
         }
         Ok(Site::Contact(wheel))
     }
+}
+
+/// Whether a load is finite and so small that nothing overflows: results have products of loads, lengths and ratios.
+fn is_computable(load: f64) -> bool {
+    const TOO_LARGE: f64 = 1e100;
+    load.abs() < TOO_LARGE
 }
