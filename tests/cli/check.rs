@@ -1,6 +1,5 @@
 //! The report on a design position.
 
-mod exchanged_ends;
 mod locks;
 mod pulling;
 mod unfollowed;

@@ -14,8 +14,8 @@ use crate::prepare::column_names;
 use crate::prepare::design::Design;
 use crate::prepare::first_instant::{self, by_measure};
 use crate::prepare::notes::{
-    contradicted_drives, contradicted_wheels, exchanged_ends, loose_markers, missing_travel,
-    neither_side, notes, one_sided_masses, short_of_stop, wrong_side,
+    contradicted_drives, contradicted_wheels, loose_markers, missing_travel, neither_side, notes,
+    one_sided_masses, short_of_stop, wrong_side,
 };
 use crate::prepare::task::{Request, Start, Task};
 use crate::prepare::vehicle::coupling::couplings;
@@ -140,9 +140,6 @@ fn remarks<L: Suspension<N>, const N: usize>(
         notes.extend(loose_markers(task, design, listing));
         notes.extend(one_sided_masses::note(task, listing));
         notes.extend(neither_side::notes(task, listing, given));
-        if !has_outlier {
-            notes.extend(exchanged_ends::notes(task, listing, given));
-        }
     }
     let couplings: Vec<Coupling> = names.wheels.iter().map(|wheel| wheel.coupling).collect();
     notes.extend(contradicted_wheels::notes(task, design, &couplings));

@@ -2,7 +2,6 @@
 
 pub(super) mod contradicted_drives;
 pub(super) mod contradicted_wheels;
-pub(super) mod exchanged_ends;
 pub(super) mod listed_points;
 pub(super) mod missing_travel;
 pub(super) mod neither_side;
