@@ -131,12 +131,12 @@ fn the_forms_of_rigs_are_read_alike() {
     assert_eq!((expected.lines().count(), &*notes), (4, ""));
     for (table, notes) in [
         (
-            "\u{feff}# Rig 17; run 3\r\nZeit;Wheel Travel (left);Toe angle left;Kommentar;\r\ns;[mm];\u{b0};;\r\n0,0;-20,0;0,2;start;\r\n\
+            "\u{feff}# Rig 17; run 3\r\nZeit;Wheel Travel (left);Toe angle left;Kommentar;\r\ns;[mm];Grad;;\r\n0,0;-20,0;0,2;start;\r\n\
              \r\n0,1;0;0,05;;\r\n0,2;10;-0,1;;\r\n0,3;0,0;0,03;;\r\n;;;;\r\n",
             left_out("`Zeit`, `Kommentar`"),
         ),
         (
-            "time [s]\tFz [N]\tLEFT_TOE [Deg]\tleft_wheel_travel [mm]\n0\t3000\t0.2\t-20\n1\t3000\t0.05\t0\n# back\n2\t3000\t-0.1\t10\n3\t-\t0.03\t0",
+            "time [s]\tFz [N]\tLEFT_TOE [\u{b0}]\tleft_wheel_travel [mm]\n0\t3000\t0.2\t-20\n1\t3000\t0.05\t0\n# back\n2\t3000\t-0.1\t10\n3\t-\t0.03\t0",
             left_out("`time [s]`, `Fz [N]`"),
         ),
         (

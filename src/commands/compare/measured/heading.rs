@@ -175,10 +175,22 @@ fn name_and_symbol<'a>(heading: &'a str, below: &'a str) -> (&'a str, &'a str) {
     (name.trim(), symbol.trim())
 }
 
+/// Words and signs of units, and what the program's symbols have in their place.
+const OF_UNITS: [[&str; 2]; 6] = [
+    ["\u{b0}", "deg"],
+    ["degrees", "deg"],
+    ["degree", "deg"],
+    ["grad", "deg"],
+    ["zoll", "in"],
+    ["%", "percent"],
+];
+
 /// Returns the unit that a symbol means for a dimension.
 fn unit_of(dimension: Dimension, name: &str, symbol: &str, own: Unit) -> Result<Unit, String> {
     let (_, usual) = dimension.display_scale(own);
-    let wanted = symbol.replace('\u{b0}', "deg").replace('%', "percent");
+    let written = symbol.to_lowercase();
+    let words = OF_UNITS.iter();
+    let wanted = words.fold(written, |wanted, [word, ours]| wanted.replace(word, ours));
     let mut units = units(own);
     let found = units.find(|unit| dimension.symbol(*unit).eq_ignore_ascii_case(&wanted));
     found.ok_or_else(|| match symbol {

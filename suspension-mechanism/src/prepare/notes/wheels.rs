@@ -91,19 +91,31 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
 }
 
 /// A note that the radius is large beside the distance of the wheel centre from the middle of the vehicle, and beside its height above
-/// the origin, which is often on the ground: it is probably the diameter.
+/// the origin, which is often on the ground: it is probably the diameter. The wheel of a motorcycle is in the middle.
 pub(super) fn diameter(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    const OF_DISTANCE: Range<f64> = 0.75..1.5;
-    const OF_HEIGHT: f64 = 1.5;
+    /// Parts of the distance: of diameters, where twice the height says so too, where the height is less, and of longer numbers.
+    const TWICE_THE_HEIGHT: f64 = 0.55;
+    const LARGE: f64 = 0.75;
+    const LONGER: Range<f64> = 1.5..10.0;
     let radius = wheel.radius?;
     let [_, centre] = wheel.points.axis;
     let at = placed[centre] + task.origin.position();
-    let is_large = OF_DISTANCE.contains(&(radius / at.y.abs())) && radius > OF_HEIGHT * at.z.abs();
-    is_large.then(|| {
+    let [of_distance, of_height] = [at.y, at.z].map(|place| radius / place.abs());
+    let is_twice = of_distance > TWICE_THE_HEIGHT && (1.8..2.2).contains(&of_height);
+    let is_large = is_twice || of_distance > LARGE && of_height > 1.5;
+    let is_diameter = of_distance < LONGER.start;
+    let is_doubtful = is_large && of_distance < LONGER.end;
+    is_doubtful.then(|| {
         let centre = &task.names.points[centre];
         let [radius, y, z] = [radius, at.y, at.z].map(|length| rounded(length, 4));
         let unit = task.file.length.symbol();
-        format!("wheel_radius is {radius} {unit}, and `{centre}` is at y = {y} and z = {z}: is it the diameter?")
+        let doubt = match is_diameter {
+            true => "is it the diameter?",
+            false => "are its decimal point and unit right?",
+        };
+        format!(
+            "wheel_radius is {radius} {unit}, and `{centre}` is at y = {y} and z = {z}: {doubt}"
+        )
     })
 }
 
