@@ -21,7 +21,7 @@ pub(super) struct Orientation {
     pub(super) axes: Axes,
     /// The points that show these axes.
     pub(super) why: String,
-    /// The points that contradict the axes that the user stated.
+    /// A sentence on each pair of points that contradicts the axes.
     pub(super) doubts: Vec<String>,
 }
 
@@ -48,7 +48,9 @@ pub(super) fn orientation(
         return Ok(Orientation {
             axes,
             why: "as --axes says".to_owned(),
-            doubts: doubts.map(|clue| clue.why.clone()).collect(),
+            doubts: doubts
+                .map(|clue| format!("that is doubtful, as {}", clue.why))
+                .collect(),
         });
     }
     let why: Vec<&str> = clues.iter().map(|clue| clue.why.as_str()).collect();
@@ -76,7 +78,7 @@ pub(super) fn orientation(
     }
 }
 
-/// Returns a clue for each axis of which the points show the direction, and what a few points show against these.
+/// Returns a clue for each axis of which the points show the direction, and a sentence on points that show another.
 fn clues(choice: &Choice<'_>, arrangement: &Arrangement) -> (Vec<Clue>, Vec<String>) {
     let Arrangement { ahead, above, .. } = arrangement;
     let mut otherwise = arrangement.otherwise.iter();
@@ -88,7 +90,14 @@ fn clues(choice: &Choice<'_>, arrangement: &Arrangement) -> (Vec<Clue>, Vec<Stri
     let clues = [along.0, up.0, clue_from_side(choice)].into_iter();
     (
         clues.flatten().collect(),
-        against.map(|clue| clue.why).collect(),
+        against
+            .map(|clue| {
+                format!(
+                    "{}: is a coordinate mistyped, or have they each other's names?",
+                    clue.why
+                )
+            })
+            .collect(),
     )
 }
 

@@ -61,8 +61,7 @@ impl ImportedCorner<'_> {
                 changed(axes)
             ),
         ];
-        let doubts = doubts.iter();
-        remarks.extend(doubts.map(|doubt| format!("that is doubtful, as {doubt}")));
+        remarks.extend(doubts.iter().cloned());
         remarks.extend(self.unknown_numbers());
         remarks.extend(self.notes.iter().cloned());
         remarks

@@ -102,7 +102,7 @@ fn a_mistyped_coordinate_does_not_turn_the_axes() {
     let imported = import(folder.path(), "a.csv", &mistyped, &[]);
     for said in [
         "axes are Adams (x rearward, y right, z up)",
-        "that is doubtful, as z is 33 at `uca_outer` and 128 at `lca_outer` below it",
+        "note: a.csv: z is 33 at `uca_outer` and 128 at `lca_outer` below it: is a coordinate mistyped, or have they each other's names?\n",
     ] {
         assert!(imported.notes.contains(said), "{}", imported.notes);
     }
