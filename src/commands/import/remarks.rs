@@ -83,6 +83,7 @@ impl ImportedCorner<'_> {
         }
         remarks.extend(self.point_across());
         remarks.extend(self.exchanged_ends());
+        remarks.extend(self.unlike_twins());
         remarks.extend(self.toe_link());
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
