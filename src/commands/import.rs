@@ -15,6 +15,7 @@ mod length_units;
 mod motion_file;
 mod names;
 mod orientation;
+mod other_side;
 mod rack;
 mod remarks;
 mod spelling;
@@ -35,11 +36,12 @@ use crate::vehicle_corner::{End, Side};
 use corner_points::CornerPoints;
 use hardpoints::Hardpoints;
 use help::NOTES;
-use imported_corner::{ImportedCorner, OtherSide};
+use imported_corner::ImportedCorner;
 use layout_choice::choose;
 use motion_file::{write_axle, write_corner};
 use names::Names;
 use orientation::orientation;
+use other_side::OtherSide;
 
 /// The arguments of `suspension import`.
 #[derive(Args, Clone, Debug)]

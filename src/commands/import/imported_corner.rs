@@ -1,16 +1,13 @@
 //! The data of a corner in a file.
 
-use std::ops::Range;
-
 use super::corner_points::CornerPoints;
-use super::hardpoints::{Hardpoint, Hardpoints, Number};
+use super::hardpoints::{Hardpoint, Hardpoints};
 use super::layout_choice::Choice;
 use super::names::Names;
 use super::orientation::Orientation;
 use super::stand_in::{Spin, stand_in};
 use crate::mechanism::Length;
 use crate::number::rounded;
-use crate::vehicle_corner::Side;
 
 /// The data that the file has for a corner.
 pub(super) struct ImportedCorner<'a> {
@@ -27,40 +24,8 @@ pub(super) struct ImportedCorner<'a> {
     pub(super) notes: Vec<String>,
 }
 
-/// The data of a file on the other side of the vehicle.
-pub(super) enum OtherSide {
-    Nothing,
-    /// The file lacks some of its points.
-    Part,
-    /// The other side is the mirror image.
-    Image,
-    /// The other side is another suspension: the named point or number differs from the mirror image.
-    Unlike(String),
-}
-
 /// The largest plausible distance of a wheel's centre from the middle of a vehicle, m: half the track of a wide lorry.
 const WIDEST: f64 = 1.2;
-
-/// The largest deviation from a mirror image, as a part of the suspension's size: files round their numbers.
-const ROUNDING: f64 = 1e-6;
-
-impl OtherSide {
-    /// Returns a sentence on the other side for the user.
-    pub(super) fn side_note(&self, is_axle: bool) -> Option<String> {
-        match self {
-            Self::Image if !is_axle => Some(
-                "the right corner is the mirror image of the left one; --axle makes an axle of both".to_owned(),
-            ),
-            Self::Unlike(what) if !is_axle => Some(format!(
-                "left and right are not mirror images, for example at {what}: the motion file is an axle of both corners; --side takes one of them"
-            )),
-            Self::Part if !is_axle => Some(
-                "the file has points of the other side too, but not all: they are not used".to_owned(),
-            ),
-            _ => None,
-        }
-    }
-}
 
 impl ImportedCorner<'_> {
     /// Checks a unit that is deduced from the size of the suspension against the distance of the wheel from the middle of the
@@ -110,59 +75,6 @@ impl ImportedCorner<'_> {
             axes.meaning(),
             side = corner.side.name(),
         ))
-    }
-
-    /// Compares the points of the layout with those of the other side.
-    pub(super) fn other_side(&self) -> OtherSide {
-        let found = self.choice.found.iter().map(|(_, point)| *point);
-        let sided = found.filter(|point| point.side.is_some());
-        let images: Vec<_> = sided.map(|point| (point, self.image(point))).collect();
-        let count = images.iter().filter(|(_, image)| image.is_some()).count();
-        if count == 0 {
-            return OtherSide::Nothing;
-        }
-        if count < images.len() {
-            return OtherSide::Part;
-        }
-        let mut pairs = images
-            .into_iter()
-            .filter_map(|(point, image)| Some((point, image?)));
-        let point = pairs.find(|(point, image)| !self.is_mirrored(point, image));
-        let point = point.map(|(_, image)| (&image.name, &image.place));
-        match point.or_else(|| self.unlike_number()) {
-            Some((name, place)) => {
-                OtherSide::Unlike(format!("`{name}` ({})", self.stated.line(place)))
-            }
-            None => OtherSide::Image,
-        }
-    }
-
-    /// Returns the point of the same name on the other side.
-    fn image(&self, point: &Hardpoint) -> Option<&Hardpoint> {
-        let mut points = self.stated.points.iter();
-        points.find(|other| other.key == point.key && is_other_side(other.side, point.side))
-    }
-
-    fn is_mirrored(&self, point: &Hardpoint, image: &Hardpoint) -> bool {
-        let off = ROUNDING * self.corner.apart();
-        let [[x, y, z], [of_x, of_y, of_z]] = [point.at, image.at];
-        let apart = [x - of_x, y + of_y, z - of_z];
-        apart.iter().all(|by| by.abs() <= off)
-    }
-
-    /// Returns a number, for example an angle, that differs between the sides.
-    fn unlike_number(&self) -> Option<(&String, &Range<usize>)> {
-        let numbers = &self.stated.numbers;
-        let is_unlike = |number: &&Number| {
-            let mut others = numbers.iter();
-            others.any(|other| {
-                other.key == number.key
-                    && is_other_side(other.side, number.side)
-                    && other.value != number.value
-            })
-        };
-        let unlike = numbers.iter().find(is_unlike);
-        unlike.map(|number| (&number.key, &number.place))
     }
 
     /// Returns name, position and origin of each point, in the order of the listing; `before` is the prefix of the point
@@ -236,8 +148,4 @@ impl ImportedCorner<'_> {
             .position(|(found, _)| found == name)?;
         Some(self.corner.at[place])
     }
-}
-
-fn is_other_side(other: Option<Side>, side: Option<Side>) -> bool {
-    other.is_some() && side.is_some() && other != side
 }

@@ -22,6 +22,7 @@ struct Table {
     unsaid: Vec<String>,
     points: BTreeMap<String, Vec<String>>,
     numbers: BTreeMap<String, Vec<String>>,
+    advice: BTreeMap<String, Vec<String>>,
     headings: BTreeMap<String, Vec<String>>,
     arrangement: Arrangement,
 }
@@ -49,6 +50,8 @@ pub(super) struct Names {
     pub(super) points: BTreeMap<String, Vec<String>>,
     /// The other names of each number.
     pub(super) numbers: BTreeMap<String, Vec<String>>,
+    /// The names of numbers that are not read, by what to do about them.
+    advice: BTreeMap<String, Vec<String>>,
     /// The words that mean the same, by their meaning.
     pub(super) synonyms: BTreeMap<String, Vec<String>>,
     /// The words of headings that mean the same as English ones, by these.
@@ -101,6 +104,7 @@ impl Names {
             known_numbers: all(&table.numbers).map(|name| words.normal(name)).collect(),
             points: table.points,
             numbers: table.numbers,
+            advice: table.advice,
             synonyms: table.words,
             headings: table.headings,
             unsaid: table.unsaid,
@@ -189,9 +193,16 @@ impl Names {
         self.meant(name, all(&self.points).collect())
     }
 
-    /// Returns the name of a number that may have been meant by an unknown one.
-    pub(super) fn number_meant(&self, name: &str) -> Option<String> {
-        self.meant(name, all(&self.numbers).collect())
+    /// Returns what to do about an unknown name of a number, for example the name that may have been meant.
+    pub(super) fn number_advice(&self, name: &str) -> Option<String> {
+        let form = self.normal(name);
+        let is_of = |others: &[String]| others.iter().any(|other| self.normal(other) == form);
+        let mut rows = self.advice.iter();
+        let advice = rows.find(|(_, others)| is_of(others));
+        advice.map(|(advice, _)| advice.clone()).or_else(|| {
+            let meant = self.meant(name, all(&self.numbers).collect())?;
+            Some(format!("did you mean {meant}?"))
+        })
     }
 
     /// Returns which of some names may have been meant by an unknown one, in its own words if only letters are wrong.

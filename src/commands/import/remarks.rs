@@ -82,6 +82,7 @@ impl ImportedCorner<'_> {
         }
         remarks.extend(self.point_across());
         remarks.extend(self.exchanged_ends());
+        remarks.extend(self.unlike_twins());
         remarks.extend(self.toe_link());
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
@@ -141,15 +142,15 @@ impl ImportedCorner<'_> {
         ))
     }
 
-    /// Names the rows of numbers that are not used, each with the name of the number that may have been meant.
+    /// Names the rows of numbers that are not used, each with what to do about it if that is known.
     fn unknown_numbers(&self) -> Option<String> {
         let numbers = self.stated.unknown_numbers.iter();
         let unknown = listed(numbers, |number| {
             let UnknownNumber { name, place, .. } = number;
-            let meant = self.names.number_meant(&key_of(name).0);
-            let hint = meant.map(|meant| format!(", did you mean {meant}?"));
+            let advice = self.names.number_advice(&key_of(name).0);
+            let advice = advice.map(|advice| format!(", {advice}"));
             let line = self.stated.line(place);
-            format!("`{name}` ({line}{})", hint.unwrap_or_default())
+            format!("`{name}` ({line}{})", advice.unwrap_or_default())
         })?;
         Some(format!("numbers that are not used: {unknown}"))
     }

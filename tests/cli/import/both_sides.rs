@@ -54,6 +54,21 @@ fn a_missing_right_side_is_the_mirror_image_of_the_left_one() {
 }
 
 #[test]
+fn a_right_point_that_is_not_the_mirror_image_of_its_twin_is_noted() {
+    let folder = folder();
+    let file = table(&PANHARD, ISO);
+    let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+    assert!(!notes.contains("mirror images"), "{notes}");
+    let slip = file.replace(
+        "Right wheel center, 0, -29, 12.5",
+        "Right wheel center, 0, -29, 125",
+    );
+    let notes = import(folder.path(), "a.csv", &slip, &[]).notes;
+    let expected = "left and right are not mirror images, for example at `Right wheel center` (a.csv:12; z = 125, but 12.5 on the left)\n";
+    assert!(notes.contains(expected), "{notes}");
+}
+
+#[test]
 fn the_size_of_an_axle_has_no_exponent() {
     let millimetres = PANHARD.map(|(name, at)| (name, at.map(|x| 25.0 * x)));
     let notes = import(folder().path(), "a.csv", &table(&millimetres, ISO), &[]).notes;

@@ -175,6 +175,18 @@ fn a_mistyped_name_of_a_number_is_noted_with_a_suggestion() {
     assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
 
+/// `Spur` is the toe or the track, and a diameter is no radius: neither is guessed.
+#[test]
+fn numbers_that_may_be_toe_or_are_a_diameter_are_noted_with_what_to_write() {
+    let folder = folder();
+    let rows = "Spur, 0.2\nTire Diameter, 458\nReifendurchmesser, 458\nSpurweite, 1220\n";
+    let notes = import(folder.path(), "a.csv", &(table(&CORNER) + rows), &[]).notes;
+    let expected = "numbers that are not used: `Spur` (a.csv:16, did you mean vorspur?), \
+                    `Tire Diameter` (a.csv:17, write half of it as wheel_radius), \
+                    `Reifendurchmesser` (a.csv:18, write half of it as wheel_radius), `Spurweite` (a.csv:19)\n";
+    assert!(notes.contains(expected), "{notes}");
+}
+
 #[test]
 fn rows_of_a_hardpoint_table_may_be_numbered() {
     let rows = table(&CORNER) + "toe_angle, 0.2\n";

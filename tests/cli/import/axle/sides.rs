@@ -13,13 +13,27 @@ fn sides_that_are_not_mirror_images_are_imported_as_an_axle() {
     let points = imported.points();
     assert_eq!(points["left_lower_ball"], [4.0, 560.0, 128.0]);
     assert_eq!(points["right_lower_ball"], [4.0, -557.0, 128.0]);
-    let expected = "left and right are not mirror images, for example at `hpr_lca_outer` (front.csv:18): the motion file is an axle of both corners; \
-                --side takes one of them";
+    let expected = "left and right are not mirror images, for example at `hpr_lca_outer` (front.csv:18; y = 557, but -560 on the left): the motion file is \
+                    an axle of both corners; --side takes one of them";
     assert!(imported.notes.contains(expected), "{}", imported.notes);
     // A requested side is still imported as a corner.
     let imported = import(folder.path(), "front.csv", &file, &["--side", "right"]);
     assert_eq!(imported.text("linkage"), "double_wishbone_rocker");
     assert_eq!(imported.points()["lower_ball"], [4.0, -557.0, 128.0]);
+}
+
+/// With `--axle` too; of several points that with the largest difference is named, as a slip in one digit is.
+#[test]
+fn the_point_furthest_from_the_mirror_image_is_named() {
+    let folder = folder();
+    let file = symmetric()
+        .replace("hpr_lca_outer, -4, 560", "hpr_lca_outer, -4, 557")
+        .replace("hpr_prod_inboard, 10, 265", "hpr_prod_inboard, 10, 26.5");
+    let expected = "left and right are not mirror images, for example at `hpr_prod_inboard` (front.csv:26; y = 26.5, but -265 on the left)\n";
+    let notes = import(folder.path(), "front.csv", &file, &["--axle"]).notes;
+    assert!(notes.contains(expected), "{notes}");
+    let notes = import(folder.path(), "front.csv", &symmetric(), &["--axle"]).notes;
+    assert!(!notes.contains("mirror images"), "{notes}");
 }
 
 /// In tables with y counted outboard on both sides; which side is meant is not guessed.
