@@ -1,6 +1,6 @@
 //! Drives that are not finite, and angles that are driven beyond their range.
 
-use suspension_core::{Signal, Values, linkage};
+use suspension_core::{Signal, SolveError, Values, linkage};
 use suspension_runtime::{Listing, catalogue};
 
 linkage! {
@@ -42,6 +42,24 @@ fn a_non_finite_drive_read_by_a_measure_alone_is_refused() {
         }
     }
     assert_eq!((corner.measures().value.span, corner.time()), (span, 0.0));
+}
+
+/// The drives that a function gives for such a time are no fault of its own.
+#[test]
+fn a_time_that_is_not_finite_is_refused_as_such() {
+    let mut corner: measured::Corner = measured::Corner::design().expect("a design");
+    let start = corner.drives();
+    let rate = measured::Drives {
+        height: 0.1,
+        slide: 0.1,
+    };
+    for to in [f64::NAN, f64::INFINITY] {
+        let advanced = corner.advance(to, |time| Signal::line(start, rate, time));
+        let stopped = advanced.expect_err("no time").error;
+        let (_, error) = stopped.refused.expect("a reason");
+        assert_eq!(error, SolveError::StepNotFinite);
+    }
+    assert_eq!((corner.drives(), corner.time()), (start, 0.0));
 }
 
 /// The change is in no equation either: its derivatives would be NaN.

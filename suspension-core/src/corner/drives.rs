@@ -34,7 +34,7 @@ pub(super) fn check<T: Real, L: Linkage<N, Scalar = T>, const N: usize>(
         if let Some(error) = refused {
             return Err(Stopped {
                 reached: from,
-                refused: Some((to - from, error)),
+                refused: Some((to - from, error.of_step(to - from))),
             });
         }
     }

@@ -45,11 +45,12 @@ pub enum GeometryError {
         /// The equation of the pivot.
         equation: usize,
     },
-    /// To rounding, the equations do not determine the motion at these points: the mechanism locks there, or a drive
-    /// has no effect, so that a [`Corner`](crate::Corner) could not leave them. There may be a model of them all the same:
+    /// Within the rounding errors of the points the equations do not determine the motion: the mechanism locks there, or a
+    /// drive has no effect, so that a step of a [`Corner`](crate::Corner) there would be refused as
+    /// [`SolveError::Singular`](crate::SolveError::Singular). There may be a model of them all the same:
     /// [`assemble`](crate::assemble) may lead it elsewhere.
     Singular {
-        /// The unknown of the column that has no pivot.
+        /// The unknown that the equations determine least.
         unknown: usize,
     },
 }

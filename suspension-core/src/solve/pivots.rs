@@ -6,6 +6,7 @@ use crate::arithmetic::pivot::{growth_limit, is_healthy, least_pivot};
 use crate::arithmetic::scalar::Real;
 use crate::error::{GeometryError, SolveError};
 use crate::linkage::{Factors, Linkage};
+use crate::solve::factored::with_factors_for_rates;
 use crate::solve::lu::Lu;
 
 /// Refuses a position whose pivots are unhealthy in the fixed order and healthy with partial pivoting. If both are
@@ -36,7 +37,7 @@ where
     }
 }
 
-/// Refuses a position from which no drive leads, because the Jacobian is singular to rounding there.
+/// Refuses a position at which a step would be refused, because the Jacobian is too near to a singular one for rates.
 ///
 /// # Errors
 ///
@@ -51,8 +52,8 @@ where
     T: Real,
     L: Linkage<N, Scalar = T>,
 {
-    let mut lu = Lu::unfactored(linkage.jacobian(&linkage.unknowns(points), linkage.fixed()));
-    match lu.eliminate_jacobian(T::zero()) {
+    let q = linkage.unknowns(points);
+    match with_factors_for_rates(linkage, &q, linkage.fixed(), |_| ()) {
         Err(SolveError::Singular { part, .. }) => Err(GeometryError::Singular {
             unknown: part.index(),
         }),
