@@ -243,13 +243,8 @@ fn titles_of_charts_do_not_touch_numbers() {
     let page = String::from_utf8(output.stdout).expect("text");
     let charts = page.split("<svg ").skip(1);
     let charts: Vec<Vec<Label>> = charts.map(labels).collect();
-    let titles = charts.iter().filter_map(|texts| texts.first());
-    assert!(
-        titles
-            .filter(|title| title.text == "swing arm in the front view")
-            .count()
-            > 0
-    );
+    let mut titles = charts.iter().filter_map(|texts| texts.first());
+    assert!(titles.any(|title| title.text == "swing arm in the front view"));
     for texts in charts {
         let is_number = |label: &&Label| label.text.parse::<f64>().is_ok();
         let beside = texts.iter().filter(|label| label.anchor == "end");

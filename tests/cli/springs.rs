@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::program::{folder, run, text};
-use super::tables::{BY_DAMPERS, HEAVE_AND_ROLL, live_axle, swept};
+use super::tables::live_axle::{BY_DAMPERS, HEAVE_AND_ROLL, live_axle};
+use super::tables::swept;
 
 /// First and second derivative in the middle of five values `h` apart.
 fn derivatives(values: [f64; 5], h: f64) -> [f64; 2] {

@@ -132,20 +132,7 @@ impl Labels {
         let size = f64::from(self.font_size());
         let width = width(name, size) as i32;
         let height = (LINE * size) as i32;
-        let others = || {
-            let names = self.names.iter().enumerate();
-            names.filter_map(move |(index, name)| (Some(index) != own).then_some(name))
-        };
         let around = |away: usize| places_around((x, y), [width, height], GAPS[away], self.unit);
-        let cost = |away: usize, place: &[i32; 4]| {
-            let doubt = match (self.is_beside_another(place, (x, y)), away) {
-                (false, _) => 0.0,
-                (true, 0) => DOUBTFUL,
-                // A leader says whose name it is.
-                (true, _) => AWAY / 2.0,
-            };
-            self.collisions(place, others()) + AWAY * away as f64 + doubt
-        };
         let mut best = (f64::INFINITY, 0, (HPos::Left, [x, y, x, y]));
         for away in 0..GAPS.len() {
             // No place farther away costs less than its distance.
@@ -153,7 +140,7 @@ impl Labels {
                 break;
             }
             for place in around(away) {
-                let cost = cost(away, &place.1);
+                let cost = self.cost(&place.1, away, (x, y), own);
                 if cost < best.0 {
                     best = (cost, away, place);
                 }
@@ -173,6 +160,19 @@ impl Labels {
             place,
             point: (x, y),
         }
+    }
+
+    /// Returns the penalty of a place at a distance from its point; `own` is the index of the name's present place.
+    fn cost(&self, place: &[i32; 4], away: usize, point: (i32, i32), own: Option<usize>) -> f64 {
+        let names = self.names.iter().enumerate();
+        let others = names.filter_map(|(index, name)| (Some(index) != own).then_some(name));
+        let doubt = match (self.is_beside_another(place, point), away) {
+            (false, _) => 0.0,
+            (true, 0) => DOUBTFUL,
+            // A leader says whose name it is.
+            (true, _) => AWAY / 2.0,
+        };
+        self.collisions(place, others) + AWAY * away as f64 + doubt
     }
 
     /// Draws a text where it was put, with a leader from its point where it is farther away; the colours are those of leader

@@ -20,7 +20,7 @@ fn a_point_in_another_unit_is_reported_first_at_its_place() {
         )],
         &[],
     );
-    let first = "a.toml:10:14: `lower_ball` lies 699 m from the other points: is it in mm?\n";
+    let first = "a.toml:10:14: `lower_ball` lies 699.3 m from the other points: is it in mm?\n";
     assert!(message.starts_with(first), "{message}");
     assert_eq!(message.lines().count(), 2, "{message}");
 }
@@ -32,11 +32,11 @@ fn a_buildable_point_in_another_unit_is_noted() {
         ("lower_ball = [0.005, 0.71, 0.17]", ""),
         (
             "damper_inner = [0.02, 120.0, 0.54]",
-            "note: a.toml:9:16: `damper_inner` lies 119 m from the other points: is it in mm?\n",
+            "note: a.toml:9:16: `damper_inner` lies 119.3 m from the other points: is it in mm?\n",
         ),
         (
             "damper_inner = [0.02, 12.0, 0.54]",
-            "note: a.toml:9:16: `damper_inner` lies 11.3 m from the other points: is it in inches?\n",
+            "note: a.toml:9:16: `damper_inner` lies 11.25 m from the other points: is it in inches?\n",
         ),
         (
             "damper_inner = [0.02, 0.32, 2.4]",
@@ -44,11 +44,11 @@ fn a_buildable_point_in_another_unit_is_noted() {
         ),
         (
             "damper_inner = [0.02, 850.0, 0.54]",
-            "note: a.toml:9:16: `damper_inner` lies 849 m from the other points: is it in mm?\n",
+            "note: a.toml:9:16: `damper_inner` lies 849.3 m from the other points: is it in mm?\n",
         ),
         (
             "damper_inner = [0.02, 3.2, 0.54]",
-            "note: a.toml:9:16: `damper_inner` lies 2.46 m from the other points: should its y be 0.32 instead of 3.2?\n",
+            "note: a.toml:9:16: `damper_inner` lies 2.462 m from the other points: should its y be 0.32 instead of 3.2?\n",
         ),
     ] {
         std::fs::write(folder.path().join("a.toml"), corner_with(points)).expect("written");

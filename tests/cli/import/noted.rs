@@ -81,12 +81,12 @@ fn a_slipped_decimal_point_is_noted() {
         (
             "tierod_inner, -72",
             "tierod_inner, -1200",
-            "`rack` lies 1.06e3 mm from the other points: should its x be 120 instead of 1200?",
+            "`rack` lies 1061 mm from the other points: should its x be 120 instead of 1200?",
         ),
         (
             "4, -20, 530",
             "4, -20, 1582",
-            "`damper_inner` lies 1.08e3 mm from the other points: should its z be 158.2 instead of 1582?",
+            "`damper_inner` lies 1084 mm from the other points: should its z be 158.2 instead of 1582?",
         ),
     ] {
         let file = table(&CORNER);

@@ -132,7 +132,7 @@ impl Surroundings {
             (None, Some(other)) => format!("is it in {}?", other.in_words()),
             (None, None) => "is it mistyped?".to_owned(),
         };
-        let (away, unit) = (rounded(self.away, 3), unit.symbol());
+        let (away, unit) = (rounded(self.away, 4), unit.symbol());
         format!("`{name}` lies {away} {unit} from the other points: {doubt}")
     }
 }

@@ -93,15 +93,17 @@ fn spin_axis(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<
 /// A note that the radius is large beside the distance of the wheel centre from the middle of the vehicle, and beside its height above
 /// the origin, which is often on the ground: it is probably the diameter. The wheel of a motorcycle is in the middle.
 pub(super) fn diameter(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    /// Parts of the distance: of diameters, where twice the height says so too, where the height is less, and of longer numbers.
-    const TWICE_THE_HEIGHT: f64 = 0.55;
+    /// As a part of the distance of the wheel centre from the middle. Radii are about half of it, 0.71 in one of the published suspensions.
     const LARGE: f64 = 0.75;
+    /// A smaller part of the distance counts if the radius is about twice the height.
+    const WITH_TWICE_THE_HEIGHT: f64 = 0.55;
+    /// Longer than any diameter; beyond the end the wheel is in the middle.
     const LONGER: Range<f64> = 1.5..10.0;
     let radius = wheel.radius?;
     let [_, centre] = wheel.points.axis;
     let at = placed[centre] + task.origin.position();
     let [of_distance, of_height] = [at.y, at.z].map(|place| radius / place.abs());
-    let is_twice = of_distance > TWICE_THE_HEIGHT && (1.8..2.2).contains(&of_height);
+    let is_twice = of_distance > WITH_TWICE_THE_HEIGHT && (1.8..2.2).contains(&of_height);
     let is_large = is_twice || of_distance > LARGE && of_height > 1.5;
     let is_diameter = of_distance < LONGER.start;
     let is_doubtful = is_large && of_distance < LONGER.end;
