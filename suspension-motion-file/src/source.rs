@@ -22,7 +22,7 @@ const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
 /// memory.
 const LARGEST: usize = 4 << 20;
 
-/// The longest quotation of the file in a message, in characters.
+/// The longest message that may quote a file, in characters as they are printed.
 const LONGEST: usize = 400;
 
 /// The most mistakes of a file that are reported at once.
@@ -194,9 +194,10 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
 /// Returns a text that may quote a file in a form fit for a terminal: control characters are escaped, and the middle of a
 /// long text is cut, because the advice stands at its end.
 fn fit_for_terminal(text: &str) -> String {
+    let text: String = text.chars().map(escaped).collect();
     let characters: Vec<char> = text.chars().collect();
     if characters.len() <= LONGEST {
-        return escaped(&characters);
+        return text;
     }
     let first = &characters[..LONGEST - ENDING];
     let last = &characters[characters.len() - ENDING..];
@@ -207,18 +208,19 @@ fn fit_for_terminal(text: &str) -> String {
     let start = last.iter().take(WORD).position(is_space);
     let first = &first[..end.unwrap_or(first.len())];
     let last = &last[start.map_or(0, |space| space + 1)..];
-    format!("{} ... {}", escaped(first), escaped(last))
+    format!(
+        "{} ... {}",
+        String::from_iter(first),
+        String::from_iter(last)
+    )
 }
 
-fn escaped(characters: &[char]) -> String {
-    let escaped = |character: &char| {
-        if character.is_control() {
-            character.escape_default().to_string()
-        } else {
-            character.to_string()
-        }
-    };
-    characters.iter().map(escaped).collect()
+fn escaped(character: char) -> String {
+    if character.is_control() {
+        character.escape_default().to_string()
+    } else {
+        character.to_string()
+    }
 }
 
 #[cfg(test)]
@@ -233,6 +235,15 @@ mod tests {
         assert!(message.starts_with("a.toml:1:1: \\u{1b}[31m\\né"));
         assert!(message.contains("é ... é") && message.chars().count() < 450);
         assert!(message.ends_with("é; did you mean `e`?"));
+    }
+
+    #[test]
+    fn a_message_with_many_control_characters_is_cut_as_long_as_any() {
+        let quoted = format!("`0{}` is no number", "\0".repeat(LONGEST - 20));
+        let message = Source::new("a.toml", "").refuse(&(0..0), quoted);
+        let message = message.to_string();
+        assert!(message.chars().count() < 450, "{message}");
+        assert!(message.ends_with("` is no number"), "{message}");
     }
 
     #[test]
