@@ -19,6 +19,7 @@ use clap::Args;
 use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::grid::counted_from;
 use crate::output::destinations::Destinations;
 use crate::output::notes::with_notes_printed;
 use crate::prepare::{Loaded, load};
@@ -84,7 +85,8 @@ impl Arguments {
         let (report, failure) = match &second {
             Some(second) => self.compared([(&a, &first), (&b, second)], interrupted)?,
             None => {
-                let report = measured::compare((&a, &first), &b, self.absolute, interrupted)?;
+                let from = counted_from(self.absolute);
+                let report = measured::compare((&a, &first), &b, from, interrupted)?;
                 (report, None)
             }
         };

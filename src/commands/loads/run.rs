@@ -17,7 +17,7 @@ use crate::file::tell;
 use crate::grid::{Swept, grid};
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{DerivativeOrder, Place, State};
+use crate::mechanism::{CountedFrom, DerivativeOrder, Place, State};
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::print_notes_on;
@@ -42,11 +42,11 @@ impl<'a> Run<'a> {
     /// Computes the loads at each place of a grid.
     pub(super) fn run_grid(
         &self,
-        (drives, absolute): (&[Swept], bool),
+        (drives, from): (&[Swept], CountedFrom),
         tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let grid = grid(self.mechanism, self.source, drives, absolute)?;
+        let grid = grid(self.mechanism, self.source, drives, from)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let leading = PlaceColumns::new(self.mechanism, &[&DRIVES]);
         let mut found = self.none_found();
