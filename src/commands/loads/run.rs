@@ -24,7 +24,6 @@ use crate::output::notes::print_notes_on;
 use crate::output::progress::Progress;
 use crate::output::rows::{Rows, TableTargets};
 use crate::output::svg_folder::SvgFolder;
-use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
 /// The cases of a file with the mechanism that they load.
@@ -190,7 +189,7 @@ impl<'a> Run<'a> {
         }
         let notes = notes(&self.mechanism.names, self.structure, found);
         print_notes_on(self.source, notes);
-        if [&tables.csv, &tables.json].contains(&&Some(Target::Stdout)) {
+        if tables.is_to_stdout() {
             return Ok(());
         }
         let report = Report {
