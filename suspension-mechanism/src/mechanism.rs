@@ -50,7 +50,7 @@ pub use parts::vehicle::{Coupling, SteeringWheel, Vehicle, Wheel, WheelPoints};
 pub use parts::words::{advice, listed};
 pub use plausibility::DriveAtDesign;
 pub use points::Points;
-pub use state::{Moved, Movement, State};
+pub use state::{Moved, State, WheelMovement};
 pub use statics::Borne;
 pub use suspension::Suspension;
 pub use suspension_motion_file::{Angle, Axes, Axle, Instants, Length, Torque, Unit, is_within};
