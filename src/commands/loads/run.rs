@@ -15,6 +15,7 @@ use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::grid::{Swept, grid};
+use crate::interrupt::unless_set;
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
 use crate::mechanism::{CountedFrom, DerivativeOrder, Place, State};
@@ -85,21 +86,19 @@ impl<'a> Run<'a> {
         let instants = &self.mechanism.instants;
         let leading = PlaceColumns::new(self.mechanism, &[&TIME, &DRIVES]);
         let mut found = self.none_found();
-        let is_over = || interrupted.load(Ordering::Relaxed);
-        let go_on = |is_over| match is_over {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
         // The table has columns for the cases with an answer at any instant; nearly always all have one at the first.
         let mut progress = Progress::new(instants.count(), "instants");
         self.mechanism.move_through(instants, &mut |state| {
             progress.step();
             let at = leading.read(&state).into();
             self.start(&mut found, &self.outcomes(&state), (&state, &at));
-            Ok(go_on(found.iter().all(Option::is_some) || is_over()))
+            Ok(match found.iter().all(Option::is_some) {
+                true => ControlFlow::Break(()),
+                false => unless_set(interrupted),
+            })
         })?;
         drop(progress);
-        if is_over() {
+        if interrupted.load(Ordering::Relaxed) {
             let message = format!("{}: interrupted; nothing was written", self.source);
             return Err(Failure::Interrupted(message));
         }
@@ -114,7 +113,7 @@ impl<'a> Run<'a> {
                 rows.add(&row(&at, &found, &outcomes))?;
             }
             first.get_or_insert((state, outcomes));
-            Ok(go_on(is_over()))
+            Ok(unless_set(interrupted))
         })?;
         let is_any = first.is_some();
         let done = match rows {
