@@ -8,6 +8,7 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use suspension_listing::text::escape_control;
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -211,14 +212,7 @@ fn fit_for_terminal(text: &str) -> String {
 }
 
 fn escaped(characters: &[char]) -> String {
-    let escaped = |character: &char| {
-        if character.is_control() {
-            character.escape_default().to_string()
-        } else {
-            character.to_string()
-        }
-    };
-    characters.iter().map(escaped).collect()
+    escape_control(&characters.iter().collect::<String>())
 }
 
 #[cfg(test)]
