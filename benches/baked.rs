@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::bake::{Baked, Continuity, Path, RequestedPoints, TERMS, Wanted, bake};
 use suspension::mechanism::Suspension;
 use suspension_core::baked::Place;
 use suspension_core::{Inputs, Still};
@@ -59,8 +59,8 @@ fn linkage<L>(
 {
     let start = support::motions(model, rough, inputs)[0];
     let held = inputs(0.0).drives.value;
-    let to = |tolerance, wish| {
-        let path = Path::new(model, &start, held, 0, RANGE, wish).expect("a regular range");
+    let to = |tolerance, points| {
+        let path = Path::new(model, &start, held, 0, RANGE, points).expect("a regular range");
         let wanted = Wanted {
             range: RANGE,
             tolerance,
@@ -70,7 +70,7 @@ fn linkage<L>(
         bake(&wanted, &path).expect("within the tolerance")
     };
     let id = |function: &str| format!("{function}/{name}/f64");
-    let baked = to(1e-6, Wish::Wheel(0));
+    let baked = to(1e-6, RequestedPoints::Wheel(0));
     let [rate, second_rate] = [1.5, -0.7];
     time(criterion, id("position"), &baked, |place: Wheel<'_>| {
         place.position()
@@ -84,13 +84,13 @@ fn linkage<L>(
     for tolerance in [1e-4, 1e-8] {
         let (id, baked) = (
             id(&format!("velocity_{tolerance:e}")),
-            to(tolerance, Wish::Wheel(0)),
+            to(tolerance, RequestedPoints::Wheel(0)),
         );
         time(criterion, id, &baked, |place: Wheel<'_>| {
             place.velocity(black_box(rate))
         });
     }
-    let all = to(1e-6, Wish::AllPoints);
+    let all = to(1e-6, RequestedPoints::AllPoints);
     time(
         criterion,
         id("velocity_all"),

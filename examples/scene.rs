@@ -9,7 +9,7 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
-use suspension::bake::{Baked, Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::bake::{Baked, Continuity, Path, RequestedPoints, TERMS, Wanted, bake};
 use suspension::level_of_detail::{self, Detail, Method, Need, Outputs, choose};
 use suspension_core::baked::Curve;
 use suspension_core::{Bounded, Build, Inputs, Linkage, Motion, Signal, Tracker, linkage};
@@ -167,7 +167,7 @@ impl Scene {
             straight,
             0,
             range,
-            Wish::Wheel(0),
+            RequestedPoints::Wheel(0),
         )?;
         Ok(bake(&wanted, &path)?)
     }

@@ -100,35 +100,43 @@ pub fn grid(
     mechanism: &dyn Kinematics,
     source: &str,
     swept: &[Swept],
-    absolute: bool,
+    from: CountedFrom,
 ) -> Result<Grid, Failure> {
     let refuse = |message: String| Failure::input(source, message);
-    let axes = axes(mechanism, swept, absolute).map_err(refuse)?;
-    let doubts = doubts(mechanism, (swept, &axes), absolute);
-    let from = if absolute {
-        CountedFrom::Zero
-    } else {
-        CountedFrom::Start
-    };
+    let axes = axes(mechanism, swept, from).map_err(refuse)?;
+    let doubts = doubts(mechanism, (swept, &axes), from);
     let grid = Grid::new(mechanism, axes, from).map_err(refuse)?;
     print_notes_on(source, doubts);
     Ok(grid)
 }
 
-fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<GridAxis>, String> {
+/// Returns what the values of drives count from: their own zero with the option `--absolute`, else the design position.
+pub fn counted_from(absolute: bool) -> CountedFrom {
+    match absolute {
+        true => CountedFrom::Zero,
+        false => CountedFrom::Start,
+    }
+}
+
+fn axes(
+    mechanism: &Description,
+    swept: &[Swept],
+    from: CountedFrom,
+) -> Result<Vec<GridAxis>, String> {
+    let is_absolute = from == CountedFrom::Zero;
     let mut axes: Vec<GridAxis> = Vec::new();
     for of_one in swept {
         let axis = GridAxis::named(mechanism, &of_one.name, &of_one.values(), &axes)?;
         let mut before = axes.iter().flat_map(|axis| &axis.drives);
         let again = before.find(|(drive, _)| axis.drives.iter().any(|(own, _)| own == drive));
-        if let Some((drive, _)) = again.filter(|_| absolute) {
+        if let Some((drive, _)) = again.filter(|_| is_absolute) {
             let name = &mechanism.names.drives[*drive].name;
             return Err(format!(
                 "the drive `{name}` is given twice, and --absolute states the drives' own values; leave --absolute out to add changes"
             ));
         }
         let opposite = axis.drives.iter().find(|(_, part)| *part < 0.0);
-        if let Some((drive, _)) = opposite.filter(|_| absolute) {
+        if let Some((drive, _)) = opposite.filter(|_| is_absolute) {
             let name = &mechanism.names.drives[*drive].name;
             return Err(format!(
                 "-{name} moves the opposite way from the design position, but --absolute states the drives' own values; leave --absolute out"
@@ -143,12 +151,12 @@ fn axes(mechanism: &Description, swept: &[Swept], absolute: bool) -> Result<Vec<
 fn doubts(
     mechanism: &dyn Kinematics,
     (swept, axes): (&[Swept], &[GridAxis]),
-    absolute: bool,
+    from: CountedFrom,
 ) -> Vec<String> {
     let of_one = |(of_one, axis): (&Swept, &GridAxis)| {
         let (drive, _) = axis.drives.first()?;
         let ends = [of_one.from.min(of_one.to), of_one.from.max(of_one.to)];
-        doubt_of_option(mechanism, *drive, (ends, mechanism.unit), absolute)
+        doubt_of_option(mechanism, *drive, (ends, mechanism.unit), from)
     };
     let doubts = swept.iter().zip(axes).filter_map(of_one);
     doubts.map(|doubt| format!("--drive: {doubt}")).collect()
@@ -159,15 +167,11 @@ pub fn doubt_of_option(
     mechanism: &dyn Kinematics,
     drive: usize,
     range: ([f64; 2], Unit),
-    absolute: bool,
+    from: CountedFrom,
 ) -> Option<String> {
-    let (from, way) = if absolute {
-        (CountedFrom::Zero, "; leave out --absolute to state changes")
-    } else {
-        (
-            CountedFrom::Start,
-            "; use --absolute to state its own values",
-        )
+    let way = match from {
+        CountedFrom::Zero => "; leave out --absolute to state changes",
+        CountedFrom::Start => "; use --absolute to state its own values",
     };
     doubt(mechanism, drive, range, from, way)
 }

@@ -6,9 +6,9 @@ use std::sync::atomic::AtomicBool;
 use std::ops::ControlFlow;
 
 use suspension::bake::source::Table;
-use suspension::bake::{Continuity, Wish};
+use suspension::bake::{Continuity, RequestedPoints};
 use suspension::commands::assemblies::search::{self, list};
-use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
+use suspension::commands::bake::baking::{Baking, RequestedDrive, Variables};
 use suspension::file::Source;
 use suspension::mechanism::{Mechanism, State};
 use suspension::prepare::load_own;
@@ -174,13 +174,13 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
         let baking = Baking {
             file: "a.toml",
             mechanism: &mechanism(away),
-            variables: Variables::Drives(vec![WishedDrive {
+            variables: Variables::Drives(vec![RequestedDrive {
                 drive: Some("bump".to_owned()),
                 range: [None, Some(0.25 + away[2])],
             }]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
-            wish: Wish::Wheel(0),
+            points: RequestedPoints::Wheel(0),
             interrupted: &AtomicBool::new(false),
         };
         let sheet = baking.execute().expect("a curve");
@@ -202,7 +202,7 @@ fn a_baked_curve_far_from_the_origin_is_only_shifted() {
 #[test]
 fn assemblies_far_from_the_origin_are_only_shifted() {
     let [near, far] = [[0.0; 3], AWAY].map(|away| {
-        let wish = search::Request {
+        let request = search::Request {
             drive: Some("bump".to_owned()),
             at: vec![0.2 + away[2]],
         };
@@ -211,7 +211,13 @@ fn assemblies_far_from_the_origin_are_only_shifted() {
             listed.push(at.clone());
             Ok(())
         };
-        let result = list(&mechanism(away), "a.toml", &wish, &false.into(), &mut keep);
+        let result = list(
+            &mechanism(away),
+            "a.toml",
+            &request,
+            &false.into(),
+            &mut keep,
+        );
         result.expect("assemblies");
         listed.remove(0)
     });

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use suspension::bake::{Continuity, Wish};
+use suspension::bake::{Continuity, RequestedPoints};
 use suspension::commands::assemblies::search::{self, list};
-use suspension::commands::bake::baking::{Baking, Variables, WishedDrive};
+use suspension::commands::bake::baking::{Baking, RequestedDrive, Variables};
 use suspension::file::Source;
 use suspension::kinematics::Kinematics;
 use suspension::output::motion::plots::{draw, height_and_angles};
@@ -110,21 +110,23 @@ fn without_a_wheel_points_are_baked_and_a_wheel_is_refused() {
 }
 
 fn bakes_points_alone(mechanism: &dyn Kinematics) {
-    let baked = |wish| {
+    let baked = |points| {
         Baking {
             file: "a.toml",
             mechanism,
-            variables: Variables::Drives(vec![WishedDrive::default()]),
+            variables: Variables::Drives(vec![RequestedDrive::default()]),
             tolerance: 1e-6,
             continuity: Continuity::Velocity,
-            wish,
+            points,
             interrupted: &AtomicBool::new(false),
         }
         .execute()
     };
-    let points = baked(Wish::AllPoints).expect("a curve");
+    let points = baked(RequestedPoints::AllPoints).expect("a curve");
     assert_eq!(points.subject(), "points_by_height");
-    let refused = baked(Wish::Wheel(0)).expect_err("no wheel").to_string();
+    let refused = baked(RequestedPoints::Wheel(0))
+        .expect_err("no wheel")
+        .to_string();
     assert_eq!(
         refused,
         "a.toml: the linkage has no wheel to bake; --points all bakes its points"

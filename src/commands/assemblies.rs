@@ -17,7 +17,6 @@ use crate::output::file_table::Table;
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::with_notes_printed;
-use crate::output::target::Target;
 use crate::prepare::load;
 use search::{Listed, Request, list};
 
@@ -65,7 +64,7 @@ impl Arguments {
         let columns = report::columns(names, *unit);
         let mut table = Table::create(&tables, &Header::new(mechanism), columns)?;
         let mut on_listed = |listed: &Listed| {
-            if tables.csv != Some(Target::Stdout) {
+            if !tables.is_to_stdout() {
                 print(&format!("{}\n", report::text(names, *unit, listed)))?;
             }
             let mut assemblies = listed.assemblies.iter();

@@ -10,7 +10,7 @@ use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 
 use crate::bake::source::Language;
-use crate::bake::{Continuity, Wish};
+use crate::bake::{Continuity, RequestedPoints};
 use crate::failure::Failure;
 use crate::file::{Source, tell};
 use crate::kinematics::Kinematics;
@@ -20,7 +20,7 @@ use crate::output::notes::{print_notes_on, with_notes_printed};
 use crate::output::progress::Busy;
 use crate::output::target::Target;
 use crate::prepare::load;
-use baking::{Baking, Variables, WishedDrive, WishedMeasure};
+use baking::{Baking, RequestedDrive, RequestedMeasure, Variables};
 
 /// The arguments of `suspension bake`.
 #[derive(Args, Clone, Debug)]
@@ -31,11 +31,11 @@ pub struct Arguments {
     /// The drive, if the linkage has several; give it twice for a surface over two drives. The other drives are held as at
     /// the file's first instant. The range may follow the name, in place of --from and --to.
     #[arg(long = "drive", value_name = "NAME[=FROM:TO]")]
-    drives: Vec<WishedDrive>,
+    drives: Vec<RequestedDrive>,
     /// A measure of the listing, such as a damper's length, in place of the drive that --drive names, over a range of its
     /// own values in the file's units: the outputs are functions of the measure.
     #[arg(long, value_name = "MEASURE=FROM:TO", conflicts_with_all = ["from", "to"])]
-    along: Option<WishedMeasure>,
+    along: Option<RequestedMeasure>,
     /// The drive's first value in the file's units: its own, as in [drives], not a change from the design. Without it the
     /// least value in the file's motion.
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = own_value('X'))]
@@ -133,7 +133,7 @@ impl Arguments {
         let ends = [self.from, self.to];
         let mut drives = self.drives.clone();
         if drives.is_empty() {
-            drives.push(WishedDrive::default());
+            drives.push(RequestedDrive::default());
         }
         if ends.iter().any(Option::is_some) {
             let [only] = drives.as_mut_slice() else {
@@ -151,16 +151,16 @@ impl Arguments {
     }
 
     /// Returns the measure with its range and the drive that it replaces.
-    fn measure_variables(&self, along: &WishedMeasure) -> Result<Variables, Failure> {
+    fn measure_variables(&self, along: &RequestedMeasure) -> Result<Variables, Failure> {
         let drive = match self.drives.as_slice() {
             [] => None,
-            [WishedDrive { drive, range }] if *range == [None; 2] => drive.clone(),
+            [RequestedDrive { drive, range }] if *range == [None; 2] => drive.clone(),
             _ => {
                 let message = "--along takes the place of one drive; name this drive without a range: --drive NAME";
                 return Err(Failure::Input(message.to_owned()));
             }
         };
-        Ok(Variables::Measure(WishedMeasure {
+        Ok(Variables::Measure(RequestedMeasure {
             drive,
             ..along.clone()
         }))
@@ -184,9 +184,9 @@ impl Arguments {
                 1 => Continuity::Velocity,
                 _ => Continuity::Acceleration,
             },
-            wish: match (self.points, &self.wheel) {
-                (Points::Wheel, _) => Wish::Wheel(wheel),
-                (Points::All, None) => Wish::AllPoints,
+            points: match (self.points, &self.wheel) {
+                (Points::Wheel, _) => RequestedPoints::Wheel(wheel),
+                (Points::All, None) => RequestedPoints::AllPoints,
                 (Points::All, Some(_)) => {
                     let message = "--points all bakes the points of all wheels; leave --wheel out";
                     return Err(Failure::Input(message.to_owned()));

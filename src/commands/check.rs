@@ -15,6 +15,7 @@ use suspension_runtime::Listing;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::kinematics::Kinematics;
+use crate::mechanism::Description;
 use crate::output::files::print;
 use crate::output::progress::Busy;
 use crate::output::progress::search::Search;
@@ -55,7 +56,6 @@ impl Arguments {
             (ranges, loaded.own_motion_ends(interrupted)?)
         };
         let is_interrupted = interrupted.load(Ordering::Relaxed);
-        let has_ranges = ranges.is_ok();
         let notes = notes(
             (name, mechanism, loaded.listing()),
             ranges.as_deref().unwrap_or_default(),
@@ -73,26 +73,33 @@ impl Arguments {
         if self.assemblies {
             count_assemblies(&report, mechanism, interrupted)?;
         }
-        if interrupted.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted(format!(
-                "{name}: interrupted; what is not in the report was not looked at"
-            )));
-        }
-        if is_singular {
-            return Err(singular(name, mechanism));
-        }
-        if !has_ranges {
-            return Err(Failure::Solver(format!(
-                "{name}: the reach of the drives is not known; the report says why"
-            )));
-        }
-        match motion_ends {
-            Some(_) => Err(Failure::Solver(format!(
-                "{name}: the file's own motion is out of reach; the report says why"
-            ))),
-            None => Ok(()),
-        }
+        ended(&report, motion_ends.as_deref(), interrupted)
     }
+}
+
+/// Returns why the check does not end well, if it does not.
+fn ended(
+    report: &Report<'_>,
+    motion_ends: Option<&str>,
+    interrupted: &AtomicBool,
+) -> Result<(), Failure> {
+    let name = report.file;
+    if interrupted.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted(format!(
+            "{name}: interrupted; what is not in the report was not looked at"
+        )));
+    }
+    if report.condition.is_singular() {
+        return Err(singular(name, report.mechanism));
+    }
+    let why = match (&report.ranges, motion_ends) {
+        (Err(_), _) => "the reach of the drives is not known",
+        (Ok(_), Some(_)) => "the file's own motion is out of reach",
+        (Ok(_), None) => return Ok(()),
+    };
+    Err(Failure::Solver(format!(
+        "{name}: {why}; the report says why"
+    )))
 }
 
 /// Returns the notes on the file, those that other commands print too before those of this one.
@@ -129,7 +136,7 @@ fn in_words(ends: Option<&str>) -> String {
     }
 }
 
-fn singular(name: &str, mechanism: &dyn Kinematics) -> Failure {
+fn singular(name: &str, mechanism: &Description) -> Failure {
     let why = mechanism.end_of_angle(&mechanism.design);
     let remedy = "move a point of the equations that depend on each other, or replace one of their statements by \
                   one that holds the unknowns that are not determined";

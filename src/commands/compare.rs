@@ -19,6 +19,7 @@ use clap::Args;
 use crate::characteristics::{Span, no_steering};
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::grid::counted_from;
 use crate::output::destinations::Destinations;
 use crate::output::notes::with_notes_printed;
 use crate::prepare::{Loaded, load};
@@ -84,7 +85,8 @@ impl Arguments {
         let (report, failure) = match &second {
             Some(second) => self.compared([(&a, &first), (&b, second)], interrupted)?,
             None => {
-                let report = measured::compare((&a, &first), &b, self.absolute, interrupted)?;
+                let from = counted_from(self.absolute);
+                let report = measured::compare((&a, &first), &b, from, interrupted)?;
                 (report, None)
             }
         };
@@ -165,17 +167,18 @@ to it where it is not within the range. The column rms has the root of the mean 
 a curve, and along what `at` counts.
 
 If B is a table, of a rig say, the model is moved to its places. The first line of several fields has headings, the second
-perhaps units for those without; titles above the headings and lines that begin with # are left out. Commas, semicolons or tabs separate fields, and decimal commas are read where
-commas do not separate. A heading is a name that sweep has in its tables (left_camber_rad), or a name with a unit in brackets:
-left camber [deg], camber angle (deg), damper [mm]. Other columns are left out, with a note. The places are in columns of
-drives (bump [mm]), of drives that move together, as for sweep (\"left_bump,-right_bump [mm]\" for roll), and, where no such
-column moves the same, of wheel travel (left wheel travel [mm]) and of steering wheel angle [deg]. Several may change at once:
-in each line the model is moved to where all of them hold. Drives without a column stay at the design position. Places count
-from the design position, but with --absolute drives have their own values. All numbers are in the units of the headings.
+perhaps units for those without; titles above the headings and lines that begin with # are left out. Commas, semicolons or
+tabs separate fields, and decimal commas are read where commas do not separate. A heading is a name that sweep has in its
+tables (left_camber_rad), or a name with a unit in brackets: left camber [deg], camber angle (deg), damper [mm]. Other columns
+are left out, with a note. The places are in columns of drives (bump [mm]), of drives that move together, as for sweep
+(\"left_bump,-right_bump [mm]\" for roll), and, where no such column moves the same, of wheel travel (left wheel travel [mm])
+and of steering wheel angle [deg]. Several may change at once: in each line the model is moved to where all of them hold.
+Drives without a column stay at the design position. Places count from the design position, but with --absolute drives have
+their own values. All numbers are in the units of the headings.
 
-Of several columns that change, `at` and the charts count the first that changes about as far as any: left wheel travel in
-parallel travel and in roll, whatever the noise of the rack. Where it does not tell the places apart, as on a grid of bump and
-steering, they count the lines of the file.
+If several columns change, `at` and the charts count along the first of those that change about as far as the one that changes
+most: left wheel travel in parallel travel and in roll, whatever the noise of the rack. Where this column does not tell the
+places apart, as on a grid of bump and steering, they count the lines of the file.
 
 Rigs often set toe and camber to zero at the start. Hence the differences are stated as measured and without the offset, which
 is the difference at the measured place nearest to the design position, smoothed over the places within 5 % of the range; `of`

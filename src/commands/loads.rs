@@ -18,7 +18,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::grid::Swept;
+use crate::grid::{Swept, counted_from};
 use crate::loads::{Structure, contact_of};
 use crate::mechanism::{Names, Place};
 use crate::output::default_path::target;
@@ -98,7 +98,8 @@ impl Arguments {
         if self.motion {
             run.run_motion(&tables, interrupted)
         } else {
-            run.run_grid((&self.drives, self.absolute), &tables, interrupted)
+            let from = counted_from(self.absolute);
+            run.run_grid((&self.drives, from), &tables, interrupted)
         }
     }
 

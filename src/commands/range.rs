@@ -20,7 +20,6 @@ use crate::output::notes::with_notes_printed;
 use crate::output::progress::Busy;
 use crate::output::rows::TableTargets;
 use crate::output::svg_folder::SvgFolder;
-use crate::output::target::Target;
 use crate::prepare::load;
 use crate::quantities::{self, DRIVES, Shown, catalogue};
 use crate::reach::{DriveRange, Station};
@@ -81,7 +80,7 @@ impl Arguments {
                 .filter_map(|range| Some((name(&range.name), plot::chart(mechanism, range)?)));
             written.extend(folder.draw(charts)?);
         }
-        if tables.csv != Some(Target::Stdout) {
+        if !tables.is_to_stdout() {
             print(&report::text(mechanism, &ranges))?;
         }
         announce(&written);

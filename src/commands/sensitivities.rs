@@ -17,7 +17,6 @@ use crate::output::destinations::table_targets;
 use crate::output::files::{announce, print};
 use crate::output::notes::{print_notes, with_notes_printed};
 use crate::output::progress::Progress;
-use crate::output::target::Target;
 use crate::prepare::{Loaded, load};
 use crate::sensitivities::{Sensitivities, sensitivities};
 use crate::tolerances::{Tolerance, first_order, sampled};
@@ -95,7 +94,7 @@ impl Arguments {
         if interrupted.load(Ordering::Relaxed) {
             return Err(stopped());
         }
-        if tables.csv != Some(Target::Stdout) {
+        if !tables.is_to_stdout() {
             print(&report.text(&self.of, self.largest))?;
         }
         report.write(&tables)?;

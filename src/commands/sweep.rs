@@ -8,7 +8,7 @@ use clap::Args;
 use crate::characteristics::GridTable;
 use crate::failure::Failure;
 use crate::file::Source;
-use crate::grid::{Swept, grid};
+use crate::grid::{Swept, counted_from, grid};
 use crate::mechanism::DerivativeOrder;
 use crate::option_numbers::derivatives;
 use crate::output::default_path::target;
@@ -73,7 +73,8 @@ impl Arguments {
         let loaded = load(&source)?;
         tables.check()?;
         let mechanism = &*with_notes_printed(loaded.at_design()?);
-        let grid = grid(mechanism, source.name(), &self.drives, self.absolute)?;
+        let from = counted_from(self.absolute);
+        let grid = grid(mechanism, source.name(), &self.drives, from)?;
         let table = GridTable::new(mechanism, self.derivatives.into());
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let order = match self.derivatives {

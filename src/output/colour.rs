@@ -40,9 +40,10 @@ const SCALE: [[f64; 3]; 5] = [
 impl Colour {
     /// Returns the colour of the curve with this place in its plot.
     pub(super) fn of_curve(self, place: usize) -> RGBColor {
+        let own = |place: usize| OWN[place % OWN.len()];
         match self {
-            Self::OfPlace => OWN[place % OWN.len()],
-            Self::Own(place) => OWN[place % OWN.len()],
+            Self::OfPlace => own(place),
+            Self::Own(place) => own(place),
             Self::OfScale(part) => on_scale(part),
             Self::Black => RGBColor(0, 0, 0),
         }

@@ -46,7 +46,7 @@ impl Destinations {
         page: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         let Self { tables, html } = self;
-        if ![&tables.csv, &tables.json, html].contains(&&Some(Target::Stdout)) {
+        if !tables.is_to_stdout() && *html != Some(Target::Stdout) {
             print(&text())?;
         }
         write_tables(tables)?;

@@ -85,13 +85,8 @@ fn subtract_centripetal<T: Real>(
 }
 
 /// The vector `w` for which `w x r` best fits the differences of `rates`, with `r` measured from the centroid: `sum
-/// (|r|^2 - r r') w = sum r x rate`.
+/// (|r|^2 - r r') w = sum r x rate`. `None` if the points are collinear, or if a number is not finite.
 fn fit_rotation<T: Real>(at: &Triple<T>, rates: &Triple<T>) -> Option<Vector3<T>> {
-    rotation_fit(at)?(rates)
-}
-
-/// A function that fits a rotation to rates of three points; `None` if the points are collinear.
-fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option<Vector3<T>>> {
     let [a, b, c] = at;
     Frame::new(*a, *b, *c).normal()?;
     let centroid = mean(at);
@@ -102,13 +97,11 @@ fn rotation_fit<T: Real>(at: &Triple<T>) -> Option<impl Fn(&Triple<T>) -> Option
     // Scaled to the order of 1, so that the determinant neither overflows nor vanishes.
     let size = inertia.trace();
     let inverse = (inertia / size).try_inverse()?;
-    Some(move |rates: &Triple<T>| {
-        let mean_rate = mean(rates);
-        let moments = from_centroid.iter().zip(rates);
-        let moment: Vector3<T> = moments.map(|(r, rate)| r.cross(&(rate - mean_rate))).sum();
-        let rotation = inverse * (moment / size);
-        rotation.iter().all(|x| x.is_finite()).then_some(rotation)
-    })
+    let mean_rate = mean(rates);
+    let moments = from_centroid.iter().zip(rates);
+    let moment: Vector3<T> = moments.map(|(r, rate)| r.cross(&(rate - mean_rate))).sum();
+    let rotation = inverse * (moment / size);
+    rotation.iter().all(|x| x.is_finite()).then_some(rotation)
 }
 
 fn mean<T: Real>([a, b, c]: &Triple<T>) -> Vector3<T> {

@@ -37,7 +37,7 @@ use crate::arithmetic::trigonometry::{FORMULA_ERROR, LARGEST_ANGLE};
 use crate::error::SolveError;
 use crate::linkage::{Factors, Linkage, Listing, Values};
 use crate::listing::DriveKind;
-use crate::path::Chart;
+use crate::path::DriveCoordinate;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::factored::with_pivoting;
 use crate::solve::motion::Prescribed;
@@ -192,7 +192,7 @@ where
                     coordinate.widened(self.linkage.size() * T::constant(FORMULA_ERROR))
                 }
                 DriveKind::Turn if is_covered => {
-                    let length = Chart::new(&self.linkage, index).largest();
+                    let length = DriveCoordinate::new(&self.linkage, index).largest();
                     let length = length.unwrap_or_else(T::zero);
                     coordinate.widened(length * T::constant(FORMULA_ERROR))
                 }

@@ -17,15 +17,15 @@
 //!   number of crossings within one step is not detected.
 
 mod arc;
-mod chart;
 mod configuration;
 mod correct;
-mod course;
 mod curve;
+mod drive_coordinate;
 mod extreme;
 mod lead;
 mod leader;
 mod led;
+mod led_step;
 mod linear;
 mod place;
 mod quantity;
@@ -40,9 +40,9 @@ use crate::linkage::Linkage;
 use crate::solve::newton::Newton;
 use crate::step::tracker::CORRECTION_OF_MOVE;
 
-pub(crate) use chart::Chart;
 pub use configuration::Configuration;
 pub use curve::Curve;
+pub(crate) use drive_coordinate::DriveCoordinate;
 pub use lead::measured;
 pub use leader::Leader;
 pub use led::Led;
@@ -140,7 +140,7 @@ impl<T: Real> Continuation<T> {
         let (configuration, report) = curve.correct(&self.newton, guess, parameter, bound)?;
         let linear = curve.linear(&configuration, parameter)?;
         // An angle from an axis increases as its cosine decreases.
-        let sign = increasing == curve.chart().is_increasing();
+        let sign = increasing == curve.drive_coordinate().is_increasing();
         let forwards = Configuration {
             drive: if sign { T::one() } else { -T::one() },
             ..Configuration::zero()

@@ -57,8 +57,8 @@ impl Mistake {
     }
 }
 
-/// A message as a single line, whatever the name of a file in it contains.
-fn escape_control(message: &str) -> String {
+/// A message as a single line, with control characters escaped: the name of a file in it may have some.
+pub fn escape_control(message: &str) -> String {
     let escaped = |character: char| {
         if character.is_control() {
             character.escape_default().to_string()

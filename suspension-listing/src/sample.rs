@@ -10,5 +10,5 @@ pub use entries::entries;
 pub use likely::likely;
 pub use path::positions;
 
-/// The number of unknowns above which a compiler would be held up.
-pub(crate) const MOST_UNKNOWNS: usize = 60;
+/// The number of unknowns above which sampling would hold up a compiler.
+pub(crate) const MOST_SAMPLED: usize = 60;

@@ -19,7 +19,7 @@ use crate::system::System;
 use crate::{checked, flat, parse};
 
 pub use crate::lexed::{DEEPEST, LONGEST_NUMBER, MOST_BYTES};
-pub use crate::mistake::Mistake;
+pub use crate::mistake::{Mistake, escape_control};
 pub use limits::{MOST_POINTS, MOST_STATEMENTS, MOST_UNKNOWNS, too_many};
 
 /// All mistakes in a text, printed one per line.

@@ -21,7 +21,7 @@ pub mod widest;
 
 pub use baked::{Baked, Wanted};
 pub use certify::Reached;
-pub use driven::{Derivatives, Output, Wish};
+pub use driven::{Derivatives, Output, RequestedPoints};
 pub use exact::{Exact, OutOfReach};
 pub use fit::{Unmet, bake};
 pub use led_path::LedPath;

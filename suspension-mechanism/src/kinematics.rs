@@ -16,7 +16,8 @@ use suspension_runtime::PartForces;
 
 use crate::assemblies::Watch;
 use crate::bake::{
-    BakedSurface, Exact, LedPath, OutOfReach, Path, UnmetSurface, WantedSurface, Wish, bake_surface,
+    BakedSurface, Exact, LedPath, OutOfReach, Path, RequestedPoints, UnmetSurface, WantedSurface,
+    bake_surface,
 };
 use crate::failure::Failure;
 use crate::mechanism::{
@@ -93,7 +94,7 @@ pub trait Kinematics: Deref<Target = Description> {
         drive: usize,
         measure: Option<usize>,
         range: [f64; 2],
-        wish: Wish,
+        points: RequestedPoints,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach>;
 
     /// The motion over two drives as polynomials, with the others held as at the first instant; in local coordinates.
@@ -218,15 +219,15 @@ impl<L: Suspension<N>, const N: usize> Kinematics for Mechanism<L, N> {
         drive: usize,
         measure: Option<usize>,
         range: [f64; 2],
-        wish: Wish,
+        points: RequestedPoints,
     ) -> Result<Box<dyn Exact + '_>, OutOfReach> {
         let held = L::Drives::from_values(self.first_drives());
         let (model, start) = (&self.model, &self.start);
         Ok(match measure {
-            None => Box::new(Path::new(model, start, held, drive, range, wish)?),
+            None => Box::new(Path::new(model, start, held, drive, range, points)?),
             Some(measure) => {
                 let leads = [measure, drive];
-                Box::new(LedPath::new(model, start, held, leads, range, wish)?)
+                Box::new(LedPath::new(model, start, held, leads, range, points)?)
             }
         })
     }

@@ -22,7 +22,7 @@ const SLACK: f64 = 1e-6;
 impl Instants {
     /// Returns the number of instants from `first` towards `stop` in steps of `step`. It may be infinite or NaN for extreme
     /// numbers.
-    pub fn count_stepped(first: f64, stop: f64, step: f64) -> f64 {
+    pub(crate) fn count_stepped(first: f64, stop: f64, step: f64) -> f64 {
         ((stop - first) / step + SLACK).floor() + 1.0
     }
 

@@ -2,6 +2,7 @@
 //! the flag that their handlers set.
 
 use std::io;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, LazyLock};
@@ -13,6 +14,15 @@ static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 /// Returns the flag that is set when the user interrupts the program with Ctrl-C, SIGTERM or SIGHUP.
 pub fn flag() -> &'static Arc<AtomicBool> {
     &INTERRUPTED
+}
+
+/// Lets a motion go on unless an interrupt has set the flag.
+pub fn unless_set(interrupted: &AtomicBool) -> ControlFlow<()> {
+    if interrupted.load(Ordering::Relaxed) {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    }
 }
 
 /// Does work that may wait for another program, as opening a FIFO does. If the user interrupts it, this returns, and the

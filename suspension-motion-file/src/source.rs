@@ -8,6 +8,7 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use suspension_listing::text::escape_control;
 use toml::Spanned;
 
 use crate::failure::Failure;
@@ -194,7 +195,7 @@ fn read_at_most(path: &Path, limit: usize) -> io::Result<Vec<u8>> {
 /// Returns a text that may quote a file in a form fit for a terminal: control characters are escaped, and the middle of a
 /// long text is cut, because the advice stands at its end.
 fn fit_for_terminal(text: &str) -> String {
-    let text: String = text.chars().map(escaped).collect();
+    let text = escape_control(text);
     let characters: Vec<char> = text.chars().collect();
     if characters.len() <= LONGEST {
         return text;
@@ -213,14 +214,6 @@ fn fit_for_terminal(text: &str) -> String {
         String::from_iter(first),
         String::from_iter(last)
     )
-}
-
-fn escaped(character: char) -> String {
-    if character.is_control() {
-        character.escape_default().to_string()
-    } else {
-        character.to_string()
-    }
 }
 
 #[cfg(test)]

@@ -26,8 +26,10 @@ where
         let fixed = Few::<_, N>::from_values(chassis.copied());
         let model = Self::with_chassis(listing, fixed);
         parts::finite(model.points_of(design))?;
-        let frames = model.frames_at(design)?;
-        let cluster_frames = model.cluster_frames_at(design)?;
+        let bodies = model.forms().bodies.iter();
+        let frames = model.frames_at(design, bodies.map(|body| body.frame))?;
+        let clusters = plan.clusters.iter();
+        let cluster_frames = model.frames_at(design, clusters.map(|cluster| cluster.frame))?;
         let built = Self {
             frames,
             cluster_frames,
@@ -54,23 +56,22 @@ where
         points.values().take(count)
     }
 
-    fn frames_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Frame<T>, N>, GeometryError> {
-        fill(self.forms().bodies.iter().map(|body| {
-            let [.., third] = body.frame;
-            let third = usize::from(self.point(third));
-            parts::frame(third, self.frame_of(body.frame, design))
+    /// The frames whose points are at these sites.
+    fn frames_at(
+        &self,
+        design: &Points<Vector3<T>, N>,
+        sites: impl Iterator<Item = [Site; 3]>,
+    ) -> Result<Few<Frame<T>, N>, GeometryError> {
+        fill(sites.map(|frame| {
+            let [.., third] = frame;
+            parts::frame(self.point(third).into(), self.frame_of(frame, design))
         }))
     }
 
-    fn cluster_frames_at(
-        &self,
-        design: &Points<Vector3<T>, N>,
-    ) -> Result<Few<Frame<T>, N>, GeometryError> {
-        fill(self.plan().clusters.iter().map(|cluster| {
-            let [.., third] = cluster.frame;
-            let third = usize::from(self.point(third));
-            parts::frame(third, self.frame_of(cluster.frame, design))
-        }))
+    /// The vector from one site to another.
+    fn vector_at(&self, design: &Points<Vector3<T>, N>, line: [Site; 2]) -> Vector3<T> {
+        let [from, to] = line.map(|site| design.get(self.point(site)));
+        to - from
     }
 
     fn distances_at(
@@ -87,8 +88,8 @@ where
     fn lines_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<OnLine<T>, N>, GeometryError> {
         fill(self.forms().lines.iter().map(|line| {
             let [to] = line.ends;
-            let [from, to] = [line.from, to].map(|site| self.point(site));
-            parts::line(to.into(), (design.get(to) - design.get(from)).norm())
+            let length = self.vector_at(design, [line.from, to]).norm();
+            parts::line(self.point(to).into(), length)
         }))
     }
 
@@ -108,8 +109,9 @@ where
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Stretch<T>, N>, GeometryError> {
         fill(self.forms().stretches.iter().map(|stretch| {
-            let [from, to] = [stretch.span.from, stretch.span.to].map(|site| self.point(site));
-            parts::stretch(to.into(), (design.get(to) - design.get(from)).norm())
+            let [from, to] = [stretch.span.from, stretch.span.to];
+            let length = self.vector_at(design, [from, to]).norm();
+            parts::stretch(self.point(to).into(), length)
         }))
     }
 
@@ -118,19 +120,17 @@ where
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Product<T>, N>, GeometryError> {
         fill(self.forms().products.iter().map(|product| {
-            let points = product.lines.map(|line| line.map(|site| self.point(site)));
-            let [_, [_, end]] = points;
-            let lines = points.map(|[from, to]| design.get(to) - design.get(from));
-            parts::product(end.into(), lines)
+            let [_, [_, end]] = product.lines;
+            let lines = product.lines.map(|line| self.vector_at(design, line));
+            parts::product(self.point(end).into(), lines)
         }))
     }
 
     fn turns_at(&self, design: &Points<Vector3<T>, N>) -> Result<Few<Turn<T>, N>, GeometryError> {
         fill(self.forms().turns.iter().map(|turn| {
-            let points = turn.lines.map(|line| line.map(|site| self.point(site)));
-            let [.., [_, end]] = points;
-            let lines = points.map(|[from, to]| design.get(to) - design.get(from));
-            parts::turn(end.into(), lines)
+            let [.., [_, end]] = turn.lines;
+            let lines = turn.lines.map(|line| self.vector_at(design, line));
+            parts::turn(self.point(end).into(), lines)
         }))
     }
 
@@ -139,10 +139,7 @@ where
         design: &Points<Vector3<T>, N>,
     ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
         fill(self.forms().scales.iter().map(|scale| {
-            let length = |line: &[Site; 2]| {
-                let [from, to] = line.map(|site| design.get(self.point(site)));
-                (to - from).norm()
-            };
+            let length = |line: &[Site; 2]| self.vector_at(design, *line).norm();
             let end = scale.lines.as_flattened().last();
             let end = end.map_or(usize::MAX, |end| self.point(*end).into());
             match scale.lines.as_slice() {

@@ -102,18 +102,20 @@ impl Listing {
 
     /// The design position, if the listing states that of every point.
     pub fn design(&self) -> Option<Vec<Vector3<f64>>> {
-        let points = self.system.fixed.iter().chain(&self.system.free);
-        let markers = self.system.markers.iter().map(|marker| marker.at);
-        let stated = points.map(|point| point.at).chain(markers);
-        stated.map(|at| at.map(Vector3::from)).collect()
+        self.positions().collect()
     }
 
     /// The design positions that the listing states, of chassis points, free points and markers in order.
     pub fn stated(&self) -> impl Iterator<Item = (usize, Vector3<f64>)> {
+        let stated = self.positions().enumerate();
+        stated.filter_map(|(place, at)| Some((place, at?)))
+    }
+
+    fn positions(&self) -> impl Iterator<Item = Option<Vector3<f64>>> {
         let points = self.system.fixed.iter().chain(&self.system.free);
         let markers = self.system.markers.iter().map(|marker| marker.at);
-        let stated = points.map(|point| point.at).chain(markers).enumerate();
-        stated.filter_map(|(place, at)| Some((place, Vector3::from(at?))))
+        let stated = points.map(|point| point.at).chain(markers);
+        stated.map(|at| at.map(Vector3::from))
     }
 
     /// The measures, each with the text of its `///` lines, which may be empty.

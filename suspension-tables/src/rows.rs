@@ -28,6 +28,12 @@ impl TableTargets {
         self.csv.is_none() && self.json.is_none() && self.parquet.is_none()
     }
 
+    /// Returns whether a table goes to standard output, where no report may then go.
+    pub fn is_to_stdout(&self) -> bool {
+        let mut targets = self.targets().into_iter();
+        targets.any(|(target, _)| *target == Some(Target::Stdout))
+    }
+
     /// Refuses to overwrite a file that was read, two formats at one place, and a format that the program is built without.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ impl Target {
     }
 
     /// Returns whether another result goes to the same place.
-    pub fn is_same_place(&self, other: &Self) -> bool {
+    fn is_same_place(&self, other: &Self) -> bool {
         match (self.path(), other.path()) {
             (Some(one), Some(other)) => resolved(one) == resolved(other),
             (one, other) => one == other,
@@ -49,7 +49,11 @@ impl Target {
     /// # Errors
     ///
     /// [`Failure::Input`].
-    pub fn refuse_same(&self, other: &Self, [one, another]: [&str; 2]) -> Result<(), Failure> {
+    pub(crate) fn refuse_same(
+        &self,
+        other: &Self,
+        [one, another]: [&str; 2],
+    ) -> Result<(), Failure> {
         if !self.is_same_place(other) {
             return Ok(());
         }

@@ -126,7 +126,7 @@ fn one_of_several(part: &PartTally) -> String {
 fn part_summary(part: &PartTally, whole: &str) -> String {
     let unconfirmed = match part.unconfirmed {
         0 => String::new(),
-        count => format!(" ({count} beside a fold, real or complex is not to be told)"),
+        count => format!(" (it is not known whether {count} beside a fold are real or complex)"),
     };
     let evidence = &part.evidence;
     let trace = match evidence.trace {

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use suspension_core::SolveError;
 
 use crate::bake::source::{About, Sheet, Table};
-use crate::bake::{Continuity, Wish};
+use crate::bake::{Continuity, RequestedPoints};
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::Kinematics;
@@ -20,8 +20,8 @@ use crate::number::exact;
 
 use variable::Variable;
 
-pub use drive::WishedDrive;
-pub use measure::WishedMeasure;
+pub use drive::RequestedDrive;
+pub use measure::RequestedMeasure;
 
 /// Digits of a range that is proposed, rounded to lie within the possible one.
 const DIGITS: usize = 12;
@@ -30,9 +30,9 @@ const DIGITS: usize = 12;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Variables {
     /// One drive for a curve, two for a surface.
-    Drives(Vec<WishedDrive>),
+    Drives(Vec<RequestedDrive>),
     /// A measure in place of a drive, for a curve.
-    Measure(WishedMeasure),
+    Measure(RequestedMeasure),
 }
 
 impl Variables {
@@ -41,9 +41,9 @@ impl Variables {
         match self {
             Self::Drives(drives) => drives
                 .iter()
-                .map(|wished| wished.drive.as_deref())
+                .map(|requested| requested.drive.as_deref())
                 .collect(),
-            Self::Measure(wished) => vec![wished.drive.as_deref()],
+            Self::Measure(requested) => vec![requested.drive.as_deref()],
         }
     }
 }
@@ -61,7 +61,7 @@ pub struct Baking<'a> {
     /// How many derivatives are continuous where segments join.
     pub continuity: Continuity,
     /// The points to bake.
-    pub wish: Wish,
+    pub points: RequestedPoints,
     /// Set when the user interrupts the program.
     pub interrupted: &'a AtomicBool,
 }
@@ -89,16 +89,16 @@ impl Baking<'_> {
         let variables = match &self.variables {
             Variables::Drives(drives) => drives
                 .iter()
-                .map(|wished| self.along_drive(wished))
+                .map(|requested| self.along_drive(requested))
                 .collect::<Result<Vec<_>, _>>()?,
-            Variables::Measure(wished) => vec![self.along_measure(wished)?],
+            Variables::Measure(requested) => vec![self.along_measure(requested)?],
         };
         let baked = self.table(&variables)?;
         let arguments = variables.iter();
         let arguments = arguments.map(|variable| self.ranged(variable, inside));
-        let wheel = match self.wish {
-            Wish::Wheel(number) => names.wheels.get(number),
-            Wish::AllPoints => None,
+        let wheel = match self.points {
+            RequestedPoints::Wheel(number) => names.wheels.get(number),
+            RequestedPoints::AllPoints => None,
         };
         let wheel = wheel.map(|wheel| wheel.title("wheel"));
         let sheet = Sheet {
@@ -127,7 +127,7 @@ impl Baking<'_> {
                 format!("--tolerance {tolerance} is not a positive number of metres, as 1e-6");
             return Err(self.refuse(&message));
         }
-        if self.wish != Wish::AllPoints && self.mechanism.names.wheels.is_empty() {
+        if self.points != RequestedPoints::AllPoints && self.mechanism.names.wheels.is_empty() {
             return Err(
                 self.refuse("the linkage has no wheel to bake; --points all bakes its points")
             );

@@ -1,6 +1,6 @@
 //! The wheel whose motion is baked.
 
-use crate::bake::Wish;
+use crate::bake::RequestedPoints;
 use crate::commands::bake::baking::{Baking, Variables};
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Place, Wheel, listed};
@@ -33,7 +33,7 @@ pub(super) fn chosen(
 /// A note that none of the drives moves the wheel that is baked.
 pub(super) fn note_on_still(baking: &Baking<'_>) -> Option<String> {
     let mechanism = baking.mechanism;
-    let Wish::Wheel(wheel) = baking.wish else {
+    let RequestedPoints::Wheel(wheel) = baking.points else {
         return None;
     };
     let drives = drives(mechanism, &baking.variables);

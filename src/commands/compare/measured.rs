@@ -21,6 +21,7 @@ use crate::commands::compare::short_name::short_names;
 use crate::failure::Failure;
 use crate::file::Source;
 use crate::measured_table::MeasuredTable;
+use crate::mechanism::CountedFrom;
 use crate::number::counted;
 use crate::output::notes::with_notes_printed;
 use crate::prepare::Loaded;
@@ -38,7 +39,7 @@ pub(super) fn is_table(path: &Path) -> bool {
     ["csv", "tsv", "txt"].iter().any(|table| ending == *table)
 }
 
-/// Compares a suspension with a table, in which drives have changes or, if `absolute`, their own values.
+/// Compares a suspension with a table, whose drives count `from` the design position or from zero.
 ///
 /// # Errors
 ///
@@ -46,12 +47,12 @@ pub(super) fn is_table(path: &Path) -> bool {
 pub(super) fn compare(
     (model, loaded): (&Source, &Loaded<'_>),
     measured: &Source,
-    absolute: bool,
+    from: CountedFrom,
     interrupted: &AtomicBool,
 ) -> Result<Report, Failure> {
     let mechanism = &*with_notes_printed(loaded.at_design()?);
     let mut table = MeasuredTable::new(measured)?;
-    let known = KnownColumn::all(&mut table, mechanism, absolute)?;
+    let known = KnownColumn::all(&mut table, mechanism, from)?;
     let [leads, compared] = divide(&table, mechanism, known)?;
     check_content(&table, &leads, &compared)?;
     tell_doubts(&table, mechanism, &leads);

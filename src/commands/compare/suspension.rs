@@ -99,19 +99,20 @@ impl Suspension {
     }
 
     pub(super) fn steers(&self) -> bool {
-        self.movements
-            .iter()
-            .any(|movement| movement.effect == Effect::Steer)
+        self.steer_movement().is_some()
+    }
+
+    /// Returns the index of the drive that steers in `movements`, if there is one.
+    fn steer_movement(&self) -> Option<usize> {
+        let mut movements = self.movements.iter();
+        movements.position(|movement| movement.effect == Effect::Steer)
     }
 
     /// Returns whether steering keeps the wheel centres at their height; `None` if no drive steers.
     pub(super) fn keeps_height_in_steering(&self) -> Option<bool> {
         /// Per unit of the drive.
         const ROUNDING: f64 = 1e-9;
-        let steer = self
-            .movements
-            .iter()
-            .position(|movement| movement.effect == Effect::Steer)?;
+        let steer = self.steer_movement()?;
         let heights = self
             .parameters
             .iter()
@@ -125,10 +126,7 @@ impl Suspension {
     /// Returns the drive of steering, and how fast it turns all wheels together towards positive y; `None` if no drive
     /// steers.
     pub(super) fn steering(&self) -> Option<(&str, f64)> {
-        let steer = self
-            .movements
-            .iter()
-            .position(|movement| movement.effect == Effect::Steer)?;
+        let steer = self.steer_movement()?;
         let of_wheel = |toe: &Parameter| {
             let mut others = self.parameters.iter().filter(|of| of.is(&CENTRE, Axis::Y));
             let centre = others.find(|centre| centre.title.wheel == toe.title.wheel)?;

@@ -15,16 +15,16 @@ use crate::commands::loads::table::{headings, row};
 use crate::failure::Failure;
 use crate::file::tell;
 use crate::grid::{Swept, grid};
+use crate::interrupt::unless_set;
 use crate::kinematics::Kinematics;
 use crate::loads::{Case, Outcome, Structure};
-use crate::mechanism::{DerivativeOrder, Place, State};
+use crate::mechanism::{CountedFrom, DerivativeOrder, Place, State};
 use crate::output::files::{announce, print};
 use crate::output::heading::Header;
 use crate::output::notes::print_notes_on;
 use crate::output::progress::Progress;
 use crate::output::rows::{Rows, TableTargets};
 use crate::output::svg_folder::SvgFolder;
-use crate::output::target::Target;
 use crate::quantities::{DRIVES, TIME};
 
 /// The cases of a file with the mechanism that they load.
@@ -42,11 +42,11 @@ impl<'a> Run<'a> {
     /// Computes the loads at each place of a grid.
     pub(super) fn run_grid(
         &self,
-        (drives, absolute): (&[Swept], bool),
+        (drives, from): (&[Swept], CountedFrom),
         tables: &TableTargets,
         interrupted: &AtomicBool,
     ) -> Result<(), Failure> {
-        let grid = grid(self.mechanism, self.source, drives, absolute)?;
+        let grid = grid(self.mechanism, self.source, drives, from)?;
         let mut progress = Progress::new(grid.places().unwrap_or_default(), "places");
         let leading = PlaceColumns::new(self.mechanism, &[&DRIVES]);
         let mut found = self.none_found();
@@ -86,21 +86,19 @@ impl<'a> Run<'a> {
         let instants = &self.mechanism.instants;
         let leading = PlaceColumns::new(self.mechanism, &[&TIME, &DRIVES]);
         let mut found = self.none_found();
-        let is_over = || interrupted.load(Ordering::Relaxed);
-        let go_on = |is_over| match is_over {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
         // The table has columns for the cases with an answer at any instant; nearly always all have one at the first.
         let mut progress = Progress::new(instants.count(), "instants");
         self.mechanism.move_through(instants, &mut |state| {
             progress.step();
             let at = leading.read(&state).into();
             self.start(&mut found, &self.outcomes(&state), (&state, &at));
-            Ok(go_on(found.iter().all(Option::is_some) || is_over()))
+            Ok(match found.iter().all(Option::is_some) {
+                true => ControlFlow::Break(()),
+                false => unless_set(interrupted),
+            })
         })?;
         drop(progress);
-        if is_over() {
+        if interrupted.load(Ordering::Relaxed) {
             let message = format!("{}: interrupted; nothing was written", self.source);
             return Err(Failure::Interrupted(message));
         }
@@ -115,7 +113,7 @@ impl<'a> Run<'a> {
                 rows.add(&row(&at, &found, &outcomes))?;
             }
             first.get_or_insert((state, outcomes));
-            Ok(go_on(is_over()))
+            Ok(unless_set(interrupted))
         })?;
         let is_any = first.is_some();
         let done = match rows {
@@ -190,7 +188,7 @@ impl<'a> Run<'a> {
         }
         let notes = notes(&self.mechanism.names, self.structure, found);
         print_notes_on(self.source, notes);
-        if [&tables.csv, &tables.json].contains(&&Some(Target::Stdout)) {
+        if tables.is_to_stdout() {
             return Ok(());
         }
         let report = Report {

@@ -1,4 +1,4 @@
-//! The paper's tables as printed, its misprints, and our results for comparison.
+//! The paper's tables as printed, and its misprints.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

@@ -1,9 +1,9 @@
 //! The record of a motion: every state in files, some kept for tables and plots, and the totals.
 
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
+use crate::interrupt::unless_set;
 use crate::kinematics::Kinematics;
 use crate::mechanism::{Description, End, Instants, State};
 use crate::number::number;
@@ -64,11 +64,7 @@ pub fn record(
         table.add(&state)?;
         last = outcome.add(state, every);
         progress.step();
-        Ok(if interrupted.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        })
+        Ok(unless_set(interrupted))
     })?;
     outcome.kept.extend(last);
     table.finish()?;

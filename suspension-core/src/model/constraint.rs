@@ -45,3 +45,10 @@ pub fn angle_to_coordinate<T: Scalar>(length: T, angle: Signal<T>) -> Signal<T> 
         second_rate: -length * (cosine * angle.rate * angle.rate + sine * angle.second_rate),
     }
 }
+
+/// The square root by `ROUNDS` rounds of Heron's method, which starts from a guess.
+#[inline]
+fn square_root<const ROUNDS: usize, T: Scalar>(square: T, guess: T) -> T {
+    let half = T::constant(0.5);
+    (0..ROUNDS).fold(guess, |root, _| (root + square / root) * half)
+}

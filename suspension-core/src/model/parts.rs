@@ -72,8 +72,11 @@ pub fn longest<T: Real>(lengths: &[T]) -> T {
 
 /// The angle, in `[0, pi]`, whose cosine is `coordinate / length`.
 pub fn angle<T: Real>(coordinate: T, length: T) -> T {
-    let across = ((length - coordinate) * (length + coordinate))
-        .max(T::zero())
-        .sqrt();
-    T::arc_tangent(across, coordinate)
+    T::arc_tangent(other_leg(coordinate, length), coordinate)
+}
+
+/// The other leg of a right triangle; zero if rounding has made the given one longer than the hypotenuse.
+pub(crate) fn other_leg<T: Real>(leg: T, hypotenuse: T) -> T {
+    let square = (hypotenuse - leg) * (hypotenuse + leg);
+    square.max(T::zero()).sqrt()
 }

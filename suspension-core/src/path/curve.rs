@@ -6,8 +6,8 @@ use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Factors as _, Linkage, Values};
 use crate::listing::Kind;
-use crate::path::chart::Chart;
 use crate::path::configuration::Configuration;
+use crate::path::drive_coordinate::DriveCoordinate;
 use crate::path::linear::{Linear, name_free_drive};
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::lu::Lu;
@@ -78,17 +78,17 @@ where
     /// The drive's value (an angle in radians, or the coordinate itself) and its rates, from those of its coordinate.
     /// At an angle of 0 or pi, or about an axis at a whole turn, its rates are infinite or NaN.
     pub fn value(&self, coordinate: &Signal<T>) -> Signal<T> {
-        self.chart().value(coordinate)
+        self.drive_coordinate().value(coordinate)
     }
 
     /// The drive's value at a coordinate.
     pub(crate) fn value_at(&self, coordinate: T) -> T {
-        self.chart().value_at(coordinate)
+        self.drive_coordinate().value_at(coordinate)
     }
 
     /// The coordinate at a value of the drive.
     pub(crate) fn coordinate(&self, value: T) -> T {
-        self.chart().coordinate(value)
+        self.drive_coordinate().coordinate(value)
     }
 
     /// The entry that changes fastest along the curve, at a configuration near it.
@@ -110,8 +110,8 @@ where
     }
 
     /// The relation between the free drive's coordinate and its value.
-    pub(crate) fn chart(&self) -> Chart<T> {
-        Chart::new(self.linkage, self.drive)
+    pub(crate) fn drive_coordinate(&self) -> DriveCoordinate<T> {
+        DriveCoordinate::new(self.linkage, self.drive)
     }
 
     /// All points.

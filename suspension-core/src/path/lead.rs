@@ -15,10 +15,10 @@ use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
 use crate::linkage::{Linkage, Values};
 use crate::listing::Kind;
-use crate::path::course::Course;
 use crate::path::curve::Curve;
 use crate::path::leader::Leader;
 use crate::path::led::Led;
+use crate::path::led_step::LedStep;
 use crate::signal::{ChassisMotion, Inputs, Signal};
 use crate::solve::report::Report;
 use crate::step::substeps::{Stopped, advance_in_steps};
@@ -66,20 +66,20 @@ impl<T: Real> Leader<T> {
         L: Linkage<N, Scalar = T>,
         C: ChassisMotion<L::Fixed>,
     {
-        let course = Course {
+        let step = LedStep {
             leader: self,
             curve: Curve::with_free_drive(linkage, inputs, led.drive),
             quantity,
             target,
         };
-        course.number(target.value)?;
-        match course.step::<C>(dt, led).map_err(|error| error.of_step(dt)) {
+        step.number(target.value)?;
+        match step.make::<C>(dt, led).map_err(|error| error.of_step(dt)) {
             Ok((next, report)) => {
                 *led = next;
                 Ok(report)
             }
             Err(error @ (SolveError::NotFinite { .. } | SolveError::StepNotFinite)) => Err(error),
-            Err(error) => Err(course.turning_before(led).unwrap_or(error)),
+            Err(error) => Err(step.turning_before(led).unwrap_or(error)),
         }
     }
 

@@ -6,8 +6,8 @@ use crate::error::SolveError;
 use crate::linkage::Linkage;
 use crate::listing::Part;
 use crate::path::configuration::Configuration;
-use crate::path::course::Course;
 use crate::path::led::Led;
+use crate::path::led_step::LedStep;
 use crate::path::linear::Linear;
 use crate::signal::Signal;
 use crate::solve::newton::rounding_at;
@@ -15,7 +15,7 @@ use crate::solve::newton::rounding_at;
 /// How far the quantity may be from its target, as a multiple of the target's rounding.
 const OF_TARGET: f64 = 16.0;
 
-impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
+impl<T, L, Q, const N: usize> LedStep<'_, T, L, Q, N>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,

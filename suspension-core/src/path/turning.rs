@@ -46,10 +46,14 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Path<'_, L, N> {
             let excess = [drive.rate, drive.second_rate];
             if ahead { excess.map(|x| -x) } else { excess }
         })?;
-        let is_end_of_angle = self.curve.chart().largest().is_some_and(|length| {
-            let rounding = self.rounding_at(&place);
-            length - place.configuration.drive.abs() <= rounding * T::constant(64.0)
-        });
+        let is_end_of_angle = self
+            .curve
+            .drive_coordinate()
+            .largest()
+            .is_some_and(|length| {
+                let rounding = self.rounding_at(&place);
+                length - place.configuration.drive.abs() <= rounding * T::constant(64.0)
+            });
         Ok(Turning {
             place,
             is_end_of_angle,

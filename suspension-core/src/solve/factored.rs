@@ -3,6 +3,7 @@
 
 use nalgebra::SVector;
 
+use crate::arithmetic::magnitude::index_of_largest;
 use crate::arithmetic::pivot::{is_healthy, least_pivot};
 use crate::arithmetic::scalar::Real;
 use crate::error::SolveError;
@@ -130,7 +131,9 @@ where
     L: Linkage<N, Scalar = T>,
 {
     let direction = least_determined(factors);
-    let part = Part::Unknown(farthest(&direction));
+    // The column of the smallest pivot says little of where a mechanism locks, because a singularity of any part shows in
+    // the last pivots.
+    let part = Part::Unknown(index_of_largest(&direction));
     let still = L::Fixed::default();
     let curvature = linkage.curvature(&direction, &still, &direction, &still);
     let change = factors.solve(&curvature).norm();
@@ -147,18 +150,6 @@ where
         });
     }
     Ok(())
-}
-
-/// The unknown with the largest entry of a direction. The column of the smallest pivot says little of where a
-/// mechanism locks, because a singularity of any part shows in the last pivots.
-fn farthest<T: Real, const N: usize>(direction: &SVector<T, N>) -> usize {
-    let (mut farthest, mut most) = (0, T::zero());
-    for (unknown, entry) in direction.iter().enumerate() {
-        if entry.abs() > most {
-            (farthest, most) = (unknown, entry.abs());
-        }
-    }
-    farthest
 }
 
 /// The factors of a Jacobian, to keep.

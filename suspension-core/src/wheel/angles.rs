@@ -1,5 +1,7 @@
 //! Angles of the spin axis and of the steering axis.
 
+use core::ops::Neg;
+
 use nalgebra::Vector3;
 
 use crate::signal::Number;
@@ -28,12 +30,7 @@ pub fn toe<N: Number>(spin_axis: &Vector3<N>) -> N {
 /// Kingpin angle (inclination), positive where the top of the kingpin leans inboard: its angle in
 /// the y-z plane from the vertical, `atan2(-k_y, k_z)` on the left. `kingpin` points upwards.
 pub fn kingpin_angle<N: Number>(kingpin: &Vector3<N>, spin_axis: &Vector3<N>) -> N {
-    let outboard = if spin_axis.y.is_below_zero() {
-        -kingpin.y
-    } else {
-        kingpin.y
-    };
-    N::arc_tangent(-outboard, kingpin.z)
+    N::arc_tangent(-opposite_on_the_right(spin_axis, kingpin.y), kingpin.z)
 }
 
 /// Caster, positive where the top of the kingpin leans rearwards: its angle in the x-z plane from
@@ -69,10 +66,19 @@ pub fn steer_rate<N: Number>(spin_axis: &Vector3<N>, rate: &Vector3<N>) -> N {
 
 /// 1 for a wheel on the left, -1 on the right.
 fn outboard<N: Number>(spin_axis: &Vector3<N>) -> N {
+    opposite_on_the_right(spin_axis, N::one())
+}
+
+/// The quantity itself for a wheel on the left, its opposite for one on the right: turns a quantity that counts to the left
+/// into one that counts outboard, and the reverse.
+pub(super) fn opposite_on_the_right<N: Number, V: Neg<Output = V>>(
+    spin_axis: &Vector3<N>,
+    quantity: V,
+) -> V {
     if spin_axis.y.is_below_zero() {
-        -N::one()
+        -quantity
     } else {
-        N::one()
+        quantity
     }
 }
 

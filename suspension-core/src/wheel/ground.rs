@@ -3,15 +3,12 @@
 use nalgebra::Vector3;
 
 use crate::signal::Number;
+use crate::wheel::angles::opposite_on_the_right;
 
 /// The contact point with flat, level ground: the lowest point of the circle of `radius` about the wheel centre in
 /// the plane normal to the spin axis. Not finite if the spin axis is vertical.
 pub fn contact<N: Number>(centre: &Vector3<N>, spin_axis: &Vector3<N>, radius: N) -> Vector3<N> {
-    let up = Vector3::new(N::zero(), N::zero(), N::one());
-    let square = spin_axis.dot(spin_axis);
-    // The vertical minus its component along the axis.
-    let radial = up - spin_axis * (spin_axis.z / square);
-    let length = radial.dot(&radial).square_root();
+    let (radial, length) = upward_radius(spin_axis);
     centre - radial * (radius / length)
 }
 
@@ -23,13 +20,18 @@ pub fn contact_velocity<N: Number>(
     axis_rate: &Vector3<N>,
     radius: N,
 ) -> Vector3<N> {
-    let up = Vector3::new(N::zero(), N::zero(), N::one());
-    let square = spin_axis.dot(spin_axis);
-    let radial = up - spin_axis * (spin_axis.z / square);
-    let length = radial.dot(&radial).square_root();
+    let (radial, length) = upward_radius(spin_axis);
     let unit = radial / length;
+    let square = spin_axis.dot(spin_axis);
     let rate = -(axis_rate * spin_axis.z + spin_axis * axis_rate.z) / square;
     centre_velocity - (rate - unit * unit.dot(&rate)) * (radius / length)
+}
+
+/// The vertical unit vector minus its component along the spin axis: upwards in the plane of the wheel. Also its length.
+fn upward_radius<N: Number>(spin_axis: &Vector3<N>) -> (Vector3<N>, N) {
+    let up = Vector3::new(N::zero(), N::zero(), N::one());
+    let radial = up - spin_axis * (spin_axis.z / spin_axis.dot(spin_axis));
+    (radial, radial.dot(&radial).square_root())
 }
 
 /// Horizontal directions of a wheel, of unit length.
@@ -47,11 +49,7 @@ impl<N: Number> Heading<N> {
         let level = Vector3::new(spin_axis.x, spin_axis.y, N::zero());
         let outboard = level / level.dot(&level).square_root();
         let ahead = Vector3::new(outboard.y, -outboard.x, N::zero());
-        let forward = if spin_axis.y.is_below_zero() {
-            -ahead
-        } else {
-            ahead
-        };
+        let forward = opposite_on_the_right(spin_axis, ahead);
         Self { forward, outboard }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::signal::Number;
+use crate::wheel::angles::opposite_on_the_right;
 
 /// The carrier's velocity in travel, per unit of the drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,11 +41,7 @@ impl<N: Number> Carrier<N> {
         InstantCentre {
             across: self.centre.y - to_the_right,
             z: self.centre.z + self.velocity.y / self.omega.x,
-            arm: if spin_axis.y.is_below_zero() {
-                -to_the_right
-            } else {
-                to_the_right
-            },
+            arm: opposite_on_the_right(spin_axis, to_the_right),
         }
     }
 
@@ -70,11 +67,6 @@ impl<N: Number> Carrier<N> {
     /// outboard.
     pub fn outboard_slope(&self, contact: &Vector3<N>, spin_axis: &Vector3<N>) -> N {
         let velocity = self.velocity_of(contact);
-        let to_the_left = velocity.y / velocity.z;
-        if spin_axis.y.is_below_zero() {
-            -to_the_left
-        } else {
-            to_the_left
-        }
+        opposite_on_the_right(spin_axis, velocity.y / velocity.z)
     }
 }

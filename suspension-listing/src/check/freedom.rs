@@ -2,7 +2,7 @@
 
 use crate::kind::Kind;
 use crate::name::Name;
-use crate::sample::{self, MOST_UNKNOWNS};
+use crate::sample::{self, MOST_SAMPLED};
 use crate::system::{Body, Site, System};
 
 /// The most names of a list in a message.
@@ -29,9 +29,9 @@ pub(super) struct Freedom<'s> {
 
 impl<'s> Freedom<'s> {
     /// The freedom at the design position; `None` if the listing does not state all of it, if its geometry is degenerate, or
-    /// beyond [`MOST_UNKNOWNS`], where this takes too long.
+    /// beyond [`MOST_SAMPLED`], where this takes too long.
     pub(super) fn at_design(system: &'s System) -> Option<Self> {
-        if system.size() > MOST_UNKNOWNS {
+        if system.size() > MOST_SAMPLED {
             return None;
         }
         let entries = sample::entries(system, &[system.design()?]);

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::MOST_UNKNOWNS;
+use super::MOST_SAMPLED;
 use super::path::rates;
 use crate::name::Name;
 use crate::random::Lcg;
@@ -29,7 +29,7 @@ const GRID: f64 = 0.05;
 
 /// Designs that may be meant; none for a system that is too large.
 pub fn likely(system: &System) -> Vec<Positions> {
-    if system.size() > MOST_UNKNOWNS {
+    if system.size() > MOST_SAMPLED {
         return Vec::new();
     }
     let (outwards, hinges, places) = (outwards(system), hinges(system), system.places());

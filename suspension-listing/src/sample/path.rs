@@ -2,7 +2,7 @@
 //! tangent.
 //! Lengths drift a little on the way, which hardly affects the size of pivots.
 
-use super::MOST_UNKNOWNS;
+use super::MOST_SAMPLED;
 use super::entries::value;
 use super::gradient::gradients;
 use crate::system::{Place, Positions, System};
@@ -21,7 +21,7 @@ const LARGEST_RATE: f64 = 6.0;
 /// A design position, and other positions to which the drives lead from there.
 pub fn positions(system: &System, design: Positions) -> Vec<Positions> {
     let mut positions = vec![design.clone()];
-    if system.size() > MOST_UNKNOWNS {
+    if system.size() > MOST_SAMPLED {
         return positions;
     }
     let step = STEP * longest(system, &design);

@@ -1,11 +1,11 @@
 //! Points that links alone make a rigid body: their shape, and whether one is mirrored.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::fields::point_index;
 use super::frames;
-use super::terms::{Binding, bind, ident, parameter, value_of};
+use super::terms::{Binding, bind, ident, position_parameters, value_of};
 use suspension_listing::name::Name;
 use suspension_listing::system::{Body, Site, System, carried_name, distance_between, frame_name};
 
@@ -104,7 +104,6 @@ pub(super) fn constants(system: &System) -> impl Iterator<Item = (Name, TokenStr
 /// `linked` and `mirrored` of `impl Linkage`, if there are clusters.
 pub(super) fn watched(system: &System) -> Option<TokenStream> {
     clustered(system).next()?;
-    let n = Literal::usize_unsuffixed(system.size());
     let (free, fixed) = (&ident("free"), &ident("fixed"));
     let places = clustered(system).map(|clustered| point_index(system, &clustered.point.name));
     let frames = system.clusters.iter().map(|cluster| {
@@ -123,10 +122,7 @@ pub(super) fn watched(system: &System) -> Option<TokenStream> {
     );
     let bindings = [Binding::free(free, "q")].into_iter().chain(frames);
     let body = bind(bindings.collect(), quote!([#(#values),*].into_iter()));
-    let [q, fixed] = [
-        parameter("q", &quote!(&SVector<T, #n>), &body),
-        parameter("fixed", &quote!(&Fixed<T>), &body),
-    ];
+    let [q, fixed] = position_parameters(system, &body);
     Some(quote! {
         #[inline(always)]
         fn linked(&self) -> impl Iterator<Item = usize> {

@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use syn::Ident;
 
-use super::jacobian::{bind_points, parameters};
+use super::jacobian::bind_points;
+use super::terms::position_parameters;
 use super::unrolled::Unrolled;
 use super::written_out::written_out;
 use super::{carried, entries, indices, substitution};
@@ -109,7 +110,7 @@ pub(super) fn factor(system: &System, order: &EliminationOrder) -> TokenStream {
             }
         },
     );
-    let [q, fixed] = parameters(system, &body);
+    let [q, fixed] = position_parameters(system, &body);
     written_out(&quote! {
         fn factor(&self, #q, #fixed) -> Factors<T> {
             #body

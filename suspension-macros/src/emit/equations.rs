@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, ident, parameter, vector};
+use super::terms::{Binding, ident, parameter, position_parameters, vector};
 use super::written_out::written_out;
 use super::{clusters, elimination, form, frames, jacobian, measures, quantity, rates, readout};
 use suspension_listing::eliminate::EliminationOrder;
@@ -103,16 +103,10 @@ fn frames_first(system: &System) -> impl Iterator<Item = &Equation> {
 
 fn residual(system: &System) -> TokenStream {
     let n = Literal::usize_unsuffixed(system.size());
-    let (free, fixed) = (&ident("free"), &ident("fixed"));
     let rows =
         frames_first(system).map(|equation| form::emitter(equation).residual(&equation.named.name));
-    let bindings = [Binding::free(free, "q")];
-    let bindings = bindings
-        .into_iter()
-        .chain(frames::bindings(system, "", free, fixed));
-    let body = vector(system, bindings, rows);
-    let q = parameter("q", &quote!(&SVector<T, #n>), &body);
-    let fixed = parameter("fixed", &quote!(&Fixed<T>), &body);
+    let body = vector(system, frames::with_free(system), rows);
+    let [q, fixed] = position_parameters(system, &body);
     let drives = parameter("drives", &quote!(&Drives<T>), &body);
     written_out(&quote! {
         fn residual(&self, #q, #fixed, #drives) -> SVector<T, #n> {

@@ -5,6 +5,7 @@ mod along;
 mod bilinear;
 mod carried;
 mod distance;
+mod ends;
 mod linear;
 mod product;
 mod stretch;

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
 
-use super::terms::{Binding, value_of};
+use super::terms::{Binding, ident, value_of};
 use suspension_listing::name::Name;
 use suspension_listing::system::{Site, System, frame_name};
 
@@ -89,6 +89,13 @@ pub(super) fn frame_from_free(
     let name = name_of(system, frame);
     let fixed = needs_chassis(frame).then_some(fixed);
     quote!(#free.#name(#fixed))
+}
+
+/// The free points at `q`, and the frames of the bodies there.
+pub(super) fn with_free(system: &System) -> impl Iterator<Item = Binding> {
+    let (free, fixed) = (&ident("free"), &ident("fixed"));
+    let frames: Vec<Binding> = bindings(system, "", free, fixed).collect();
+    [Binding::free(free, "q")].into_iter().chain(frames)
 }
 
 /// `body_frame = free.body_frame()` for each body that carries points.

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::form::gradients;
 use super::gradient::{By, Gradient};
-use super::terms::{Binding, bind, ident, parameter};
+use super::terms::{bind, ident, position_parameters};
 use super::written_out::written_out;
 use super::{frames, indices};
 use suspension_listing::system::{System, coordinate_name};
@@ -25,7 +25,7 @@ pub(super) fn jacobian(system: &System) -> TokenStream {
         rows.matrix()
     };
     let body = bind_points(system, body);
-    let [q, fixed] = parameters(system, &body);
+    let [q, fixed] = position_parameters(system, &body);
     written_out(&quote! {
         fn jacobian(&self, #q, #fixed) -> SMatrix<T, #n, #n> {
             #body
@@ -48,20 +48,7 @@ fn put(by: &By<'_>) -> TokenStream {
     quote!(.#method(#column, #value))
 }
 
-/// `q` and `fixed`.
-pub(super) fn parameters(system: &System, body: &TokenStream) -> [TokenStream; 2] {
-    let n = Literal::usize_unsuffixed(system.size());
-    [
-        parameter("q", &quote!(&SVector<T, #n>), body),
-        parameter("fixed", &quote!(&Fixed<T>), body),
-    ]
-}
-
 /// `body` after the free points and frames that it reads.
 pub(super) fn bind_points(system: &System, body: TokenStream) -> TokenStream {
-    let (free, fixed) = (&ident("free"), &ident("fixed"));
-    let bindings = [Binding::free(free, "q")]
-        .into_iter()
-        .chain(frames::bindings(system, "", free, fixed));
-    bind(bindings.collect(), body)
+    bind(frames::with_free(system).collect(), body)
 }

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::terms::{Binding, ident, parameter, vector};
+use super::terms::{parameter, position_parameters, vector};
 use super::written_out::written_out;
 use super::{form, frames};
 use suspension_listing::system::{SiteMotion, System};
@@ -34,23 +34,14 @@ pub(super) fn chassis_rate(system: &System) -> TokenStream {
 }
 
 fn parameters(system: &System, body: &TokenStream) -> [TokenStream; 3] {
-    let n = Literal::usize_unsuffixed(system.size());
-    [
-        parameter("q", &quote!(&SVector<T, #n>), body),
-        parameter("fixed", &quote!(&Fixed<T>), body),
-        parameter("fixed_rate", &quote!(&Fixed<T>), body),
-    ]
+    let [q, fixed] = position_parameters(system, body);
+    [q, fixed, parameter("fixed_rate", &quote!(&Fixed<T>), body)]
 }
 
 /// The non-zero rows for the chassis points with the given motion.
 fn terms(system: &System, motion: SiteMotion) -> TokenStream {
-    let (free, fixed) = (&ident("free"), &ident("fixed"));
     let equations = system.equations.iter();
     let rows = equations
         .filter_map(|equation| form::emitter(equation).input_rate(&equation.named.name, motion));
-    let bindings = [Binding::free(free, "q")];
-    let bindings = bindings
-        .into_iter()
-        .chain(frames::bindings(system, "", free, fixed));
-    vector(system, bindings, rows)
+    vector(system, frames::with_free(system), rows)
 }

@@ -65,6 +65,15 @@ pub(super) fn parameter(name: &str, kind: &TokenStream, body: &TokenStream) -> T
     }
 }
 
+/// The parameters `q` and `fixed`.
+pub(super) fn position_parameters(system: &System, body: &TokenStream) -> [TokenStream; 2] {
+    let n = Literal::usize_unsuffixed(system.size());
+    [
+        parameter("q", &quote!(&SVector<T, #n>), body),
+        parameter("fixed", &quote!(&Fixed<T>), body),
+    ]
+}
+
 /// Whether the tokens read the variable `name`, which does not include a field after a dot or before a colon.
 fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();

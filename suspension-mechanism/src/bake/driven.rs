@@ -7,9 +7,9 @@ use suspension_core::{Inputs, Motion, Signal, SolveError, Values};
 
 use crate::mechanism::{Names, Suspension, tracker};
 
-/// The requested points.
+/// The points whose motion is baked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
+pub enum RequestedPoints {
     /// Every free point and marker.
     AllPoints,
     /// The wheel of this number: its centre and its spin axis. A linkage without this wheel has no outputs.
@@ -67,10 +67,12 @@ enum Reading {
 }
 
 impl Reading {
-    fn new(names: &Names, wish: Wish) -> Self {
-        match wish {
-            Wish::AllPoints => Self::From(names.chassis, names.points[names.chassis..].to_vec()),
-            Wish::Wheel(number) => match names.wheels.get(number) {
+    fn new(names: &Names, points: RequestedPoints) -> Self {
+        match points {
+            RequestedPoints::AllPoints => {
+                Self::From(names.chassis, names.points[names.chassis..].to_vec())
+            }
+            RequestedPoints::Wheel(number) => match names.wheels.get(number) {
                 Some(wheel) => Self::Axis(wheel.points.axis),
                 None => Self::From(names.points.len(), Vec::new()),
             },
@@ -80,11 +82,11 @@ impl Reading {
 
 impl<'a, L> Driven<'a, L> {
     /// The requested outputs of a model.
-    pub(super) fn new<const N: usize>(model: &'a L, wish: Wish) -> Self
+    pub(super) fn new<const N: usize>(model: &'a L, points: RequestedPoints) -> Self
     where
         L: Suspension<N>,
     {
-        let reading = Reading::new(&Names::new(model), wish);
+        let reading = Reading::new(&Names::new(model), points);
         Self { model, reading }
     }
 

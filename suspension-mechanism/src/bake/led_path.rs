@@ -5,7 +5,7 @@ use suspension_core::path::{Curve, Led};
 use suspension_core::{Inputs, Linkage, Motion, Signal, Still, Values};
 
 use crate::bake::anchors::Anchors;
-use crate::bake::driven::{Derivatives, Driven, Output, Wish};
+use crate::bake::driven::{Derivatives, Driven, Output, RequestedPoints};
 use crate::bake::exact::{Exact, OutOfReach, Stop};
 use crate::mechanism::{Suspension, lead, nearest};
 
@@ -37,10 +37,10 @@ impl<'a, L: Suspension<N>, const N: usize> LedPath<'a, L, N> {
         held: L::Drives,
         [measure, drive]: [usize; 2],
         range: [f64; 2],
-        wish: Wish,
+        points: RequestedPoints,
     ) -> Result<Self, OutOfReach> {
         let way = Way {
-            driven: Driven::new(model, wish),
+            driven: Driven::new(model, points),
             held: Inputs::still(Signal::still(held)),
             measure,
         };

@@ -3,7 +3,7 @@
 use suspension_core::{Linkage, Motion, Values};
 
 use crate::bake::anchors::Anchors;
-use crate::bake::driven::{Derivatives, Driven, Output, Wish};
+use crate::bake::driven::{Derivatives, Driven, Output, RequestedPoints};
 use crate::bake::exact::{Exact, OutOfReach, Stop};
 use crate::mechanism::Suspension;
 
@@ -35,10 +35,10 @@ impl<'a, L: Suspension<N>, const N: usize> Path<'a, L, N> {
         held: L::Drives,
         drive: usize,
         range: [f64; 2],
-        wish: Wish,
+        points: RequestedPoints,
     ) -> Result<Self, OutOfReach> {
         let way = Way {
-            driven: Driven::new(model, wish),
+            driven: Driven::new(model, points),
             held,
             drive,
         };

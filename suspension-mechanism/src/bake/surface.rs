@@ -91,7 +91,7 @@ pub fn bake_surface<L: Suspension<N>, const N: usize>(
     interrupted: &AtomicBool,
 ) -> Result<BakedSurface, UnmetSurface> {
     let plane = Plane {
-        driven: Driven::new(model, wanted.wish),
+        driven: Driven::new(model, wanted.points),
         start,
         held,
         wanted,

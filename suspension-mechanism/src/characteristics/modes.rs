@@ -42,6 +42,34 @@ impl Mode {
         }
     }
 
+    /// Heave and roll of an axle, by its name and its wheels, with the drives of travel of these.
+    fn heave_and_roll(
+        names: &Names,
+        rises: &RisePerDrive,
+        (axle, wheels): (&str, [usize; 2]),
+        travel: [usize; 2],
+    ) -> [Self; 2] {
+        let [first, second] = travel.map(|drive| names.drives[drive].name.as_str());
+        let of_axle = |what: &str| format!("{axle} {what}").trim_start().to_owned();
+        let drives = |parts: [f64; 2]| travel.into_iter().zip(parts).collect();
+        let both = rises.parts(wheels, [1.0, 1.0]);
+        let heave = Self {
+            title: of_axle("heave"),
+            effect: Effect::Travel,
+            moved: format!("change of {first} and {second}, both upwards"),
+            drives: drives(both),
+            rise: rises.rise_of_first(wheels, both),
+        };
+        let roll = Self {
+            title: of_axle("roll"),
+            effect: Effect::Roll,
+            moved: format!("change of {first} upwards and of {second} downwards"),
+            drives: drives(rises.parts(wheels, [1.0, -1.0])),
+            rise: None,
+        };
+        [heave, roll]
+    }
+
     /// Heave and roll of each axle whose wheels have a drive of travel each, travel of all other wheels, and
     /// steering.
     pub(super) fn all(mechanism: &dyn Kinematics) -> Vec<Self> {
@@ -54,28 +82,15 @@ impl Mode {
             let [Some(a), Some(b)] = wheels.map(|wheel| names.wheels[wheel].travel) else {
                 continue;
             };
-            if a == b || names.drives[a].kind != names.drives[b].kind {
-                continue;
+            if a != b && names.drives[a].kind == names.drives[b].kind {
+                of_axles.extend([a, b]);
+                modes.extend(Self::heave_and_roll(
+                    names,
+                    &rises,
+                    (&pair.name, wheels),
+                    [a, b],
+                ));
             }
-            of_axles.extend([a, b]);
-            let [first, second] = [a, b].map(|drive| names.drives[drive].name.as_str());
-            let of_axle = |what: &str| format!("{} {what}", pair.name).trim_start().to_owned();
-            let drives = |parts: [f64; 2]| vec![(a, parts[0]), (b, parts[1])];
-            let both = rises.parts(wheels, [1.0, 1.0]);
-            modes.push(Self {
-                title: of_axle("heave"),
-                effect: Effect::Travel,
-                moved: format!("change of {first} and {second}, both upwards"),
-                drives: drives(both),
-                rise: rises.rise_of_first(wheels, both),
-            });
-            modes.push(Self {
-                title: of_axle("roll"),
-                effect: Effect::Roll,
-                moved: format!("change of {first} upwards and of {second} downwards"),
-                drives: drives(rises.parts(wheels, [1.0, -1.0])),
-                rise: None,
-            });
         }
         let vehicle = &names.vehicle;
         let others = vehicle

@@ -47,7 +47,7 @@ pub struct State {
 
 /// A way in which wheels move up and down, with the other drives held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Movement {
+pub enum WheelMovement {
     /// A drive of travel moves its wheel; the wheel beside it is held at its height if it has a drive of its own.
     Travel(usize),
     /// Both wheels of an axle, by number, move by drives of their own so that their centres rise by the same amount.
@@ -60,7 +60,7 @@ pub enum Movement {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved {
     /// The movement.
-    pub movement: Movement,
+    pub movement: WheelMovement,
     /// The state.
     pub state: State,
 }
@@ -73,11 +73,11 @@ impl State {
 
     /// The load of a spring: N, or N m for an angle.
     pub(crate) fn load_of(&self, spring: &Spring) -> f64 {
-        spring.presses(self.measures.value[spring.measure])
+        spring.load_at(self.measures.value[spring.measure])
     }
 
     /// The state along a movement, if it is known.
-    pub fn moved_along(&self, movement: Movement) -> Option<&State> {
+    pub fn moved_along(&self, movement: WheelMovement) -> Option<&State> {
         let mut moved = self.moved.iter();
         moved
             .find(|moved| moved.movement == movement)

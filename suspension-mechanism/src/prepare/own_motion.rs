@@ -1,9 +1,9 @@
 //! A check of whether a file's own motion can be reached, for commands that work from the design position.
 
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::failure::Failure;
+use crate::interrupt::unless_set;
 use crate::mechanism::{End, Instants};
 use crate::prepare::loaded::Loaded;
 use crate::prepare::task::Start;
@@ -29,14 +29,7 @@ impl Loaded<'_> {
         }
         let [first, last] = mechanism.instants.ends();
         let moved = |instants: &Instants| {
-            mechanism.move_through(instants, &mut |_| {
-                let cut = interrupted.load(Ordering::Relaxed);
-                Ok(if cut {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                })
-            })
+            mechanism.move_through(instants, &mut |_| Ok(unless_set(interrupted)))
         };
         let End::Stopped(seen) = moved(&Instants::dense(first, last, LOOKS))? else {
             return Ok(None);

@@ -85,19 +85,19 @@ impl<N: Compiled> Column<N> {
     }
 
     /// The name of its derivative with respect to a drive, if one is given: `camber per bump`.
-    pub fn title_per(&self, drive: Option<&Drive>) -> String {
+    pub(crate) fn title_per(&self, drive: Option<&Drive>) -> String {
         let per = drive.map(|drive| format!(" per {}", drive.name));
         self.title() + &per.unwrap_or_default()
     }
 
     /// The factor from the number, or its derivative with respect to a drive, to its value in the file.
-    pub fn file_factor_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
+    pub(crate) fn file_factor_per(&self, drive: Option<&Drive>, unit: Unit) -> f64 {
         let per = drive.map_or(1.0, |drive| Dimension::from(drive.kind).file_factor(unit));
         self.dimension.file_factor(unit) / per
     }
 
     /// The factor to the value for people, and the symbol of its unit.
-    pub fn display_scale_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
+    pub(crate) fn display_scale_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
         let (scale, symbol) = self.dimension.display_scale(unit);
         match drive.map(|drive| drive.kind) {
             Some(dimension) => {

@@ -1,7 +1,7 @@
 //! Curves of one drive.
 
 use nalgebra::Vector3;
-use suspension::bake::{Baked, Continuity, Exact, Path, TERMS, Wanted, Wish, bake};
+use suspension::bake::{Baked, Continuity, Exact, Path, RequestedPoints, TERMS, Wanted, bake};
 use suspension::mechanism::Suspension;
 use suspension_core::baked::Curve;
 use suspension_core::linkage::Named;
@@ -34,7 +34,7 @@ fn published<L>(
     model: &L,
     rough: &L::Points,
     inputs: fn(f64) -> Inputs<Still, L::Drives>,
-    wish: Wish,
+    points: RequestedPoints,
     wanted: &Wanted,
     check: impl Fn(&Baked, &dyn Exact),
 ) where
@@ -42,7 +42,7 @@ fn published<L>(
 {
     let start = support::motions(model, rough, inputs)[0];
     let held = inputs(0.0).drives.value;
-    let path = Path::new(model, &start, held, 0, RANGE, wish).expect("a regular range");
+    let path = Path::new(model, &start, held, 0, RANGE, points).expect("a regular range");
     check(&bake(wanted, &path).expect("within the tolerance"), &path);
 }
 
@@ -102,7 +102,7 @@ fn a_baked_wheel_is_within_its_stated_errors() {
                 &support::five_link_model(),
                 &support::five_link_rough(),
                 support::five_link_inputs,
-                Wish::Wheel(0),
+                RequestedPoints::Wheel(0),
                 &wanted,
                 check_against_the_solver,
             );
@@ -110,7 +110,7 @@ fn a_baked_wheel_is_within_its_stated_errors() {
                 &support::attia_model(),
                 &support::attia_rough(),
                 support::attia_inputs,
-                Wish::Wheel(0),
+                RequestedPoints::Wheel(0),
                 &wanted,
                 check_against_the_solver,
             );
@@ -149,7 +149,7 @@ fn baked_points_agree_with_the_40_digit_reference() {
         &support::attia_model(),
         &support::attia_rough(),
         support::attia_inputs,
-        Wish::AllPoints,
+        RequestedPoints::AllPoints,
         &wanted(1e-7, Continuity::Acceleration),
         check,
     );
@@ -181,7 +181,7 @@ fn segments_of_a_curve_join_with_the_requested_continuity() {
             &support::five_link_model(),
             &support::five_link_rough(),
             support::five_link_inputs,
-            Wish::Wheel(0),
+            RequestedPoints::Wheel(0),
             &wanted(1e-4, continuity),
             check,
         );
@@ -241,7 +241,7 @@ fn baked_outputs_have_the_point_names_of_the_listing() {
         &support::five_link_model(),
         &support::five_link_rough(),
         support::five_link_inputs,
-        Wish::AllPoints,
+        RequestedPoints::AllPoints,
         &wanted(1e-4, Continuity::Position),
         check,
     );
@@ -266,7 +266,7 @@ fn a_curve_in_f32_loses_only_rounding() {
         &support::five_link_model(),
         &support::five_link_rough(),
         support::five_link_inputs,
-        Wish::Wheel(0),
+        RequestedPoints::Wheel(0),
         &wanted(1e-5, Continuity::Velocity),
         check,
     );

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::Vector3;
-use suspension::bake::{WantedSurface, Wish, bake_surface};
+use suspension::bake::{RequestedPoints, WantedSurface, bake_surface};
 use suspension_core::baked::Surface;
 use suspension_core::{Build, Inputs, Linkage, Motion, Signal, Still, Tracker};
 
@@ -36,7 +36,7 @@ fn wanted(held: Drives<f64>, travel: f64, (tolerance, smooth): (f64, bool)) -> W
         tolerance,
         metre: 1.0,
         smooth,
-        wish: Wish::Wheel(0),
+        points: RequestedPoints::Wheel(0),
     }
 }
 

@@ -2,7 +2,7 @@
 //! locks at 1.978 s, where velocities and with them all errors grow without bound.
 
 use nalgebra::{SVector, Vector3};
-use suspension::bake::{Continuity, Path, TERMS, Wanted, Wish, bake};
+use suspension::bake::{Continuity, Path, RequestedPoints, TERMS, Wanted, bake};
 use suspension_core::baked::Curve;
 use suspension_core::linkages::{attia2003, five_link};
 use suspension_core::model::local::LocalOrigin;
@@ -125,7 +125,14 @@ fn f32_errors_of_baked_curves_are_within_their_bounds() {
     let (model, truth) = truth::<five_link::Listing>(&local);
     let held = five_link::Drives { theta: 0.7 };
     let range = [0.7, 2.150_312_5];
-    let path = Path::new(&model, &truth[0], held, 0, range, Wish::AllPoints);
+    let path = Path::new(
+        &model,
+        &truth[0],
+        held,
+        0,
+        range,
+        RequestedPoints::AllPoints,
+    );
     let wanted = Wanted {
         range,
         tolerance: 1e-8,

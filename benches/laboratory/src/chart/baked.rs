@@ -9,7 +9,7 @@ use super::course::{Course, Given, cast};
 use super::formulation::{first_drive, to_f64};
 use super::method::{Coordinates, Method, Outputs};
 use suspension::bake::{
-    Continuity, Derivatives, Exact, OutOfReach, Output, Path, TERMS, Wanted, Wish, bake,
+    Continuity, Derivatives, Exact, OutOfReach, Output, Path, RequestedPoints, TERMS, Wanted, bake,
 };
 use suspension::mechanism::{Mechanism, Suspension};
 
@@ -66,7 +66,7 @@ fn table<L: Suspension<N>, D: Values<f64>, const N: usize>(
     });
     let held: L::Drives = cast(&course.drives.first()?.signal.value);
     let Mechanism { model, start, .. } = mechanism;
-    let path = Path::new(model, start, held, 0, range, Wish::AllPoints).ok()?;
+    let path = Path::new(model, start, held, 0, range, RequestedPoints::AllPoints).ok()?;
     let wanted = Wanted {
         range,
         tolerance,

@@ -111,8 +111,9 @@ impl Baking<'_> {
     }
 
     fn path(&self, along: &Variable, range: [f64; 2]) -> Result<Box<dyn Exact + '_>, OutOfReach> {
-        let wish = self.wish;
-        self.mechanism.path(along.drive, along.measure, range, wish)
+        let points = self.points;
+        self.mechanism
+            .path(along.drive, along.measure, range, points)
     }
 
     /// Says at which value, within the reach of the drive, the solver lost the motion.

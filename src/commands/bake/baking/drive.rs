@@ -13,14 +13,14 @@ use crate::output::notes::print_notes_on;
 
 /// A drive and its range.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct WishedDrive {
+pub struct RequestedDrive {
     /// The drive's name; `None` where there is only one.
     pub drive: Option<String>,
     /// The drive's first and last value; the ends of the file's motion where not given.
     pub range: [Option<f64>; 2],
 }
 
-impl FromStr for WishedDrive {
+impl FromStr for RequestedDrive {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -36,10 +36,13 @@ impl FromStr for WishedDrive {
 }
 
 impl Baking<'_> {
-    pub(super) fn along_drive(&self, wished: &WishedDrive) -> Result<Variable, Failure> {
-        let drive = self.mechanism.names.chosen_drive(wished.drive.as_deref());
+    pub(super) fn along_drive(&self, requested: &RequestedDrive) -> Result<Variable, Failure> {
+        let drive = self
+            .mechanism
+            .names
+            .chosen_drive(requested.drive.as_deref());
         let drive = drive.map_err(|message| self.refuse(&message))?;
-        let range = self.range(drive, wished)?;
+        let range = self.range(drive, requested)?;
         let offset = self.mechanism.drive_offsets[drive];
         let along = Variable {
             drive,
@@ -47,7 +50,7 @@ impl Baking<'_> {
             range,
             local: range.map(|end| end - offset),
         };
-        if let [Some(from), Some(to)] = wished.range {
+        if let [Some(from), Some(to)] = requested.range {
             self.check_doubt(&along, [from, to])?;
         }
         let Description { names, unit, .. } = &**self.mechanism;
@@ -91,16 +94,16 @@ impl Baking<'_> {
     }
 
     /// Returns a drive's range in the file's coordinates.
-    fn range(&self, drive: usize, wished: &WishedDrive) -> Result<[f64; 2], Failure> {
+    fn range(&self, drive: usize, requested: &RequestedDrive) -> Result<[f64; 2], Failure> {
         let times = self.mechanism.instants.iter();
         let through = times.map(|t| self.given(drive, self.value(drive, t)));
         let [low, high] = ends(through).unwrap_or_default();
         let Description { names, unit, .. } = &**self.mechanism;
         let kind = names.drives[drive].kind;
         let inside = |end: f64| end / Dimension::from(kind).file_factor(*unit);
-        let [from, to] = wished.range.map(|end| end.map(inside));
+        let [from, to] = requested.range.map(|end| end.map(inside));
         let range = [from.unwrap_or(low), to.unwrap_or(high)];
-        if low == high && wished.range == [None, None] {
+        if low == high && requested.range == [None, None] {
             let name = &names.drives[drive].name;
             return Err(self.refuse(&format!(
                 "the file's motion holds {name}; say its range, as --drive {name}=FROM:TO"

@@ -14,7 +14,7 @@ use crate::file::Dimension;
 
 /// A measure, its range, and the drive that it replaces.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WishedMeasure {
+pub struct RequestedMeasure {
     /// The measure's name.
     pub name: String,
     /// The measure's first and last value, in the file's units.
@@ -23,7 +23,7 @@ pub struct WishedMeasure {
     pub drive: Option<String>,
 }
 
-impl FromStr for WishedMeasure {
+impl FromStr for RequestedMeasure {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -40,9 +40,9 @@ impl FromStr for WishedMeasure {
 }
 
 impl Baking<'_> {
-    pub(super) fn along_measure(&self, wished: &WishedMeasure) -> Result<Variable, Failure> {
+    pub(super) fn along_measure(&self, requested: &RequestedMeasure) -> Result<Variable, Failure> {
         let names = &self.mechanism.names;
-        let (name, all) = (wished.name.as_str(), names.measure_names());
+        let (name, all) = (requested.name.as_str(), names.measure_names());
         let measure = all.iter().position(|other| *other == name);
         let measure = measure.ok_or_else(|| {
             self.refuse(
@@ -58,7 +58,7 @@ impl Baking<'_> {
                 },
             )
         })?;
-        let drive = match (&wished.drive, names.drive_names().as_slice()) {
+        let drive = match (&requested.drive, names.drive_names().as_slice()) {
             (None, several @ [_, _, ..]) => Err(format!(
                 "--drive must say in place of which drive `{name}` leads: {}",
                 several.join(", ")
@@ -68,7 +68,7 @@ impl Baking<'_> {
         let drive = drive.map_err(|message| self.refuse(&message))?;
         let per = Dimension::from(names.measures[measure].kind).file_factor(self.mechanism.unit);
         let (range, offset) = (
-            wished.range.map(|end| end / per),
+            requested.range.map(|end| end / per),
             self.mechanism.measure_offsets[measure],
         );
         Ok(Variable {

@@ -19,7 +19,7 @@ impl Baking<'_> {
             tolerance: self.tolerance * metre,
             metre,
             smooth: self.continuity == Continuity::Velocity,
-            wish: self.wish,
+            points: self.points,
         };
         let baked = self.mechanism.bake_surface(&wanted, self.interrupted);
         let baked = baked.map_err(|unmet| self.unmet_surface(along, &unmet))?;

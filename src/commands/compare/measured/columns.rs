@@ -12,7 +12,7 @@ use crate::file::Dimension;
 use crate::grid::doubt_of_option;
 use crate::kinematics::Kinematics;
 use crate::measured_table::MeasuredTable;
-use crate::mechanism::{Description, ends};
+use crate::mechanism::{CountedFrom, Description, ends};
 use crate::number::{number, without_rounding};
 use crate::output::notes::print_notes_on;
 use crate::quantities::{Column, STEERING_WHEEL_ANGLE, WHEEL_TRAVEL};
@@ -29,7 +29,7 @@ pub(super) struct KnownColumn {
 }
 
 impl KnownColumn {
-    /// Reads the columns of a table whose drives have changes or, if `absolute`, their own values; prints a note on the columns
+    /// Reads the columns of a table whose drives count `from` the design position or from zero; prints a note on the columns
     /// that are left out.
     ///
     /// # Errors
@@ -38,7 +38,7 @@ impl KnownColumn {
     pub(super) fn all(
         table: &mut MeasuredTable,
         mechanism: &dyn Kinematics,
-        absolute: bool,
+        from: CountedFrom,
     ) -> Result<Vec<Self>, Failure> {
         let units = table.take_units();
         let (mut known, mut left_out) = (Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ impl KnownColumn {
         tell_left_out(table.name(), &left_out);
         let known = known.into_iter();
         known
-            .map(|(column, stated)| Self::read(table, mechanism, (column, stated), absolute))
+            .map(|(column, stated)| Self::read(table, mechanism, (column, stated), from))
             .collect()
     }
 
@@ -63,7 +63,7 @@ impl KnownColumn {
         table: &MeasuredTable,
         mechanism: &dyn Kinematics,
         (column, stated): (usize, Stated),
-        absolute: bool,
+        from: CountedFrom,
     ) -> Result<Self, Failure> {
         if let Some(quantity) = &stated.named.quantity {
             let numbers = table.numbers_or_nan(column)?;
@@ -84,15 +84,15 @@ impl KnownColumn {
                 numbers,
             });
         }
-        let zero = match absolute {
-            true => at_design(mechanism, &stated),
-            false => Ok(0.0),
+        let zero = match from {
+            CountedFrom::Zero => at_design(mechanism, &stated),
+            CountedFrom::Start => Ok(0.0),
         };
         let zero = zero.map_err(|message| table.refuse_heading(column, message))?;
         let numbers = table.numbers(column)?;
         Ok(Self {
             column,
-            doubt: doubt(mechanism, &stated, &numbers, absolute),
+            doubt: doubt(mechanism, &stated, &numbers, from),
             numbers: numbers.into_iter().map(|number| number - zero).collect(),
             stated,
         })
@@ -211,16 +211,17 @@ fn doubt(
     mechanism: &dyn Kinematics,
     stated: &Stated,
     numbers: &[f64],
-    absolute: bool,
+    from: CountedFrom,
 ) -> Option<String> {
     /// The most that a rig lets a drive move which it holds away from the design position, as a part of the distance: such a
     /// small motion tells nothing of the unit.
     const HELD: f64 = 0.05;
     let (drive, _) = *stated.named.drives.first()?;
     let [least, greatest] = ends(numbers.iter().copied())?;
-    let is_held = !absolute && greatest - least < HELD * least.abs().max(greatest.abs());
+    let is_small = greatest - least < HELD * least.abs().max(greatest.abs());
+    let is_held = from == CountedFrom::Start && is_small;
     let ends = [if is_held { greatest } else { least }, greatest];
-    doubt_of_option(mechanism, drive, (ends, stated.unit), absolute)
+    doubt_of_option(mechanism, drive, (ends, stated.unit), from)
 }
 
 /// Returns a sentence if numbers of wheel travel seem to be heights of the wheel centre.

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::arithmetic::scalar::Scalar;
 use crate::arithmetic::vector::{dot, multiple};
+use crate::model::constraint::square_root;
 
 /// An unknown length `s` between two points: `F = (|d|^2 - s^2) / (2 L)`, where `d` is the vector from one to the
 /// other and `L` the length in the design. A negative `s` acts as its magnitude.
@@ -29,12 +30,10 @@ impl<T: Scalar> Stretch<T> {
         self.length
     }
 
-    /// `|d|`, by Heron's method starting from `L`: exact to rounding between a quarter of `L` and four times `L`.
+    /// `|d|`, exact to rounding between a quarter of `L` and four times `L`.
     #[inline]
     pub fn reach(&self, d: Vector3<T>) -> T {
-        const ROUNDS: usize = 6;
-        let (square, half) = (dot(d, d), T::constant(0.5));
-        (0..ROUNDS).fold(self.length, |length, _| (length + square / length) * half)
+        square_root::<6, _>(dot(d, d), self.length)
     }
 
     /// `F(d, s)`: to first order the amount by which `d` is too long, near the design.

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use crate::arithmetic::scalar::{Real, Scalar};
 use crate::arithmetic::trigonometry::sine_cosine;
 use crate::arithmetic::vector::{cross, dot};
+use crate::model::constraint::square_root;
 use crate::signal::Signal;
 
 /// Iterations of Heron's method, which starts from the design: exact to rounding if lengths are between a hundredth
@@ -77,10 +78,10 @@ impl<T: Scalar> Turn<T> {
     /// design's.
     #[inline]
     pub fn quarter(&self, [d, e, n]: [Vector3<T>; 3]) -> [T; 2] {
-        let axis = root(dot(n, n), self.axis);
+        let axis = square_root::<ROUNDS, _>(dot(n, n), self.axis);
         let [along, across] = Self::parts([d, e, n], axis);
         let square = (along * along).plus_product(across, across);
-        let inverse = T::one() / root(square, self.radius);
+        let inverse = T::one() / square_root::<ROUNDS, _>(square, self.radius);
         let whole = [along * inverse, across * inverse];
         let half = complex_root(whole, complex_product(self.quarter, self.quarter));
         let [cosine, sine] = complex_root(half, self.quarter).map(|part| part * self.length);
@@ -120,13 +121,6 @@ impl<T: Scalar> Turn<T> {
             radius: number(&|model| of(model).radius),
         }
     }
-}
-
-/// The square root by Heron's method.
-#[inline]
-fn root<T: Scalar>(square: T, guess: T) -> T {
-    let half = T::constant(0.5);
-    (0..ROUNDS).fold(guess, |root, _| (root + square / root) * half)
 }
 
 /// The square root of a complex number by Heron's method: the root within a quarter of a turn of the guess.

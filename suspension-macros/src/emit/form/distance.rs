@@ -7,9 +7,9 @@ use suspension_listing::form::Distance;
 use suspension_listing::name::Name;
 use suspension_listing::system::{SiteMotion, System};
 
-use super::{Emit, Operations};
+use super::{Emit, Operations, ends};
 use crate::emit::fields::length_index;
-use crate::emit::gradient::{By, Gradient};
+use crate::emit::gradient::Gradient;
 use crate::emit::terms::{assign, line};
 
 impl Emit for Distance {
@@ -38,17 +38,7 @@ impl Emit for Distance {
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
-        let vector = line([&self.from, &self.to], "free", "fixed");
-        Gradient {
-            statements: quote! {
-                let d = #vector;
-                let gradient = self.#name.gradient(d);
-            },
-            by: vec![
-                By::Point(&self.to, quote!(gradient)),
-                By::Point(&self.from, quote!(opposite(gradient))),
-            ],
-        }
+        ends::gradient(name, [&self.from, &self.to])
     }
 
     fn curvature(&self, name: &Name) -> Option<TokenStream> {
@@ -64,10 +54,7 @@ impl Emit for Distance {
     }
 
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
-        let from = &self.from.name;
-        let statements = self.gradient(name).statements;
-        let row = assign(name, &quote!(dot(gradient, fixed_rate.#from)));
-        (self.from.motion == motion).then(|| quote!(#statements #row))
+        ends::input_rate(name, [&self.from, &self.to], motion)
     }
 
     fn cost(&self) -> [Operations; 3] {

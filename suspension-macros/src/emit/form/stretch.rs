@@ -7,7 +7,7 @@ use suspension_listing::form::Stretch;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Site, SiteMotion, System};
 
-use super::{Emit, Operations};
+use super::{Emit, Operations, ends};
 use crate::emit::fields::point_index;
 use crate::emit::gradient::{By, Gradient};
 use crate::emit::terms::{assign, ident, line};
@@ -44,19 +44,11 @@ impl Emit for Stretch {
     }
 
     fn gradient(&self, name: &Name) -> Gradient<'_> {
-        let vector = line([&self.from, &self.to], "free", "fixed");
+        let mut gradient = ends::gradient(name, [&self.from, &self.to]);
         let length = &self.length;
-        Gradient {
-            statements: quote! {
-                let d = #vector;
-                let gradient = self.#name.gradient(d);
-            },
-            by: vec![
-                By::Point(&self.to, quote!(gradient)),
-                By::Point(&self.from, quote!(opposite(gradient))),
-                By::Scalar(length, quote!(self.#name.by_length(free.#length))),
-            ],
-        }
+        let by_length = quote!(self.#name.by_length(free.#length));
+        gradient.by.push(By::Scalar(length, by_length));
+        gradient
     }
 
     fn curvature(&self, name: &Name) -> Option<TokenStream> {
@@ -70,10 +62,7 @@ impl Emit for Stretch {
     }
 
     fn input_rate(&self, name: &Name, motion: SiteMotion) -> Option<TokenStream> {
-        let from = &self.from.name;
-        let statements = self.gradient(name).statements;
-        let row = assign(name, &quote!(dot(gradient, fixed_rate.#from)));
-        (self.from.motion == motion).then(|| quote!(#statements #row))
+        ends::input_rate(name, [&self.from, &self.to], motion)
     }
 
     fn cost(&self) -> [Operations; 3] {

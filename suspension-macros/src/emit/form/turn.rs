@@ -7,6 +7,7 @@ use suspension_listing::form::Turn;
 use suspension_listing::name::Name;
 use suspension_listing::system::{Site, SiteMotion, System};
 
+use super::ends::vectors_at;
 use super::{Emit, Operations};
 use crate::emit::fields::point_index;
 use crate::emit::gradient::{By, Gradient};
@@ -20,10 +21,7 @@ impl Emit for Turn {
     fn constant_from_points(&self, _name: &Name, system: &System) -> TokenStream {
         let [.., [_, end]] = &self.lines;
         let index = point_index(system, &end.name);
-        let lines = self.lines.each_ref().map(|[from, to]| {
-            let (from, to) = (&from.name, &to.name);
-            quote!(at.#to - at.#from)
-        });
+        let lines = vectors_at(&self.lines);
         quote!(parts::turn(#index, [#(#lines),*])?)
     }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use suspension_core::SolveError;
 
-use crate::bake::driven::Wish;
+use crate::bake::driven::RequestedPoints;
 use crate::number::number;
 
 /// The request for a surface.
@@ -20,8 +20,8 @@ pub struct WantedSurface {
     pub metre: f64,
     /// Whether velocities are continuous where patches join. Accelerations are not.
     pub smooth: bool,
-    /// The requested points.
-    pub wish: Wish,
+    /// The points to bake.
+    pub points: RequestedPoints,
 }
 
 /// The largest number of patches of a surface.

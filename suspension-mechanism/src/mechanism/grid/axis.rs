@@ -87,7 +87,7 @@ fn are_independent<'a>(axes: impl Iterator<Item = &'a Vec<(usize, f64)>> + Clone
 }
 
 /// The names that commas join, each with the sign of its change: -1 behind a minus, otherwise 1.
-pub fn moved_together(words: &str) -> impl Iterator<Item = (&str, f64)> {
+pub(crate) fn moved_together(words: &str) -> impl Iterator<Item = (&str, f64)> {
     let names = words.split(',').map(str::trim);
     names.map(|name| match name.strip_prefix('-') {
         Some(name) => (name.trim(), -1.0),

@@ -21,7 +21,7 @@ pub struct Spring {
 
 impl Spring {
     /// Its load when its measure is `value`.
-    pub fn presses(&self, value: f64) -> f64 {
+    pub(crate) fn load_at(&self, value: f64) -> f64 {
         self.load - self.rate * (value - self.design)
     }
 }

@@ -46,33 +46,42 @@ fn kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<St
 
 /// A note that the kingpin is far off the vertical at the design position: one of its two points is probably wrong.
 fn lying_kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    let names = &task.names;
-    let [lower, upper] = wheel.points.kingpin?;
-    let [from, to] = [lower, upper].map(|point| &names.points[point]);
-    let axis = placed[upper] - placed[lower];
+    let ends = wheel.points.kingpin?;
+    let axis = placed[ends[1]] - placed[ends[0]];
     let off = axis.xy().norm().atan2(axis.z.abs()).to_degrees();
     (off > OFF_VERTICAL).then(|| {
-        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
-        format!(
-            "the kingpin of the {wheel}, from `{from}` to `{to}`, is {off} deg off the vertical at the design position: are these the \
-             two points that are meant, and their coordinates right?"
+        let line = format!("kingpin of the {}", wheel.title("wheel"));
+        far_off(
+            task,
+            &line,
+            ends,
+            &format!("{} deg off the vertical", rounded(off, 3)),
         )
     })
+}
+
+/// The note that a line between two points has an unusual direction, `off` in words.
+fn far_off(task: &Task<'_>, line: &str, ends: [usize; 2], off: &str) -> String {
+    let [from, to] = ends.map(|point| &task.names.points[point]);
+    format!(
+        "the {line}, from `{from}` to `{to}`, is {off} at the design position: are these the two points that are meant, and their \
+         coordinates right?"
+    )
 }
 
 /// A note that the spin axis is far off the y direction at the design position: one of its two points is probably
 /// wrong.
 fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Option<String> {
-    let names = &task.names;
-    let [inner, centre] = wheel.points.axis;
-    let [from, to] = [inner, centre].map(|point| &names.points[point]);
-    let axis = placed[centre] - placed[inner];
+    let ends = wheel.points.axis;
+    let axis = placed[ends[1]] - placed[ends[0]];
     let off = axis.xz().norm().atan2(axis.y.abs()).to_degrees();
     (off > OFF_AXIS).then(|| {
-        let (wheel, off) = (wheel.title("wheel"), rounded(off, 3));
-        format!(
-            "the spin axis of the {wheel}, from `{from}` to `{to}`, is {off} deg off the y direction at the design position: are these \
-             the two points that are meant, and their coordinates right?"
+        let line = format!("spin axis of the {}", wheel.title("wheel"));
+        far_off(
+            task,
+            &line,
+            ends,
+            &format!("{} deg off the y direction", rounded(off, 3)),
         )
     })
 }

@@ -27,36 +27,19 @@ pub(super) fn car(
     // An axle alone tells which way is away from the other one.
     let is_described = stated.cg_height.is_some() || brake_share.is_some() || drive_share.is_some();
     // A wheel between the axles of a longer vehicle belongs to neither.
-    let tells_no_name = wheels
-        .iter()
-        .all(|wheel| Axle::from_wheel_name(&wheel.name).is_none());
+    let is_named = |wheel: &Wheel| Axle::from_wheel_name(&wheel.name).is_some();
+    let needs_axle = !wheels.iter().any(is_named);
+    let refuse = |message: String| task.source.refuse(&table.span(), message);
     for (wheel, (brake, drive)) in wheels.iter_mut().zip(brakes.into_iter().zip(drives)) {
-        let from_name = Axle::from_wheel_name(&wheel.name);
-        if let (Some(_), Some(from_name)) = (stated.axle, from_name)
-            && stated.axle != Some(from_name)
-        {
-            let message = format!(
-                "`axle` contradicts the name of the wheel `{}`; leave it out",
-                wheel.name
-            );
-            return Err(task.source.refuse(&table.span(), message));
-        }
-        wheel.axle = stated.axle.or(from_name);
+        wheel.axle = axle_of(wheel, stated).map_err(refuse)?;
         if !is_described {
             continue;
         }
         wheel.brake_share = share(task, "brake_share", brake)?;
         wheel.drive_share = share(task, "drive_share", drive)?;
-        let missing = [
-            (
-                wheel.axle.is_none() && tells_no_name,
-                "axle = \"front\" or \"rear\"",
-            ),
-            (stated.wheelbase.is_none(), "wheelbase"),
-            (stated.cg_height.is_none(), "cg_height"),
-        ];
-        if let Some((_, missing)) = missing.into_iter().find(|(is_missing, _)| *is_missing) {
-            return Err(task.source.refuse(&table.span(), incomplete(missing)));
+        let lacks_axle = needs_axle && wheel.axle.is_none();
+        if let Some(missing) = what_is_missing(stated, lacks_axle) {
+            return Err(refuse(incomplete(missing)));
         }
     }
     check_sum(task, wheels, ("brake_share", brake_share), |wheel| {
@@ -65,6 +48,39 @@ pub(super) fn car(
     check_sum(task, wheels, ("drive_share", drive_share), |wheel| {
         wheel.drive_share
     })
+}
+
+/// The axle of a wheel, from the file or else from the wheel's name.
+///
+/// # Errors
+///
+/// A sentence, if these contradict each other.
+fn axle_of(wheel: &Wheel, stated: &VehicleTable) -> Result<Option<Axle>, String> {
+    match (stated.axle, Axle::from_wheel_name(&wheel.name)) {
+        (Some(stated), Some(named)) if stated != named => Err(format!(
+            "`axle` contradicts the name of the wheel `{}`; leave it out",
+            wheel.name
+        )),
+        (stated, named) => Ok(stated.or(named)),
+    }
+}
+
+/// The first line that `[vehicle]` lacks for support angles.
+fn what_is_missing(stated: &VehicleTable, lacks_axle: bool) -> Option<&'static str> {
+    let needed = [
+        (lacks_axle, "axle = \"front\" or \"rear\""),
+        (stated.wheelbase.is_none(), "wheelbase"),
+        (stated.cg_height.is_none(), "cg_height"),
+    ];
+    let missing = needed.into_iter().find(|(is_missing, _)| *is_missing);
+    missing.map(|(_, line)| line)
+}
+
+fn incomplete(missing: &str) -> String {
+    format!(
+        "[vehicle] is incomplete: anti-dive, anti-lift and anti-squat need axle, wheelbase, cg_height and brake_share or \
+         drive_share; {missing} is missing"
+    )
 }
 
 /// Sets the parts that bear the torques of each wheel. The drive torque is borne by the body that carries wheels on
@@ -116,13 +132,6 @@ fn check_sum(
         number(rear)
     );
     Err(task.source.refuse(&stated.span(), message))
-}
-
-fn incomplete(missing: &str) -> String {
-    format!(
-        "[vehicle] is incomplete: anti-dive, anti-lift and anti-squat need axle, wheelbase, cg_height and brake_share or \
-         drive_share; {missing} is missing"
-    )
 }
 
 /// A part of a whole.

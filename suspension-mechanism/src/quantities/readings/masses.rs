@@ -1,7 +1,7 @@
 //! Effective masses at the wheels: readings by kinetic energy.
 
 use crate::file::Dimension;
-use crate::mechanism::{Movement, Names, State};
+use crate::mechanism::{Names, State, WheelMovement};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::wheel::Rolling;
@@ -14,7 +14,7 @@ pub(crate) fn of_wheels<N: Number>(names: &Names) -> Vec<Reading<N>> {
         let drive = rolling.travel.filter(|_| has_masses)?;
         let together = rolling.moved_together(names);
         Some(without_derivatives(Dimension::Mass, move |state| {
-            effective(state.moved_along(Movement::Travel(drive))?, &together)
+            effective(state.moved_along(WheelMovement::Travel(drive))?, &together)
         }))
     })
 }

@@ -5,7 +5,7 @@ use suspension_core::listing::MeasureKind;
 use suspension_core::signal::Number as _;
 
 use crate::file::Dimension;
-use crate::mechanism::{Movement, Names, Spring, State};
+use crate::mechanism::{Names, Spring, State, WheelMovement};
 use crate::quantities::formulas::Reading;
 use crate::quantities::number::Number;
 use crate::quantities::reader::Reader;
@@ -39,15 +39,15 @@ impl Sprung {
             .map(|measures| measures[spring.measure]);
             let slope = rate / coordinate.rate;
             let bend = (second_rate - slope * coordinate.second_rate) / coordinate.rate.powi(2);
-            let presses = spring.presses(value);
+            let load = spring.load_at(value);
             // Converts to newton metres per unit of length.
             let scale = match spring.kind {
                 MeasureKind::Angle => state.metre,
                 MeasureKind::Length => 1.0,
             };
             Self {
-                force: sum.force - scale * presses * slope,
-                rate: sum.rate + scale * (spring.rate * slope * slope - presses * bend),
+                force: sum.force - scale * load * slope,
+                rate: sum.rate + scale * (spring.rate * slope * slope - load * bend),
             }
         })
     }
@@ -81,7 +81,7 @@ pub(crate) fn of_wheels<N: Number>(
         let drive = rolling.travel.filter(|_| has_springs)?;
         let together = rolling.moved_together(names);
         let of_state = move |state: &State| {
-            let state = state.moved_along(Movement::Travel(drive))?;
+            let state = state.moved_along(WheelMovement::Travel(drive))?;
             let height = |rolling| height(state, rolling);
             let share = share(&together, rolling, |rolling| height(rolling).rate);
             Some(share * value(Sprung::along(height(rolling), state)))
@@ -94,7 +94,7 @@ pub(crate) fn of_wheels<N: Number>(
 /// wheel has half of it.
 pub(crate) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::Stiffness, move |wheels, state| {
-        let moved = state.moved_along(Movement::Heave(wheels.map(|wheel| wheel.number)))?;
+        let moved = state.moved_along(WheelMovement::Heave(wheels.map(|wheel| wheel.number)))?;
         Some(0.5 * value(Sprung::along(height(moved, wheels[0]), moved)))
     })
 }
@@ -103,7 +103,7 @@ pub(crate) fn of_heave<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Ve
 /// through them.
 pub(crate) fn of_roll<N: Number>(names: &Names, value: fn(Sprung) -> f64) -> Vec<Reading<N>> {
     of_sprung_axles(names, Dimension::AngularStiffness, move |wheels, state| {
-        let moved = state.moved_along(Movement::Roll(wheels.map(|wheel| wheel.number)))?;
+        let moved = state.moved_along(WheelMovement::Roll(wheels.map(|wheel| wheel.number)))?;
         let reader = Reader::new(moved);
         let [left, right] = wheels.map(|rolling| reader.wheel(rolling).centre);
         let roll = Signal::arc_tangent(left.z - right.z, left.y - right.y);

@@ -6,7 +6,7 @@ use suspension_core::{Signal, Values};
 use crate::mechanism::derivatives::local_motion::LocalMotion;
 use crate::mechanism::motion::drive_laws::unit_change;
 use crate::mechanism::parts::sides::Pair;
-use crate::mechanism::state::{Moved, Movement};
+use crate::mechanism::state::{Moved, WheelMovement};
 use crate::mechanism::suspension::Suspension;
 
 impl<L: Suspension<N>, const N: usize> LocalMotion<'_, L, N> {
@@ -18,12 +18,12 @@ impl<L: Suspension<N>, const N: usize> LocalMotion<'_, L, N> {
         }
         let pairs = Pair::all(&names.wheels);
         let alone = names.vehicle.travel.iter().map(|drive| {
-            let movement = Movement::Travel(*drive);
+            let movement = WheelMovement::Travel(*drive);
             Some((movement, self.single_wheel_motion(*drive, &pairs)?))
         });
         let together = pairs.iter().flat_map(|Pair { wheels, .. }| {
-            let heave = (Movement::Heave(*wheels), [1.0, 1.0]);
-            let roll = (Movement::Roll(*wheels), [1.0, -1.0]);
+            let heave = (WheelMovement::Heave(*wheels), [1.0, 1.0]);
+            let roll = (WheelMovement::Roll(*wheels), [1.0, -1.0]);
             [heave, roll]
                 .map(|(movement, rise)| Some((movement, self.two_wheel_motion(*wheels, rise)?)))
         });

@@ -1,15 +1,15 @@
 //! The coordinate by which a drive enters the equations, and the way back to the drive's value.
 
 use crate::arithmetic::scalar::Real;
-use crate::arithmetic::trigonometry::sine_cosine;
 use crate::linkage::{Linkage, Values};
 use crate::listing::DriveKind;
+use crate::model::constraint::{angle_to_coordinate, turn_to_coordinate};
 use crate::model::parts;
 use crate::signal::Signal;
 
 /// The coordinate `h` of a drive as a function of its value `theta`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Chart<T> {
+pub(crate) enum DriveCoordinate<T> {
     /// The value itself.
     Value,
     /// `L cos(theta)`, with `theta` from 0 to pi.
@@ -18,7 +18,7 @@ pub(crate) enum Chart<T> {
     QuarterSine { length: T },
 }
 
-impl<T: Real> Chart<T> {
+impl<T: Real> DriveCoordinate<T> {
     pub(crate) fn new<L: Linkage<N, Scalar = T>, const N: usize>(
         linkage: &L,
         drive: usize,
@@ -60,8 +60,7 @@ impl<T: Real> Chart<T> {
             Self::Value => coordinate,
             Self::Cosine { length } => parts::angle(coordinate, length),
             Self::QuarterSine { length } => {
-                T::arc_tangent(coordinate, other_side_of_triangle(coordinate, length))
-                    * T::constant(4.0)
+                T::arc_tangent(coordinate, parts::other_leg(coordinate, length)) * T::constant(4.0)
             }
         }
     }
@@ -70,14 +69,8 @@ impl<T: Real> Chart<T> {
     pub(crate) fn coordinate(self, value: T) -> T {
         match self {
             Self::Value => value,
-            Self::Cosine { length } => {
-                let (_, cosine) = sine_cosine(value);
-                length * cosine
-            }
-            Self::QuarterSine { length } => {
-                let (sine, _) = sine_cosine(value * T::constant(0.25));
-                length * sine
-            }
+            Self::Cosine { length } => angle_to_coordinate(length, Signal::still(value)).value,
+            Self::QuarterSine { length } => turn_to_coordinate(length, Signal::still(value)).value,
         }
     }
 
@@ -93,7 +86,7 @@ impl<T: Real> Chart<T> {
         match self {
             Self::Value => *coordinate,
             Self::Cosine { length } => {
-                let across = other_side_of_triangle(h, length);
+                let across = parts::other_leg(h, length);
                 let angle_rate = -rate / across;
                 Signal {
                     value,
@@ -102,7 +95,7 @@ impl<T: Real> Chart<T> {
                 }
             }
             Self::QuarterSine { length } => {
-                let (along, four) = (other_side_of_triangle(h, length), T::constant(4.0));
+                let (along, four) = (parts::other_leg(h, length), T::constant(4.0));
                 let quarter_rate = rate / along;
                 Signal {
                     value,
@@ -112,10 +105,4 @@ impl<T: Real> Chart<T> {
             }
         }
     }
-}
-
-/// The other side of a right triangle.
-fn other_side_of_triangle<T: Real>(side: T, longest: T) -> T {
-    let square = (longest - side) * (longest + side);
-    square.max(T::zero()).sqrt()
 }

@@ -21,8 +21,8 @@ use crate::solve::report::Report;
 /// The smallest fraction of the tangent's largest entry that the entry of the local parameter may be.
 const POOR: f64 = 0.25;
 
-/// One step: how it is made, along which curve, and to which target.
-pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
+/// One step of a led motion: how it is made, along which curve, and to which target.
+pub(super) struct LedStep<'a, T, L: Linkage<N>, Q, const N: usize> {
     pub(super) leader: &'a Leader<T>,
     pub(super) curve: Curve<'a, L, N>,
     pub(super) quantity: Q,
@@ -32,18 +32,19 @@ pub(super) struct Course<'a, T, L: Linkage<N>, Q, const N: usize> {
 /// A position that solves the equations and where the quantity meets its target.
 struct Met<T, const N: usize> {
     position: Configuration<T, N>,
-    /// See [`Course::steepest`].
+    /// See [`LedStep::steepest`].
     steepest: T,
     report: Report<T>,
 }
 
-impl<T, L, Q, const N: usize> Course<'_, T, L, Q, N>
+impl<T, L, Q, const N: usize> LedStep<'_, T, L, Q, N>
 where
     T: Real,
     L: Linkage<N, Scalar = T>,
     Q: Fn(&Signal<L::Points>) -> Signal<T>,
 {
-    pub(super) fn step<C: ChassisMotion<L::Fixed>>(
+    /// Makes the step from the last motion, in the time `dt`.
+    pub(super) fn make<C: ChassisMotion<L::Fixed>>(
         &self,
         dt: T,
         led: &Led<T, N>,
