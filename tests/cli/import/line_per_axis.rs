@@ -41,6 +41,21 @@ fn a_line_for_each_coordinate_imports_the_same_points() {
     }
 }
 
+/// Dashes and blanks that word processors put in.
+#[test]
+fn signs_beyond_ascii_separate_the_words_of_names() {
+    let folder = folder();
+    let plain = import(folder.path(), "a.csv", &table(&CORNER), &[]);
+    for sign in ["\u{2013}", "\u{2212}", "\u{a0}", " \u{b0} "] {
+        let file = table(&CORNER).replace('_', sign);
+        let file = file + &format!("tire{sign}radius, 229\n");
+        let imported = import(folder.path(), "a.csv", &file, &[]);
+        assert_eq!(imported.points(), plain.points(), "{file}");
+        let radius = imported.motion["vehicle"]["wheel_radius"].as_float();
+        assert_eq!(radius, Some(229.0), "{file}");
+    }
+}
+
 #[test]
 fn coordinates_without_their_point_or_order_are_no_point() {
     let file = lines(|name, axis, value| format!("{name}_{axis} = {value}\n"));

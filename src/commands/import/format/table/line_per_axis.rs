@@ -71,8 +71,11 @@ impl<'a> Coordinate<'a> {
             _ => (value, unit),
         };
         let left = trimmed(left);
-        let before = left.rfind(|c: char| !c.is_alphanumeric());
-        let (name, axis) = left.split_at(before.map_or(0, |before| before + 1));
+        let mut signs = left.char_indices().filter(|(_, c)| !c.is_alphanumeric());
+        let behind = signs
+            .next_back()
+            .map_or(0, |(at, sign)| at + sign.len_utf8());
+        let (name, axis) = left.split_at(behind);
         // Between commas `130,2` may be two columns.
         let is_one = is_number(value) && !(is_between_commas && value.contains(','));
         is_one.then(|| Self {
