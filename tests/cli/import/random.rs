@@ -68,7 +68,7 @@ fn name_of(rng: &mut Rng, point: usize) -> String {
             name = name.replace(word, any(rng, others));
         }
     }
-    let name = name.replace(' ', any(rng, &[" ", "_", "-"]));
+    let name = name.replace(' ', any(rng, &[" ", "_", "-", " \u{2013} "]));
     match rng.u8(..3) {
         0 => name.to_uppercase(),
         1 => name,
