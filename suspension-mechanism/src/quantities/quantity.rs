@@ -99,10 +99,10 @@ impl<N: Compiled> Column<N> {
     /// The factor to the value for people, and the symbol of its unit.
     pub(crate) fn display_scale_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
         let (scale, symbol) = self.dimension.display_scale(unit);
-        match drive.map(|drive| drive.kind) {
-            Some(dimension) => {
-                let symbol = format!("{symbol}/{}", Dimension::from(dimension).symbol(unit));
-                (scale / Dimension::from(dimension).file_factor(unit), symbol)
+        match drive.map(|drive| Dimension::from(drive.kind)) {
+            Some(per) => {
+                let symbol = format!("{symbol}/{}", per.symbol(unit));
+                (scale / per.file_factor(unit), symbol)
             }
             None => (scale, symbol),
         }
