@@ -30,6 +30,15 @@ pub struct Quantity {
     pub(super) read: Formulas,
 }
 
+/// Two are the same if they are one row of the catalogue.
+impl PartialEq for Quantity {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for Quantity {}
+
 /// The outputs in which a quantity is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
@@ -142,7 +151,7 @@ impl<N: Compiled> Column<N> {
 
     /// Whether it belongs to a quantity.
     pub fn is(&self, quantity: &Quantity) -> bool {
-        std::ptr::eq(self.quantity, quantity)
+        self.quantity == quantity
     }
 }
 
