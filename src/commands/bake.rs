@@ -101,7 +101,7 @@ impl Arguments {
         let mechanism = &*with_notes_printed(loaded.at_first_instant()?);
         loaded.check_driven("suspension bake", mechanism)?;
         let baking = self.baking((source.name(), mechanism), interrupted)?;
-        let sheet = {
+        let file = {
             let _shown = Busy::new("baking");
             baking.execute()?
         };
@@ -113,14 +113,14 @@ impl Arguments {
         };
         let of_wheel = self.wheel.iter().map(|wheel| format!("_{wheel}"));
         let of_wheel: String = of_wheel.collect();
-        let ending = format!("{of_wheel}_{}.{}", sheet.subject(), language.extension());
+        let ending = format!("{of_wheel}_{}.{}", file.subject(), language.extension());
         let own = in_out(&self.file, &ending);
         let target = Target::from(self.out.clone().unwrap_or_else(|| own.clone()));
         target.refuse_input("--out")?;
-        target.write(&sheet.text(language, target.path().unwrap_or(&own)))?;
+        target.write(&file.text(language, target.path().unwrap_or(&own)))?;
         if let Some(path) = target.path() {
-            let (path, ranges) = (path.display(), sheet.about.ranges_in_words());
-            let count = sheet.baked.count_in_words();
+            let (path, ranges) = (path.display(), file.about.ranges_in_words());
+            let count = file.baked.count_in_words();
             tell(format_args!("wrote {path}: {ranges}, {count}"));
         }
         Ok(())

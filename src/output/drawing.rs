@@ -23,7 +23,7 @@ use crate::output::svg::{Area, Drawn, FINE, document};
 pub use first_instant::{drawing_of, usual_radius};
 pub use forces::{Acting, Forces, InLink};
 use labels::{Labels, Segment};
-use marks::CHASSIS;
+use marks::{CHASSIS, Place};
 pub use rack::Rack;
 pub use view::Seen;
 use view::View;
@@ -235,4 +235,9 @@ impl Drawing {
 fn pixels([x, y]: [f64; 2]) -> (i32, i32) {
     let fine = f64::from(FINE);
     ((x * fine).round() as i32, (y * fine).round() as i32)
+}
+
+/// Returns the place halfway between two places on the sheet.
+fn middle([from, to]: [Place; 2]) -> Place {
+    (i32::midpoint(from.0, to.0), i32::midpoint(from.1, to.1))
 }

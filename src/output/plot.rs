@@ -10,7 +10,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::output::colour::Colour;
-use crate::output::svg::{Area, Drawn, FINE, document};
+use crate::output::svg::{Area, Drawn, FINE, FONT, document};
 use axis::{Axis, DIGIT, is_finite};
 
 /// A plot.
@@ -43,7 +43,6 @@ pub struct Curve {
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
-const FONT: &str = "sans-serif";
 /// The margin of a plot, and that on its right, in pixels.
 const MARGIN: [u32; 2] = [14, 28];
 /// The heights of the title with a gap below it, and of what is below the horizontal axis, in pixels.

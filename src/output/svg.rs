@@ -6,6 +6,9 @@ use plotters::prelude::*;
 /// Drawing units per pixel: plotters rounds to whole units, which would be visible as steps.
 pub(super) const FINE: u32 = 8;
 
+/// The font of all texts.
+pub(super) const FONT: &str = "sans-serif";
+
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Drawn = Result<(), Box<dyn std::error::Error>>;
 

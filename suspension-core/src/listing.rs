@@ -128,6 +128,11 @@ pub enum Kind {
     Length,
 }
 
+impl Kind {
+    /// The kinds of points, in the order of all points.
+    pub const POINTS: [Self; 3] = [Self::ChassisPoint, Self::FreePoint, Self::Marker];
+}
+
 /// The kind of a drive's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DriveKind {

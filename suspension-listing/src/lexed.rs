@@ -82,6 +82,11 @@ pub(crate) fn placed(tokens: TokenStream, place: Span) -> TokenStream {
     tokens.into_iter().map(placed).collect()
 }
 
+/// Whether a token is this punctuation mark.
+pub(crate) fn is_punct(token: &TokenTree, mark: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark)
+}
+
 /// Refuses brackets so deep that the parser, which recurses into them, might not return, and numbers that take it
 /// long to read.
 fn exceeded(tokens: &TokenStream) -> Option<Error> {

@@ -186,12 +186,15 @@ impl MeasuredTable {
     }
 
     fn line_of(&self, record: &StringRecord) -> u64 {
-        let position = record.position();
-        let (start, number) = position.map_or((0, 1), |it| (it.byte() as usize, it.line()));
-        // The record may begin before lines that it does not have.
-        let text = &self.source.text()[start..];
-        let before = &text[..text.len() - content(text).len()];
+        let number = record.position().map_or(1, csv::Position::line);
+        let text = &self.source.text()[start_of(record)..];
+        let before = &text[..text.len() - self.text_from(record).len()];
         number + before.matches('\n').count() as u64
+    }
+
+    /// The text from the line of a record on: the record may begin before lines that it does not have.
+    fn text_from(&self, record: &StringRecord) -> &str {
+        content(&self.source.text()[start_of(record)..])
     }
 
     /// The failure at a heading.
@@ -216,11 +219,7 @@ impl MeasuredTable {
         column: usize,
         message: impl std::fmt::Display,
     ) -> Failure {
-        let begin = record
-            .position()
-            .map_or(0, |position| position.byte() as usize);
-        // The record may begin before lines that it does not have.
-        let text = content(&self.source.text()[begin..]);
+        let text = self.text_from(record);
         let line = text.lines().next().unwrap_or_default();
         let ends = unquoted(line).filter(|(_, byte)| *byte == self.separator);
         let mut starts = iter::once(0).chain(ends.map(|(end, _)| end + 1));
@@ -230,6 +229,12 @@ impl MeasuredTable {
         let start = self.source.text().len() - text.len() + line.len() - field.len();
         self.source.refuse(&(start..start), message)
     }
+}
+
+/// Returns the place in the text where a record begins.
+fn start_of(record: &StringRecord) -> usize {
+    let position = record.position();
+    position.map_or(0, |position| position.byte() as usize)
 }
 
 /// Returns what the numbers of all lines show of their commas and points.

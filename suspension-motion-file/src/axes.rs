@@ -66,11 +66,12 @@ impl Axes {
 
     /// Converts a vector from ISO 8855 to these axes, or from them to ISO 8855: both are the same half turn.
     pub fn turned<N: Scalar + Neg<Output = N>>(self, vector: Vector3<N>) -> Vector3<N> {
-        let [x, y, z] = vector.into();
-        match self {
-            Self::Iso => Vector3::new(x, y, z),
-            Self::Adams => Vector3::new(-x, -y, z),
-            Self::Sae => Vector3::new(x, -y, -z),
-        }
+        let signs = Vector3::from(self.signs());
+        vector.zip_map(
+            &signs,
+            |coordinate, sign| {
+                if sign < 0.0 { -coordinate } else { coordinate }
+            },
+        )
     }
 }

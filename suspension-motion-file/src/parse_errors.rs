@@ -23,28 +23,33 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
     let message = message.replace("expected f64", "expected a number");
     let message = message.replace("expected a sequence", "expected a list in brackets, [...]");
     let message = message.replace("unknown variant", "unknown word");
+    // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
+    match (
+        message.split_once(", expected"),
+        hint(&message, source, start),
+    ) {
+        (Some((unknown, _)), hint) if unknown.starts_with("unknown field") && !hint.is_empty() => {
+            unknown.to_owned() + &hint
+        }
+        (_, hint) => message + &hint,
+    }
+}
+
+/// Says what to write in place of a mistake that begins at `start`; empty if that is unknown.
+fn hint(message: &str, source: &Source, start: usize) -> String {
     let mut quoted = message.split('`').skip(1).step_by(2);
     let name = quoted.next().unwrap_or_default();
-    let hint = if message.starts_with("unknown field") {
-        let hint = match place_among_keys(name) {
+    let rest = source.text().get(start..).unwrap_or_default();
+    if message.starts_with("unknown field") {
+        match place_among_keys(name) {
             Some(place) => format!("; {name} belongs {place}"),
             None => did_you_mean(name, quoted),
-        };
-        // With a suggestion, or in a known table, the list of all expected keys is omitted: it may be long.
-        match message.split_once(", expected") {
-            Some((unknown, _)) if !hint.is_empty() => return unknown.to_owned() + &hint,
-            _ => hint,
         }
     } else if message.starts_with("unknown word") {
         did_you_mean(name, quoted)
     } else if is_comma_between_digits(source.text(), start) {
         "; a decimal separator is a point, as in 0.5".to_owned()
-    } else if message.starts_with("unexpected key or value")
-        && source
-            .text()
-            .get(start..)
-            .is_some_and(|rest| rest.starts_with(','))
-    {
+    } else if message.starts_with("unexpected key or value") && rest.starts_with(',') {
         LIST.to_owned()
     } else if message.starts_with("missing field") {
         example_of_key(name).to_owned() + &also_missing(name, source.text())
@@ -53,8 +58,7 @@ pub(super) fn explained(message: &str, source: &Source, start: usize) -> String 
         "; unit, angle and axes belong above the first table".to_owned()
     } else {
         String::new()
-    };
-    message + &hint
+    }
 }
 
 /// How several numbers are written.

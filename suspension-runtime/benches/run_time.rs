@@ -99,8 +99,7 @@ fn swung<L: Build<N, Scalar = f64>, const N: usize>(
 
 /// Where the listing has its points; a marker that it does not place is put at the origin.
 fn hardpoints(listing: &Listing) -> Vec<Vector3<f64>> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count = kinds.iter().map(|kind| listing.count(*kind)).sum();
+    let count = Kind::POINTS.map(|kind| listing.count(kind)).iter().sum();
     let mut points = vec![Vector3::zeros(); count];
     for (place, at) in listing.stated() {
         points[place] = at;

@@ -87,8 +87,7 @@ impl Listing {
     where
         Room<N>: Size,
     {
-        let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-        let wanted = kinds.map(|kind| self.count(kind)).iter().sum();
+        let wanted = Kind::POINTS.map(|kind| self.count(kind)).iter().sum();
         if hardpoints.len() == wanted {
             self.built(hardpoints)
         } else {

@@ -12,6 +12,16 @@ use crate::site::Site;
 use crate::size::{Few, Lengths, Room, Size};
 use crate::table::Table;
 
+/// Lengths, and the bodies that have them.
+struct Shaped<'a, T: Real, const N: usize>
+where
+    Room<N>: Size,
+{
+    lengths: &'a Lengths<T, N>,
+    frames: &'a Few<Frame<T>, N>,
+    carried: &'a Few<Carried<T>, N>,
+}
+
 impl<T: Real, const N: usize> Model<'_, T, N>
 where
     Room<N>: Size,
@@ -47,12 +57,17 @@ where
         let carried = self.carried_with(lengths, &frames)?;
         let distances = self.forms().distances.iter();
         let distances = distances.map(|distance| Distance::new(lengths.get(distance.length)));
+        let shaped = Shaped {
+            lengths,
+            frames: &frames,
+            carried: &carried,
+        };
         let model = Self {
             distances: Values::from_values(distances),
             carried,
-            lines: self.lines_with(lengths, &frames, &carried)?,
-            products: self.products_with(lengths, &frames, &carried)?,
-            scales: self.scales_with(lengths, &frames, &carried)?,
+            lines: self.lines_with(&shaped)?,
+            products: self.products_with(&shaped)?,
+            scales: self.scales_with(&shaped)?,
             linked: self.linked_with(lengths, &cluster_frames)?,
             frames,
             cluster_frames,
@@ -73,29 +88,22 @@ where
         parts::frame_of_lengths(self.point(c).into(), edges)
     }
 
-    fn lines_with(
-        &self,
-        lengths: &Lengths<T, N>,
-        frames: &Few<Frame<T>, N>,
-        carried: &Few<Carried<T>, N>,
-    ) -> Result<Few<OnLine<T>, N>, GeometryError> {
+    fn lines_with(&self, shaped: &Shaped<'_, T, N>) -> Result<Few<OnLine<T>, N>, GeometryError> {
         fill(self.forms().lines.iter().map(|line| {
             let [to] = line.ends;
-            let length = self.kept(lengths, frames, carried, (line.length, [line.from, to]));
+            let length = self.kept(shaped, (line.length, [line.from, to]));
             parts::line(self.point(to).into(), length)
         }))
     }
 
     fn products_with(
         &self,
-        lengths: &Lengths<T, N>,
-        frames: &Few<Frame<T>, N>,
-        carried: &Few<Carried<T>, N>,
+        shaped: &Shaped<'_, T, N>,
     ) -> Result<Few<Product<T>, N>, GeometryError> {
         let products = self.forms().products.iter().zip(self.products.as_slice());
         fill(products.map(|(product, now)| {
             let ([first, second], [a, b]) = (product.lengths, product.lines);
-            let kept = |line| self.kept(lengths, frames, carried, line);
+            let kept = |line| self.kept(shaped, line);
             let [_, end] = b;
             parts::product_at(
                 self.point(end).into(),
@@ -105,18 +113,13 @@ where
         }))
     }
 
-    fn scales_with(
-        &self,
-        lengths: &Lengths<T, N>,
-        frames: &Few<Frame<T>, N>,
-        carried: &Few<Carried<T>, N>,
-    ) -> Result<Few<Bilinear<T>, N>, GeometryError> {
+    fn scales_with(&self, shaped: &Shaped<'_, T, N>) -> Result<Few<Bilinear<T>, N>, GeometryError> {
         let scales = self.forms().scales.iter().zip(self.scales.as_slice());
         fill(
             scales.map(|(scale, now)| match (scale.kept, scale.lines.as_slice()) {
                 (Some(kept), &[line]) => {
                     let [_, end] = line;
-                    let length = self.kept(lengths, frames, carried, (kept, line));
+                    let length = self.kept(shaped, (kept, line));
                     parts::bilinear(self.point(end).into(), [length])
                 }
                 _ => Ok(*now),
@@ -125,23 +128,17 @@ where
     }
 
     /// The length of a line with given lengths.
-    fn kept(
-        &self,
-        lengths: &Lengths<T, N>,
-        frames: &Few<Frame<T>, N>,
-        carried: &Few<Carried<T>, N>,
-        (length, ends): (LineLength, [Site; 2]),
-    ) -> T {
+    fn kept(&self, shaped: &Shaped<'_, T, N>, (length, ends): (LineLength, [Site; 2])) -> T {
         match length {
-            LineLength::Given(length) => self.given_length(lengths, length, ends),
+            LineLength::Given(length) => self.given_length(shaped.lengths, length, ends),
             LineLength::Body { body, ends } => {
-                let frame = frames.get(body);
+                let frame = shaped.frames.get(body);
                 let [from, to] = ends.map(|end| match end {
                     BodyPoint::Frame(corner) => {
                         let corner = frame.points().get(usize::from(corner)).copied();
                         corner.unwrap_or_default()
                     }
-                    BodyPoint::Carried(point) => carried.get(point).position(&frame),
+                    BodyPoint::Carried(point) => shaped.carried.get(point).position(&frame),
                 });
                 (to - from).norm()
             }

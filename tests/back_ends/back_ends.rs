@@ -58,8 +58,7 @@ pub(crate) fn near<T: Number, P: Values<Vector3<T>>>(
 
 /// Returns the points that the listing states, and random ones for the others.
 pub(crate) fn hardpoints(listing: &Listing, random: &mut fastrand::Rng) -> Vec<Vector3<f64>> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count = kinds.iter().map(|kind| listing.count(*kind)).sum();
+    let count = Kind::POINTS.map(|kind| listing.count(kind)).iter().sum();
     let mut points = vec![Vector3::zeros(); count];
     points.fill_with(|| Vector3::from_fn(|_, _| random.f64()));
     for (place, at) in listing.stated() {

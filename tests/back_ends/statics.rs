@@ -108,8 +108,7 @@ where
         let inputs: Inputs<suspension_core::Still, _> = Inputs::still(Signal::still(self.drives));
         let motion = suspension_core::Motion::at_rest(self.q);
         let points = motion.points(self.model, &inputs).value;
-        let count =
-            [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker].map(|kind| self.model.count(kind));
+        let count = Kind::POINTS.map(|kind| self.model.count(kind));
         points.values().take(count.into_iter().sum()).collect()
     }
 

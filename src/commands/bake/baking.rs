@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use suspension_core::SolveError;
 
-use crate::bake::source::{About, Sheet, Table};
+use crate::bake::source::{About, BakedFile, Table};
 use crate::bake::{Continuity, RequestedPoints};
 use crate::failure::Failure;
 use crate::file::Dimension;
@@ -73,7 +73,7 @@ impl Baking<'_> {
     ///
     /// [`Failure::Input`] if drives, ranges or tolerance are wrong, [`Failure::Solver`] if the mechanism does not pass
     /// through the ranges or the tolerance is not met.
-    pub fn execute(&self) -> Result<Sheet, Failure> {
+    pub fn execute(&self) -> Result<BakedFile, Failure> {
         self.check()?;
         let Description {
             linkage,
@@ -101,7 +101,7 @@ impl Baking<'_> {
             RequestedPoints::AllPoints => None,
         };
         let wheel = wheel.map(|wheel| wheel.title("wheel"));
-        let sheet = Sheet {
+        let file = BakedFile {
             about: About {
                 file: self.file.to_owned(),
                 linkage: linkage.clone(),
@@ -116,7 +116,7 @@ impl Baking<'_> {
         if self.interrupted.load(Ordering::Relaxed) {
             return Err(interrupted(self.file));
         }
-        Ok(sheet)
+        Ok(file)
     }
 
     /// Refuses a tolerance that is not positive, and the wheel of a listing without one.

@@ -134,7 +134,7 @@ impl Suspension {
             Some(-toe.per[steer].as_ref()?.value * centre.value.signum())
         };
         let toes = self.parameters.iter();
-        let toes = toes.filter(|parameter| std::ptr::eq(parameter.quantity, &TOE));
+        let toes = toes.filter(|parameter| *parameter.quantity == TOE);
         Some((&self.drives[steer], toes.filter_map(of_wheel).sum()))
     }
 

@@ -110,11 +110,11 @@ impl Page<'_> {
                             }
                         }
                         @let next = groups.get(number + 1).map(|next| next[0].quantity);
-                        @if !next.is_some_and(|next| std::ptr::eq(next, group[0].quantity)) {
+                        @if next != Some(group[0].quantity) {
                             tr.definition {
                                 td colspan=(columns) {
                                     (definition(group[0].quantity))
-                                    @if std::ptr::eq(group[0].quantity, &MEASURES) {
+                                    @if *group[0].quantity == MEASURES {
                                         @for [names, text] in &self.measures { br; code { (names) } ": " (text) }
                                     }
                                 }

@@ -8,7 +8,7 @@ use super::marks::CHASSIS;
 use super::view::{Seen, View};
 use super::{FONT_SIZE, pixels};
 use crate::number::fixed;
-use crate::output::svg::{Area, Drawn, FINE};
+use crate::output::svg::{Area, Drawn, FINE, FONT};
 
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -58,7 +58,7 @@ struct Texts<'a, 'b> {
 impl Texts<'_, '_> {
     /// Writes a text whose upper left corner and font size are given in pixels.
     fn write(&mut self, text: &str, [left, top]: [f64; 2], size: u32) -> Drawn {
-        let font = ("sans-serif", size * FINE).into_font().color(&CHASSIS);
+        let font = (FONT, size * FINE).into_font().color(&CHASSIS);
         let (x, y) = pixels([left, top]);
         self.area.draw(&Text::new(text, (x, y), font))?;
         let size = f64::from(size);

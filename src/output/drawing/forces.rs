@@ -3,12 +3,12 @@
 use nalgebra::Vector3;
 use plotters::prelude::*;
 
-use super::Drawing;
 use super::labels::Labels;
 use super::marks::{self, ACTING, CHASSIS, LINK};
 use super::view::View;
+use super::{Drawing, middle};
 use crate::mechanism::extent;
-use crate::output::svg::{Area, Drawn, FINE};
+use crate::output::svg::{Area, Drawn, FINE, FONT};
 
 /// The force in a link, or along a measured length.
 #[derive(Clone, Debug)]
@@ -99,17 +99,16 @@ impl Drawing {
             return Ok(());
         };
         for link in &forces.links {
-            let [a, b] = link.ends.map(|end| view.pixels(&self.points[end]));
-            let middle = (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
+            let ends = link.ends.map(|end| view.pixels(&self.points[end]));
             let text = format!("{:.0} N", link.tension.round() + 0.0); // no -0
             let colours = shades(colour(link.tension));
-            draw_label(area, labels, (&text, middle), colours)?;
+            draw_label(area, labels, (&text, middle(ends)), colours)?;
         }
         for (acting, [_, tip]) in forces.acting.iter().zip(self.arrows()) {
             let text = format!("{:.0} N", acting.force.norm());
             draw_label(area, labels, (&text, view.pixels(&tip)), shades(ACTING))?;
         }
-        let font = ("sans-serif", labels.font_size()).into_font();
+        let font = (FONT, labels.font_size()).into_font();
         let style = font.color(&CHASSIS);
         for (line, y) in forces.title.iter().zip([12, 32]) {
             let corner = (12 * FINE as i32, y * FINE as i32);

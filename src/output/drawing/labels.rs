@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::FONT_SIZE;
-use crate::output::svg::{Area, Drawn, FINE};
+use crate::output::svg::{Area, Drawn, FINE, FONT};
 use places::{common, inside, places_around};
 
 /// A placed name: the corner or the middle of its box nearest to its point, so that the name stays beside the point for any
@@ -188,7 +188,7 @@ impl Labels {
             let stroke = leader_colour.mix(0.5).stroke_width(FINE);
             area.draw(&PathElement::new(leader, stroke))?;
         }
-        let font = ("sans-serif", self.font_size()).into_font();
+        let font = (FONT, self.font_size()).into_font();
         let style = font.color(&colour).pos(Pos::new(boxed.anchor, VPos::Top));
         area.draw(&Text::new(text, boxed.at, style))?;
         Ok(())

@@ -5,21 +5,18 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::axes::BESIDE;
 use super::labels;
-use super::marks::{self, CHASSIS};
-use super::{Drawing, pixels};
-use crate::output::svg::{Area, Drawn, FINE};
+use super::marks::{self, CHASSIS, Place};
+use super::{Drawing, middle, pixels};
+use crate::output::svg::{Area, Drawn, FINE, FONT};
 
 /// In pixels: the font size, the width of a mark, the distance from it to its name and to the next mark, the height of a row,
 /// and the distance of the last row from the lower edge.
-const FONT: f64 = 10.0;
+const FONT_SIZE: f64 = 10.0;
 const MARK: f64 = 22.0;
 const TO_NAME: f64 = 6.0;
 const TO_NEXT: f64 = 9.0;
 const ROW: f64 = 14.0;
 const FOOT: f64 = 12.0;
-
-/// A place on the sheet, in pixels.
-type Place = (i32, i32);
 
 /// A mark, by what it is drawn at.
 #[derive(Clone, Copy)]
@@ -58,7 +55,7 @@ impl Drawing {
             let mut x = ends[0];
             for (name, mark) in row {
                 mark.draw(area, [pixels([x, y]), pixels([x + MARK, y])])?;
-                let font = ("sans-serif", FONT * f64::from(FINE)).into_font();
+                let font = (FONT, FONT_SIZE * f64::from(FINE)).into_font();
                 let style = font.color(&CHASSIS).pos(Pos::new(HPos::Left, VPos::Center));
                 area.draw(&Text::new(*name, pixels([x + MARK + TO_NAME, y]), style))?;
                 x += across(name);
@@ -114,11 +111,7 @@ fn rows(marks: Vec<(&'static str, Mark)>, width: f64) -> Vec<Vec<(&'static str, 
 
 /// Returns the width of a mark with its name.
 fn across(name: &str) -> f64 {
-    MARK + TO_NAME + labels::width(name, FONT) + TO_NEXT
-}
-
-fn middle([from, to]: [Place; 2]) -> Place {
-    (i32::midpoint(from.0, to.0), i32::midpoint(from.1, to.1))
+    MARK + TO_NAME + labels::width(name, FONT_SIZE) + TO_NEXT
 }
 
 /// Returns the corners of a box about a line.

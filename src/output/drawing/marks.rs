@@ -6,7 +6,8 @@ use plotters::prelude::*;
 use super::hull;
 use crate::output::svg::{Area, Drawn, FINE};
 
-type Place = (i32, i32);
+/// A place on the sheet, in drawing units.
+pub(super) type Place = (i32, i32);
 
 pub(super) const CHASSIS: RGBColor = RGBColor(60, 60, 60);
 pub(super) const LINK: RGBColor = RGBColor(31, 90, 160);

@@ -51,10 +51,7 @@ impl Parsed {
         };
         let wheels = (0..).map_while(|wheel| listing.wheel(wheel));
         Self {
-            points: names(
-                &[Kind::ChassisPoint, Kind::FreePoint, Kind::Marker],
-                Part::Point,
-            ),
+            points: names(&Kind::POINTS, Part::Point),
             drives: names(&[Kind::Drive], Part::Drive),
             measures: names(&[Kind::Measure], Part::Measure),
             wheels: wheels.map(|wheel| closed(wheel.name)).collect(),

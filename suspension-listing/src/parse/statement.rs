@@ -6,6 +6,7 @@ use syn::{Ident, Token};
 
 use crate::did_you_mean::did_you_mean;
 use crate::errors;
+use crate::lexed::is_punct;
 use crate::listing::Listing;
 use crate::statement::STATEMENTS;
 use crate::statement::operands::docs;
@@ -16,7 +17,7 @@ pub(super) fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
     let mut tokens = Vec::new();
     loop {
         let token: TokenTree = input.parse()?;
-        let is_last = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ';');
+        let is_last = is_punct(&token, ';');
         tokens.push(token);
         if is_last {
             return Ok(tokens);
@@ -86,9 +87,8 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
 /// Skips past the next semicolon.
 pub(super) fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
-        if let TokenTree::Punct(punct) = input.parse()?
-            && punct.as_char() == ';'
-        {
+        let token: TokenTree = input.parse()?;
+        if is_punct(&token, ';') {
             break;
         }
     }

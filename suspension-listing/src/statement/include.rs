@@ -17,7 +17,7 @@ use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
 use crate::errors;
 use crate::include::{Include, Source};
-use crate::lexed::handed_on;
+use crate::lexed::{handed_on, is_punct};
 use crate::system::AXES;
 use crate::vector::Vector;
 
@@ -154,10 +154,6 @@ impl Include {
             ),
         )
     }
-}
-
-fn is_punct(token: &TokenTree, character: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
 /// A position `x, y, z`, moved; tokens that cannot be read stay, to be reported.

@@ -18,7 +18,7 @@ use super::role::{KINGPIN, WHEEL};
 use super::word::Word;
 use crate::errors::{self, Errors};
 use crate::kind::Kind;
-use crate::lexed::placed;
+use crate::lexed::{is_punct, placed};
 use crate::listing::{Listing, Point};
 use crate::sides::Sides;
 use crate::system::AXES;
@@ -201,8 +201,7 @@ impl Mirror {
 
 /// The word of a statement and its name, which follow its docs; `None` for a statement without a name.
 fn word_and_name(tokens: &[TokenTree]) -> Option<[&Ident; 2]> {
-    let mut parts =
-        tokens.split(|token| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ':'));
+    let mut parts = tokens.split(|token| is_punct(token, ':'));
     match parts.next()? {
         [.., TokenTree::Ident(word), TokenTree::Ident(name)] => Some([word, name]),
         _ => None,

@@ -39,7 +39,7 @@ impl Language {
 
 /// A baked motion and the meaning of its numbers.
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub struct BakedFile {
     /// The meaning of the numbers.
     pub about: About,
     /// The numbers.
@@ -74,7 +74,7 @@ impl Table {
     }
 }
 
-impl Sheet {
+impl BakedFile {
     /// A description of the outputs and the drives.
     pub fn subject(&self) -> String {
         self.about.subject(self.baked.outputs())

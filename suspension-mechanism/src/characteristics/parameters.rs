@@ -29,7 +29,7 @@ pub struct Parameter {
 impl Parameter {
     /// Whether it is the coordinate of a quantity along an axis.
     pub fn is(&self, quantity: &Quantity, axis: Axis) -> bool {
-        std::ptr::eq(self.quantity, quantity) && self.axis == Some(axis)
+        self.quantity == quantity && self.axis == Some(axis)
     }
 }
 
@@ -64,7 +64,7 @@ pub(super) fn columns_of_curves<N: Compiled>(mechanism: &Description) -> Vec<Col
         &ACCELERATIONS,
         &RESIDUAL,
     ];
-    let is_shown = |quantity: &&Quantity| !LEFT_OUT.iter().any(|of| std::ptr::eq(*of, *quantity));
+    let is_shown = |quantity: &&Quantity| !LEFT_OUT.contains(quantity);
     let mut columns = quantities::columns_in(catalogue().filter(is_shown), &mechanism.names);
     columns.retain(|column: &Column<N>| column.dimension.is_of_positions());
     columns

@@ -22,6 +22,7 @@ impl FromStr for Span {
         }
     }
 }
+
 /// `count` changes from the design position, evenly spaced from the first to the last, except that one of them is the design
 /// position itself if this is between the ends: curves are read there, and cross zero where they count from it.
 pub fn through_design([from, to]: [f64; 2], count: usize) -> Vec<f64> {

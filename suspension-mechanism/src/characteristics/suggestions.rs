@@ -45,7 +45,7 @@ fn zero_at_design(wanted: &str, mechanism: &Description) -> Option<String> {
     let columns = columns.filter(|column| column.is(instead) && column.axis == axis);
     let names = columns.map(|column: Column| column.title());
     let names = listed(names.filter(|name| name.starts_with(wheel)))?;
-    let why = if std::ptr::eq(quantity, &STEERING_WHEEL_ANGLE) {
+    let why = if *quantity == STEERING_WHEEL_ANGLE {
         "is set by the drive of steering, whatever the hardpoints"
     } else {
         "counts from the design position and is zero there, whatever the hardpoints"
@@ -72,8 +72,7 @@ pub fn not_of_this(wanted: &str, mechanism: &Description) -> Option<String> {
     if columns(mechanism).iter().any(is_known) {
         return None;
     }
-    let mut axle = of_axles();
-    let is_of_axle = axle.any(|other| std::ptr::eq(other, quantity));
+    let is_of_axle = of_axles().any(|other| other == quantity);
     let needs = match lines_needed(quantity, &mechanism.names) {
         _ if is_of_axle && mechanism.names.wheels.len() < 2 => {
             "it is a quantity of an axle, with two wheels".to_owned()
@@ -108,8 +107,7 @@ fn remove_wheel<'a>(wanted: &'a str, names: &Names) -> &'a str {
 /// The lines of `[vehicle]` that a quantity needs. For the steering wheel this is the line for the drives that steer:
 /// a rack's or a steering box's.
 fn lines_needed(quantity: &Quantity, names: &Names) -> &'static str {
-    let mut of_steering_wheel = [&STEERING_RATIO, &STEERING_WHEEL_ANGLE].into_iter();
-    if of_steering_wheel.all(|other| !std::ptr::eq(other, quantity)) {
+    if ![&STEERING_RATIO, &STEERING_WHEEL_ANGLE].contains(&quantity) {
         return quantity.vehicle;
     }
     let drives = names.vehicle.steer.iter();

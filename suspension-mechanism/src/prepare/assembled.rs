@@ -7,7 +7,7 @@ use suspension_core::{GeometryError, Values, model::parts};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::{MotionFile, Source, StandIn, check, stand_in};
+use crate::file::{LeadingMeasure, MotionFile, Source, check, leading_measure};
 use crate::mechanism::{Names, Suspension};
 use crate::prepare::design::collinear_body;
 use crate::prepare::design::outlier::Outlier;
@@ -23,7 +23,7 @@ pub(super) struct Assembled<'a, L: Suspension<N>, const N: usize> {
     pub(super) given: L::Points,
     pub(super) design: Design<L, N>,
     /// The measure that leads instead of a drive.
-    pub(super) stand_in: Option<StandIn>,
+    pub(super) leading_measure: Option<LeadingMeasure>,
     pub(super) outlier: Option<Outlier>,
 }
 
@@ -39,7 +39,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
     /// The mechanism of a file, and of a listing.
     pub(super) fn new(request: &Request<'a>, listing: L::Listing) -> Result<Self, Failure> {
         let names = names(request, &listing);
-        let stand_in = check_names(request, &names)?;
+        let leading_measure = check_names(request, &names)?;
         let stated = stated_points(request.file, &names);
         let origin = LocalOrigin::among(stated.iter().copied());
         let mut task = Task::new(request, names, origin);
@@ -56,7 +56,7 @@ impl<'a, L: Suspension<N>, const N: usize> Assembled<'a, L, N> {
             task,
             given,
             design,
-            stand_in,
+            leading_measure,
             outlier,
         })
     }
@@ -107,7 +107,7 @@ fn names(request: &Request<'_>, listing: &impl Parts) -> Names {
     }
 }
 
-fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<StandIn>, Failure> {
+fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<LeadingMeasure>, Failure> {
     let Request {
         source,
         file,
@@ -126,9 +126,9 @@ fn check_names(request: &Request<'_>, names: &Names) -> Result<Option<StandIn>, 
         check::names(source, design, "drive", &drives)?;
         check::finite_values(source, design, "drive")?;
     }
-    let stand_in = stand_in(source, &file.drives, &drives, &names.measure_names())?;
+    let leading = leading_measure(source, &file.drives, &drives, &names.measure_names())?;
     check::drives(source, &file.drives)?;
-    Ok(stand_in)
+    Ok(leading)
 }
 
 /// The points as the file has them; relative ones are placed off the others as given.

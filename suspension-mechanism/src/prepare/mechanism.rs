@@ -5,7 +5,7 @@ use suspension_core::{Motion, Values};
 use suspension_runtime::Listing;
 
 use crate::failure::Failure;
-use crate::file::StandIn;
+use crate::file::LeadingMeasure;
 use crate::mechanism::{
     Coupling, Description, DriveLaws, Instants, Lead, Mechanism, Names, Suspension, Vehicle,
 };
@@ -170,7 +170,7 @@ impl<const N: usize> Begin<N> {
         let refused = |unreached: Failure, doubts: &[String]| {
             assembled.outlier_first(doubts.iter().fold(unreached, doubted))
         };
-        match (&assembled.stand_in, to) {
+        match (&assembled.leading_measure, to) {
             (_, Start::Design) => Ok(Self::at_design(&assembled.design)),
             (None, _) => match Self::driven(assembled, drives) {
                 Err(unreached) if to == Start::WithinReach => {
@@ -183,14 +183,14 @@ impl<const N: usize> Begin<N> {
                 }
                 begin => begin.map_err(|unreached| refused(unreached, doubts)),
             },
-            (Some(stand_in), _) => {
+            (Some(leading), _) => {
                 // For starts other than the first instant, they become notes.
                 let doubts = if to == Start::FirstInstant {
                     doubts
                 } else {
                     &[]
                 };
-                let begin = Self::led(assembled, stand_in, &drives);
+                let begin = Self::led(assembled, leading, &drives);
                 begin.map_err(|unreached| refused(unreached, doubts))
             }
         }
@@ -214,11 +214,11 @@ impl<const N: usize> Begin<N> {
     /// The first instant of a motion that a measure leads.
     fn led<L: Suspension<N>>(
         assembled: &Assembled<'_, L, N>,
-        stand_in: &StandIn,
+        leading: &LeadingMeasure,
         drives: &DriveLaws,
     ) -> Result<Self, Failure> {
         let (task, design) = (&assembled.task, &assembled.design);
-        let lead = by_measure::lead_to_first_instant(task, design, drives, stand_in)?;
+        let lead = by_measure::lead_to_first_instant(task, design, drives, leading)?;
         let inputs = drives.inputs(task.first);
         let there = lead.inputs(&design.model, &inputs, &lead.start);
         Ok(Self {

@@ -109,7 +109,7 @@ static FIRST_IN_CURVES: [&Quantity; 14] = [
 /// The place of a row among curves, for sorting: all that have no place of their own keep the order of tables.
 pub(crate) fn place_in_curves(quantity: &Quantity) -> usize {
     let mut first = FIRST_IN_CURVES.iter();
-    let place = first.position(|other| std::ptr::eq(*other, quantity));
+    let place = first.position(|other| *other == quantity);
     place.unwrap_or(FIRST_IN_CURVES.len())
 }
 

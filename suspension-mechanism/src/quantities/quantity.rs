@@ -30,6 +30,15 @@ pub struct Quantity {
     pub(super) read: Formulas,
 }
 
+/// Two are the same if they are one row of the catalogue.
+impl PartialEq for Quantity {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for Quantity {}
+
 /// The outputs in which a quantity is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
@@ -99,10 +108,10 @@ impl<N: Compiled> Column<N> {
     /// The factor to the value for people, and the symbol of its unit.
     pub(crate) fn display_scale_per(&self, drive: Option<&Drive>, unit: Unit) -> (f64, String) {
         let (scale, symbol) = self.dimension.display_scale(unit);
-        match drive.map(|drive| drive.kind) {
-            Some(dimension) => {
-                let symbol = format!("{symbol}/{}", Dimension::from(dimension).symbol(unit));
-                (scale / Dimension::from(dimension).file_factor(unit), symbol)
+        match drive.map(|drive| Dimension::from(drive.kind)) {
+            Some(per) => {
+                let symbol = format!("{symbol}/{}", per.symbol(unit));
+                (scale / per.file_factor(unit), symbol)
             }
             None => (scale, symbol),
         }
@@ -142,7 +151,7 @@ impl<N: Compiled> Column<N> {
 
     /// Whether it belongs to a quantity.
     pub fn is(&self, quantity: &Quantity) -> bool {
-        std::ptr::eq(self.quantity, quantity)
+        self.quantity == quantity
     }
 }
 

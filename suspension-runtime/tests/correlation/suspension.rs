@@ -75,8 +75,7 @@ impl Suspension {
 
 /// The points of a listing in order.
 fn names(listing: &Listing) -> impl Iterator<Item = &str> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count: usize = kinds.iter().map(|kind| listing.count(*kind)).sum();
+    let count: usize = Kind::POINTS.map(|kind| listing.count(kind)).iter().sum();
     (0..count).map(|index| listing.name(Part::Point(index)))
 }
 

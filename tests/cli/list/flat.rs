@@ -42,8 +42,7 @@ fn contents(listing: &Listing) -> String {
         let names = (0..listing.count(kind)).map(|index| listing.name(part(index)).to_owned());
         names.collect::<Vec<String>>()
     };
-    let points = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let counts = points.map(|kind| listing.count(kind));
+    let counts = Kind::POINTS.map(|kind| listing.count(kind));
     let points: Vec<&str> = suspension::prepare::point_names(listing).collect();
     format!(
         "{counts:?} {points:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",

@@ -184,7 +184,7 @@ fn offset(kind: DriveKind) -> f64 {
 /// The points whose positions the listing does not state.
 fn missing(listing: &Listing) -> impl Iterator<Item = (usize, Vector3<f64>)> {
     let stated: BTreeSet<usize> = listing.stated().map(|(place, _)| place).collect();
-    let count = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker].map(|kind| listing.count(kind));
+    let count = Kind::POINTS.map(|kind| listing.count(kind));
     let all = 0..count.iter().sum();
     all.filter(move |place| !stated.contains(place))
         .map(|place| (place, Vector3::from(WHEEL_CENTRE)))

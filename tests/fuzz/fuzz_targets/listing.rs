@@ -63,8 +63,7 @@ fn bits<const N: usize>(motion: &Motion<f64, N>) -> Vec<u64> {
 
 /// Names and places of all parts, which a listing that is read has.
 fn read_parts(listing: &Listing) {
-    let points = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let points: usize = points.iter().map(|kind| listing.count(*kind)).sum();
+    let points: usize = Kind::POINTS.map(|kind| listing.count(kind)).iter().sum();
     let ends = listing.links().into_iter().flatten();
     let carried = listing.bodies().into_iter().flatten();
     assert!(ends.chain(carried).all(|place| place < points));

@@ -4,6 +4,7 @@
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree};
 
 use super::Mirror;
+use crate::lexed::is_punct;
 
 impl Mirror {
     pub(super) fn tokens(&self, tokens: impl IntoIterator<Item = TokenTree>) -> TokenStream {
@@ -14,7 +15,7 @@ impl Mirror {
                 TokenTree::Group(group) if !is_attribute => self.group(&group).into(),
                 other => other,
             };
-            is_attribute = matches!(&image, TokenTree::Punct(punct) if punct.as_char() == '#');
+            is_attribute = is_punct(&image, '#');
             image
         };
         tokens.into_iter().map(image).collect()
@@ -33,19 +34,15 @@ impl Mirror {
 
 /// `x, -y, z` from `x, y, z`.
 fn opposite(vector: TokenStream) -> TokenStream {
-    let is_comma =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
-    let is_minus =
-        |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '-');
     let (mut commas, mut begins_y, mut image) = (0, false, Vec::new());
     for token in vector {
         let begins = std::mem::take(&mut begins_y);
-        if is_comma(&token) {
+        if is_punct(&token, ',') {
             commas += 1;
             begins_y = commas == 1;
         }
         match token {
-            minus if begins && is_minus(&minus) => {}
+            minus if begins && is_punct(&minus, '-') => {}
             number if begins => {
                 let mut minus = Punct::new('-', Spacing::Alone);
                 minus.set_span(number.span());

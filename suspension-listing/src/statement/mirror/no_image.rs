@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::{Error, Ident};
 
 use crate::errors;
+use crate::lexed::is_punct;
 
 /// The error for a statement with such a quantity.
 pub(super) fn without_image(tokens: &[TokenTree]) -> Option<Error> {
@@ -34,10 +35,6 @@ fn y_of_angle(token: &TokenTree) -> Option<Ident> {
         }
         _ => None,
     }
-}
-
-fn is_punct(token: &TokenTree, character: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }
 
 fn mixed(y: &Ident) -> Error {

@@ -12,7 +12,7 @@ use crate::bake::source::{Language, Titled, bound, tolerance};
 use crate::number::counted;
 
 /// The data from which the text of a curve is written.
-struct Sheet<'a> {
+struct CurveFile<'a> {
     titled: Titled<'a>,
     argument: &'a Ranged,
     baked: &'a Baked,
@@ -23,19 +23,19 @@ pub(super) fn text(titled: Titled<'_>, baked: &Baked, language: Language) -> Str
     let [argument] = titled.about.arguments.as_slice() else {
         return String::new();
     };
-    let sheet = Sheet {
+    let file = CurveFile {
         titled,
         argument,
         baked,
     };
     match language {
-        Language::Rust => rust::text(&sheet),
-        Language::C => c::text(&sheet),
-        Language::Toml => toml::text(&sheet),
+        Language::Rust => rust::text(&file),
+        Language::C => c::text(&file),
+        Language::Toml => toml::text(&file),
     }
 }
 
-impl Sheet<'_> {
+impl CurveFile<'_> {
     /// The information for a reader, line by line.
     fn header(&self) -> Vec<String> {
         let Self {

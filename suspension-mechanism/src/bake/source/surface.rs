@@ -11,21 +11,21 @@ use crate::bake::source::{Language, Titled, tolerance};
 use crate::bake::surface::BakedSurface;
 
 /// The data from which the text of a surface is written.
-struct Sheet<'a> {
+struct SurfaceFile<'a> {
     titled: Titled<'a>,
     baked: &'a BakedSurface,
 }
 
 pub(super) fn text(titled: Titled<'_>, baked: &BakedSurface, language: Language) -> String {
-    let sheet = Sheet { titled, baked };
+    let file = SurfaceFile { titled, baked };
     match language {
-        Language::Rust => rust::text(&sheet),
-        Language::C => c::text(&sheet),
-        Language::Toml => toml::text(&sheet),
+        Language::Rust => rust::text(&file),
+        Language::C => c::text(&file),
+        Language::Toml => toml::text(&file),
     }
 }
 
-impl Sheet<'_> {
+impl SurfaceFile<'_> {
     /// The information for a reader, line by line.
     fn header(&self) -> Vec<String> {
         let Self { titled, baked } = self;

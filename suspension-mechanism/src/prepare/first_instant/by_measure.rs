@@ -4,7 +4,7 @@ use suspension_core::Values;
 use suspension_core::path::{Curve, Led};
 
 use crate::failure::Failure;
-use crate::file::StandIn;
+use crate::file::LeadingMeasure;
 use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
 use crate::prepare::design::Design;
 use crate::prepare::first_instant::{
@@ -18,21 +18,21 @@ pub(crate) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     task: &Task<'_>,
     design: &Design<L, N>,
     drives: &DriveLaws,
-    stand_in: &StandIn,
+    leading: &LeadingMeasure,
 ) -> Result<Lead<N>, Failure> {
     let way = line_from_design(task, design, drives);
-    let mut led = at_rest(task, design, &way, stand_in.drive)?;
+    let mut led = at_rest(task, design, &way, leading.drive)?;
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
-    let measured = |all: L::Measures| all.values().nth(stand_in.measure).unwrap_or_default();
+    let measured = |all: L::Measures| all.values().nth(leading.measure).unwrap_or_default();
     let offset = measured(task.origin.of_measures(&design.model));
-    let law = law(task, stand_in, offset);
+    let law = law(task, leading, offset);
     let ends = [
         measured(design.model.measures(&points).value),
         law.at(task.first).value,
     ];
     let lead = Lead {
-        measure: stand_in.measure,
-        drive: stand_in.drive,
+        measure: leading.measure,
+        drive: leading.drive,
         law: Law::new(Polynomial::line(ends[0], ends[1])),
         offset,
         start: led,
@@ -79,8 +79,8 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 }
 
 /// The measure over time according to the file, for points in local coordinates.
-fn law(task: &Task<'_>, stand_in: &StandIn, offset: f64) -> Law {
-    let stated = &task.file.drives.get_ref()[stand_in.key.get_ref().as_str()];
-    let kind = task.names.measures[stand_in.measure].kind;
+fn law(task: &Task<'_>, leading: &LeadingMeasure, offset: f64) -> Law {
+    let stated = &task.file.drives.get_ref()[leading.key.get_ref().as_str()];
+    let kind = task.names.measures[leading.measure].kind;
     Law::new(task.local(stated.get_ref(), kind, offset))
 }

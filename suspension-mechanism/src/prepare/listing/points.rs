@@ -9,8 +9,7 @@ use crate::file::{Offset, Position, Table};
 
 /// The points' names, in the order of the listing.
 pub fn point_names(listing: &Listing) -> impl Iterator<Item = &str> {
-    let kinds = [Kind::ChassisPoint, Kind::FreePoint, Kind::Marker];
-    let count: usize = kinds.into_iter().map(|kind| listing.count(kind)).sum();
+    let count: usize = Kind::POINTS.map(|kind| listing.count(kind)).iter().sum();
     (0..count).map(|point| listing.name(Part::Point(point)))
 }
 

@@ -2,20 +2,20 @@
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::c::header;
-use crate::bake::source::curve::Sheet;
+use crate::bake::source::curve::CurveFile;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let segments = sheet.coefficients(["{", "}"]);
-    let code = [numbers(sheet, &segments), function(sheet)];
-    header(&sheet.titled, &sheet.header(), &segments, &code.join("\n"))
+pub(super) fn text(file: &CurveFile<'_>) -> String {
+    let segments = file.coefficients(["{", "}"]);
+    let code = [numbers(file, &segments), function(file)];
+    header(&file.titled, &file.header(), &segments, &code.join("\n"))
 }
 
-fn numbers(sheet: &Sheet<'_>, segments: &str) -> String {
-    let name = &sheet.titled.name;
+fn numbers(file: &CurveFile<'_>, segments: &str) -> String {
+    let name = &file.titled.name;
     let upper = name.to_uppercase();
-    let width = sheet.titled.outputs.len();
-    let count = sheet.baked.segments.len();
-    let [from, to] = sheet.baked.wanted.range;
+    let width = file.titled.outputs.len();
+    let count = file.baked.segments.len();
+    let [from, to] = file.baked.wanted.range;
     format!(
         "\
 enum {{ {upper}_OUTPUTS = {width}, {upper}_SEGMENTS = {count} }};
@@ -30,12 +30,12 @@ static const {name}_number {name}_segments[{count}][{TERMS}][{width}] = {{
 }
 
 /// The function that programs call.
-fn function(sheet: &Sheet<'_>) -> String {
-    let name = &sheet.titled.name;
-    let width = sheet.titled.outputs.len();
-    let count = sheet.baked.segments.len();
-    let per_unit = sheet.baked.segments_per_unit();
-    let kind = sheet.argument.kind();
+fn function(file: &CurveFile<'_>) -> String {
+    let name = &file.titled.name;
+    let width = file.titled.outputs.len();
+    let count = file.baked.segments.len();
+    let per_unit = file.baked.segments_per_unit();
+    let kind = file.argument.kind();
     format!(
         "\
 /*

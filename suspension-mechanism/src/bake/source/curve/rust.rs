@@ -1,12 +1,12 @@
 //! Baked curves as Rust.
 
-use crate::bake::source::curve::Sheet;
+use crate::bake::source::curve::CurveFile;
 use crate::bake::source::rust::module;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let [from, to] = sheet.baked.wanted.range;
-    let per_unit = sheet.baked.segments_per_unit();
-    let segments = sheet.coefficients(["[", "]"]);
+pub(super) fn text(file: &CurveFile<'_>) -> String {
+    let [from, to] = file.baked.wanted.range;
+    let per_unit = file.baked.segments_per_unit();
+    let segments = file.coefficients(["[", "]"]);
     let fields = format!(
         "    range: [{from:?}, {to:?}],
     segments_per_unit: {per_unit:?},
@@ -14,5 +14,5 @@ pub(super) fn text(sheet: &Sheet<'_>) -> String {
 {segments}    ],
 "
     );
-    module(&sheet.titled, &sheet.header(), "Curve", &fields)
+    module(&file.titled, &file.header(), "Curve", &fields)
 }

@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::about::commented;
-use crate::bake::source::curve::Sheet;
+use crate::bake::source::curve::CurveFile;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let mut text = commented("#", &sheet.header());
-    let reached = sheet.baked.reached;
-    let [from, to] = sheet.baked.wanted.range;
-    let argument = sheet.argument;
+pub(super) fn text(file: &CurveFile<'_>) -> String {
+    let mut text = commented("#", &file.header());
+    let reached = file.baked.reached;
+    let [from, to] = file.baked.wanted.range;
+    let argument = file.argument;
     let in_place_of = argument.in_place_of.iter();
     let in_place_of: String = in_place_of
         .map(|drive| format!("in_place_of = {drive:?}\n"))
@@ -36,16 +36,16 @@ segments = [
         reached.position,
         reached.first,
         reached.second,
-        name = sheet.titled.name,
-        linkage = sheet.titled.about.linkage,
+        name = file.titled.name,
+        linkage = file.titled.about.linkage,
         kind = argument.kind(),
         name_of = argument.name,
         unit_of = argument.unit,
-        unit = sheet.titled.about.unit,
-        tolerance = sheet.baked.wanted.tolerance,
-        per_unit = sheet.baked.segments_per_unit(),
-        outputs = sheet.titled.outputs,
-        segments = sheet.coefficients(["[", "]"]),
+        unit = file.titled.about.unit,
+        tolerance = file.baked.wanted.tolerance,
+        per_unit = file.baked.segments_per_unit(),
+        outputs = file.titled.outputs,
+        segments = file.coefficients(["[", "]"]),
     );
     text
 }

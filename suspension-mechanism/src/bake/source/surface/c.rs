@@ -2,24 +2,24 @@
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::c::header;
-use crate::bake::source::surface::Sheet;
+use crate::bake::source::surface::SurfaceFile;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let patches = sheet.coefficients(["{", "}"]);
-    let name = &sheet.titled.name;
-    let function = function(name, sheet.titled.outputs.len());
-    let code = [numbers(sheet, &patches), polynomial(name), function];
-    header(&sheet.titled, &sheet.header(), &patches, &code.join("\n"))
+pub(super) fn text(file: &SurfaceFile<'_>) -> String {
+    let patches = file.coefficients(["{", "}"]);
+    let name = &file.titled.name;
+    let function = function(name, file.titled.outputs.len());
+    let code = [numbers(file, &patches), polynomial(name), function];
+    header(&file.titled, &file.header(), &patches, &code.join("\n"))
 }
 
-fn numbers(sheet: &Sheet<'_>, patches: &str) -> String {
-    let name = &sheet.titled.name;
+fn numbers(file: &SurfaceFile<'_>, patches: &str) -> String {
+    let name = &file.titled.name;
     let upper = name.to_uppercase();
-    let width = sheet.titled.outputs.len();
-    let [along, across] = sheet.baked.counts;
+    let width = file.titled.outputs.len();
+    let [along, across] = file.baked.counts;
     let count = along * across;
-    let [[from, to], [second_from, second_to]] = sheet.baked.wanted.ranges;
-    let [per_unit, second_per_unit] = sheet.baked.patches_per_unit();
+    let [[from, to], [second_from, second_to]] = file.baked.wanted.ranges;
+    let [per_unit, second_per_unit] = file.baked.patches_per_unit();
     format!(
         "\
 enum {{ {upper}_OUTPUTS = {width}, {upper}_ALONG = {along}, {upper}_ACROSS = {across} }};

@@ -1,13 +1,13 @@
 //! Baked surfaces as Rust.
 
 use crate::bake::source::rust::module;
-use crate::bake::source::surface::Sheet;
+use crate::bake::source::surface::SurfaceFile;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let ranges = sheet.baked.wanted.ranges;
-    let per_unit = sheet.baked.patches_per_unit();
-    let [_, across] = sheet.baked.counts;
-    let patches = sheet.coefficients(["[", "]"]);
+pub(super) fn text(file: &SurfaceFile<'_>) -> String {
+    let ranges = file.baked.wanted.ranges;
+    let per_unit = file.baked.patches_per_unit();
+    let [_, across] = file.baked.counts;
+    let patches = file.coefficients(["[", "]"]);
     let fields = format!(
         "    ranges: {ranges:?},
     patches_per_unit: {per_unit:?},
@@ -16,5 +16,5 @@ pub(super) fn text(sheet: &Sheet<'_>) -> String {
 {patches}    ],
 "
     );
-    module(&sheet.titled, &sheet.header(), "Surface", &fields)
+    module(&file.titled, &file.header(), "Surface", &fields)
 }

@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 use crate::bake::scheme::TERMS;
 use crate::bake::source::about::commented;
-use crate::bake::source::surface::Sheet;
+use crate::bake::source::surface::SurfaceFile;
 
-pub(super) fn text(sheet: &Sheet<'_>) -> String {
-    let mut text = commented("#", &sheet.header());
-    let drives = &sheet.titled.about.arguments;
+pub(super) fn text(file: &SurfaceFile<'_>) -> String {
+    let mut text = commented("#", &file.header());
+    let drives = &file.titled.about.arguments;
     let names: Vec<&str> = drives.iter().map(|drive| drive.name.as_str()).collect();
     let units: Vec<&str> = drives.iter().map(|drive| &*drive.unit).collect();
     let _ = write!(
@@ -31,16 +31,16 @@ outputs = {outputs:?}
 patches = [
 {patches}]
 ",
-        name = sheet.titled.name,
-        linkage = sheet.titled.about.linkage,
-        unit = sheet.titled.about.unit,
-        ranges = sheet.baked.wanted.ranges,
-        tolerance = sheet.baked.wanted.tolerance,
-        reached = sheet.baked.reached,
-        per_unit = sheet.baked.patches_per_unit(),
-        across = sheet.baked.counts[1],
-        outputs = sheet.titled.outputs,
-        patches = sheet.coefficients(["[", "]"]),
+        name = file.titled.name,
+        linkage = file.titled.about.linkage,
+        unit = file.titled.about.unit,
+        ranges = file.baked.wanted.ranges,
+        tolerance = file.baked.wanted.tolerance,
+        reached = file.baked.reached,
+        per_unit = file.baked.patches_per_unit(),
+        across = file.baked.counts[1],
+        outputs = file.titled.outputs,
+        patches = file.coefficients(["[", "]"]),
     );
     text
 }

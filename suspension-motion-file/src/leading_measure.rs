@@ -9,7 +9,7 @@ use crate::tables::entries::Table;
 
 /// A measure that replaces a drive.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StandIn {
+pub struct LeadingMeasure {
     /// The measure's name, with its place in the file.
     pub key: Spanned<String>,
     /// The index of the measure.
@@ -24,12 +24,12 @@ pub struct StandIn {
 ///
 /// [`Failure::Input`] at a name that is neither a drive nor a measure, at a second measure, or if a drive is missing and no
 /// measure replaces it.
-pub fn stand_in<V>(
+pub fn leading_measure<V>(
     source: &Source,
     table: &Table<V>,
     drives: &[&str],
     measures: &[&str],
-) -> Result<Option<StandIn>, Failure> {
+) -> Result<Option<LeadingMeasure>, Failure> {
     let mut has = format!("the drives are {}", drives.join(", "));
     if !measures.is_empty() {
         has += &format!(
@@ -49,7 +49,7 @@ pub fn stand_in<V>(
     let (place, message) = match (leading.as_slice(), missing.as_slice()) {
         ([], []) => return Ok(None),
         ([(key, measure)], [drive]) => {
-            return Ok(Some(StandIn {
+            return Ok(Some(LeadingMeasure {
                 key: (*key).clone(),
                 measure: *measure,
                 drive: *drive,
@@ -89,11 +89,11 @@ pub fn stand_in<V>(
 mod tests {
     use super::*;
 
-    fn read_leading(leading: &str) -> Result<Option<StandIn>, String> {
+    fn read_leading(leading: &str) -> Result<Option<LeadingMeasure>, String> {
         let source = Source::new("a.toml", leading);
         let table: Table<f64> = toml::from_str(leading).expect("a table");
         let (drives, measures) = (["bump", "steer"], ["height", "spring"]);
-        stand_in(&source, &table, &drives, &measures).map_err(|failure| failure.to_string())
+        leading_measure(&source, &table, &drives, &measures).map_err(|failure| failure.to_string())
     }
 
     #[test]
