@@ -206,3 +206,27 @@ fn a_missing_word_is_named() {
     );
     assert_eq!([mistake.line, mistake.column], [1, 11]);
 }
+
+/// A drive of a chassis point moves it by the coordinate itself.
+#[test]
+fn for_a_factor_of_a_driven_chassis_point_the_coordinate_without_it_is_given() {
+    let text = "fixed: rack, pivot;\nfree: p;\nlink rod: rack -> p;\nlink arm: pivot -> p;\ndrive lift: p.z;\n";
+    for (drive, expected) in [
+        (
+            "-rack.y",
+            "drive `steer` moves chassis point `rack`, whose coordinate takes no factor; to count it the other way write \
+             `rack along [0, -1, 0]`",
+        ),
+        (
+            "2 rack.z",
+            "drive `steer` moves chassis point `rack`, whose coordinate takes no factor; write `rack.z`",
+        ),
+    ] {
+        assert_eq!(
+            only_message(&format!("{text}drive steer: {drive};")),
+            expected
+        );
+    }
+    let turned = format!("{text}drive steer: rack along [0, -1, 0];");
+    text::parse(&turned, "", &NoIncludes).expect("the drive that the message gives");
+}
