@@ -1,9 +1,10 @@
 //! The declarations of a listing, and their places.
 
 use proc_macro2::Span;
-use syn::Ident;
+use syn::{Error, Ident};
 
 use super::{Listing, Rigid};
+use crate::errors;
 use crate::kind::Kind;
 use crate::name::Name;
 use crate::sides::Sides;
@@ -73,6 +74,14 @@ impl Listing {
         distance_between(&system.equations, &a, &b).is_some()
             || system.body_of(ends).is_some()
             || ends.iter().all(|end| self.is_at_rest(end))
+    }
+
+    /// The error that nothing keeps the distance of two points, although a line of theirs must keep its length.
+    pub(crate) fn distance_not_constant(&self, ends: [&Ident; 2], line: &str) -> Error {
+        let is_on_chassis = |end: &&Ident| self.fixed.iter().any(|fixed| fixed.named.name == **end);
+        let both = ends.iter().all(is_on_chassis);
+        let moved = ends.into_iter().find(|end| both && !self.is_at_rest(end));
+        errors::distance_not_constant(ends, line, moved)
     }
 
     /// The bodies, each with its points.

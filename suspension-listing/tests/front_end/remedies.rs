@@ -230,3 +230,24 @@ fn for_a_factor_of_a_driven_chassis_point_the_coordinate_without_it_is_given() {
     let turned = format!("{text}drive steer: rack along [0, -1, 0];");
     text::parse(&turned, "", &NoIncludes).expect("the drive that the message gives");
 }
+
+/// Its distance from other chassis points changes.
+#[test]
+fn for_a_line_to_a_driven_chassis_point_the_drive_is_named_as_the_cause() {
+    let text = "fixed: a, b, pivot;\nfree: p;\nslide rail: p on a -> b;\nlink arm: pivot -> p;\ndrive shift: b.y;\n";
+    assert_eq!(
+        only_message(text),
+        "a line to slide on needs two points at a constant distance, and a drive moves chassis point `b`; name one that no drive moves, \
+         or declare both under `free:` in one body"
+    );
+}
+
+#[test]
+fn a_name_of_an_angle_is_taken_by_an_angle() {
+    let text = "fixed: a, b;\nfree: p, q;\nhinge left: a, b -> p;\nhinge right: a, b -> q;\nangle cross: a -> p, b -> q;\n\
+                measure cross: p.z;\ndrive z: p.z;\n";
+    assert_eq!(
+        only_message(text),
+        "the name `cross` is already taken by an angle; choose another"
+    );
+}

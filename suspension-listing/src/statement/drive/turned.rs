@@ -216,7 +216,7 @@ pub(super) fn check(
     }
     let [from, to] = about;
     (from != to && !listing.keeps_apart(system, [from, to]))
-        .then(|| errors::distance_not_constant(from, to, "the axis of an angle"))
+        .then(|| listing.distance_not_constant([from, to], "the axis of an angle"))
 }
 
 pub(super) fn missing_axis(drive: &Ident) -> Error {
