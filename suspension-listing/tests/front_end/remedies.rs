@@ -251,3 +251,20 @@ fn a_name_of_an_angle_is_taken_by_an_angle() {
         "the name `cross` is already taken by an angle; choose another"
     );
 }
+
+/// Its angle about the axis is that of a line without length.
+#[test]
+fn for_a_driven_angle_of_a_line_along_its_axis_a_line_off_the_axis_is_asked_for() {
+    let text = |ahead: &str| {
+        format!(
+            "fixed: a at [0, 0, 0], b at [0, 1, 0], ahead at {ahead};\nfree: p at [0.5, 0.5, 0];\nhinge arm: a, b -> p;\n\
+             drive turn: angle(a -> ahead, a -> p about a -> b);\n"
+        )
+    };
+    assert_eq!(
+        only_message(&text("[0, 2, 0]")),
+        "the line `a -> ahead` lies along the axis `a -> b` at the design position, where its angle about the axis is not determined; \
+         name a line off the axis"
+    );
+    text::parse(&text("[0.001, 2, 0]"), "", &NoIncludes).expect("a line off the axis");
+}
