@@ -136,7 +136,8 @@ impl Kind {
 /// The kind of a drive's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DriveKind {
-    /// A coordinate of a point, or a sum of coordinates, or a length, in the unit of the hardpoints.
+    /// A coordinate of a point, or a sum of coordinates, or a length, in the unit of the hardpoints. Only the square of a
+    /// length enters the equations: a value below zero acts as the length without its sign.
     Coordinate,
     /// The angle in radians, from 0 to pi, between a link and the positive direction of an axis. Only its cosine
     /// enters the equations: an angle beyond that range acts as the angle within it that has the same cosine.

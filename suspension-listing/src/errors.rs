@@ -111,7 +111,10 @@ pub(crate) fn nothing_declared(span: Span, word: &str) -> Error {
 
 pub(crate) fn duplicate_name(name: &Ident, (first, kind): (&Ident, &Kind)) -> Error {
     let message = if name == first {
-        format!("the name `{name}` is already taken by a {kind}; choose another")
+        format!(
+            "the name `{name}` is already taken by {}; choose another",
+            kind.with_article()
+        )
     } else {
         format!(
             "`{name}` and the {kind} `{first}` are the same in capital letters, in which constants are \
@@ -204,13 +207,25 @@ pub(crate) fn same_point_twice(name: &Ident) -> Error {
     )
 }
 
-/// The error that nothing keeps the distance between two points, although a line of theirs must keep its length.
-pub(crate) fn distance_not_constant(from: &Ident, to: &Ident, line: &str) -> Error {
-    let message = format!(
-        "{line} needs two points at a constant distance, and nothing holds `{from}` and `{to}` at one; list both in one body, \
-         join them by a link, or put both on the chassis"
-    );
-    at(from, message)
+/// The error that nothing keeps the distance between two points, although a line of theirs must keep its length. `moved` is
+/// the one that a drive moves, if both are on the chassis.
+pub(crate) fn distance_not_constant(
+    [from, to]: [&Ident; 2],
+    line: &str,
+    moved: Option<&Ident>,
+) -> Error {
+    let cause = match moved {
+        Some(moved) => format!(
+            "a drive moves chassis point `{moved}`; name one that no drive moves, or declare both under `free:` in one body"
+        ),
+        None => format!(
+            "nothing holds `{from}` and `{to}` at one; list both in one body, join them by a link, or put both on the chassis"
+        ),
+    };
+    at(
+        from,
+        format!("{line} needs two points at a constant distance, and {cause}"),
+    )
 }
 
 /// The error that all points of a statement belong to one body, so that the statement has nothing to keep or to move.

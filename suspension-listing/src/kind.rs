@@ -16,6 +16,11 @@ impl Kind {
     pub const SLIDE: Self = Self("slide");
     pub const DRIVE: Self = Self("drive");
 
+    pub(crate) fn with_article(self) -> String {
+        let article = if self.0.starts_with('a') { "an" } else { "a" };
+        format!("{article} {self}")
+    }
+
     pub(crate) fn plural(self) -> String {
         match self.0.strip_suffix('y') {
             Some(stem) => format!("{stem}ies"),

@@ -157,3 +157,28 @@ fn assemblies_and_check_print_the_same_smallest_singular_value() {
         "{expected}: {report}"
     );
 }
+
+/// Only the square of a length enters the equations.
+#[test]
+fn a_driven_length_below_zero_is_refused() {
+    let folder = folder();
+    let write = |design: &str| {
+        let file = format!(
+            "unit = \"m\"\nstatements = '''\nfixed: a at [0, 0, 0.5], b at [0.2, 0, 0.2], c at [0.2, 0.5, 0.2];\n\
+             free: p at [0.5, 0.1, 0.7];\nhinge arm: b, c -> p;\ndrive ram: length(a -> p);\n'''\n{design}\
+             [time]\ninstants = [0.0]\n[drives]\nram = 0.54\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), file).expect("written");
+    };
+    let message = "the length from `a` to `p` cannot be less than zero";
+    write("");
+    let output = run(folder.path(), &["assemblies", "a.toml", "--at=-0.5"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = format!("--at -0.5: {message}; --at has the drive's own values\n");
+    assert!(text(&output.stderr).ends_with(&expected), "{output:?}");
+    write("[design]\nram = -0.5\n");
+    let output = run(folder.path(), &["motion", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let expected = format!("a.toml:9:7: {message}\n");
+    assert!(text(&output.stderr).ends_with(&expected), "{output:?}");
+}

@@ -6,6 +6,7 @@ use crate::assemblies::Tally;
 use crate::failure::Failure;
 use crate::file::Dimension;
 use crate::kinematics::{Assembly, Kinematics};
+use crate::mechanism::DrivenLength;
 use crate::output::progress::search::Search;
 
 /// A request for assemblies.
@@ -98,7 +99,12 @@ fn places(
     let with = |value: &f64| {
         let inside = value / Dimension::from(kind).file_factor(unit);
         let finite = || (!value.is_finite()).then(|| "a drive has a finite value".to_owned());
-        let bounds = unit.angle.bounds_exceeded(kind, inside).or_else(finite);
+        let below_zero = || {
+            let length = DrivenLength::below_zero(&mechanism.names.driven_lengths, drive, inside)?;
+            Some(format!("{length}; --at has the drive's own values"))
+        };
+        let bounds = unit.angle.bounds_exceeded(kind, inside);
+        let bounds = bounds.or_else(below_zero).or_else(finite);
         if let Some(bounds) = bounds {
             return Err(refuse(format!("--at {value}: {bounds}")));
         }

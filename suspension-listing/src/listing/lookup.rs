@@ -1,14 +1,15 @@
 //! The declarations of a listing, and their places.
 
 use proc_macro2::Span;
-use syn::Ident;
+use syn::{Error, Ident};
 
 use super::{Listing, Rigid};
+use crate::errors;
 use crate::kind::Kind;
 use crate::name::Name;
 use crate::sides::Sides;
 use crate::system::{System, distance_between};
-use crate::vector::{Vector, are_in_line};
+use crate::vector::{Vector, are_in_line, cross, minus, norm};
 
 impl Listing {
     /// The declared names and their kinds.
@@ -75,6 +76,14 @@ impl Listing {
             || ends.iter().all(|end| self.is_at_rest(end))
     }
 
+    /// The error that nothing keeps the distance of two points, although a line of theirs must keep its length.
+    pub(crate) fn distance_not_constant(&self, ends: [&Ident; 2], line: &str) -> Error {
+        let is_on_chassis = |end: &&Ident| self.fixed.iter().any(|fixed| fixed.named.name == **end);
+        let both = ends.iter().all(is_on_chassis);
+        let moved = ends.into_iter().find(|end| both && !self.is_at_rest(end));
+        errors::distance_not_constant(ends, line, moved)
+    }
+
     /// The bodies, each with its points.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = (&Ident, &[Ident])> {
         let statements = self.statements.iter();
@@ -119,13 +128,31 @@ impl Listing {
         let carriers = stated.carriers()?;
         let mut bodies = self.bodies();
         let (body, points) = bodies.find(|(body, _)| carriers == std::slice::from_ref(*body))?;
-        let at = |name: &Ident| {
-            let mut points = self.fixed.iter().chain(&self.free);
-            points.find(|point| point.named.name == *name)?.at
-        };
-        let places = points.iter().map(at).chain([stated.at()]);
+        let places = points.iter().map(|point| self.position(point));
+        let places = places.chain([stated.at()]);
         let places: Vec<Vector> = places.collect::<Option<_>>()?;
         are_in_line(&places).then_some((body, points))
+    }
+
+    /// The position that the listing states for a chassis point or a free point.
+    fn position(&self, name: &Ident) -> Option<Vector> {
+        let mut points = self.fixed.iter().chain(&self.free);
+        points.find(|point| point.named.name == *name)?.at
+    }
+
+    /// Whether two lines are parallel to rounding, according to the stated positions, and no end of one is in the place of
+    /// another point, which is a mistake of its own.
+    pub(crate) fn are_parallel(&self, [first, second]: [&[Ident; 2]; 2]) -> bool {
+        let line = |[from, to]: &[Ident; 2]| Some(minus(self.position(to)?, self.position(from)?));
+        let Some((a, b)) = line(first).zip(line(second)) else {
+            return false;
+        };
+        let is_elsewhere = |end: &Ident| {
+            let mut others = second.iter().filter(|other| *other != end);
+            others.all(|other| self.position(other) != self.position(end))
+        };
+        norm(cross(a, b)) < f64::EPSILON.sqrt() * norm(a) * norm(b)
+            && first.iter().all(is_elsewhere)
     }
 
     /// Whether a point is a marker of a body with too few points to carry it.

@@ -86,11 +86,7 @@ impl Statement for Angle {
         }
         for [from, to] in &self.lines {
             if from != to && !listing.keeps_apart(system, [from, to]) {
-                errors.push(errors::distance_not_constant(
-                    from,
-                    to,
-                    "a line at an angle",
-                ));
+                errors.push(listing.distance_not_constant([from, to], "a line at an angle"));
             }
         }
     }

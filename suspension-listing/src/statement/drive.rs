@@ -7,6 +7,7 @@ mod turned;
 use syn::{Error, Ident};
 
 use super::quantity::Quantity;
+use super::sum::Term;
 use super::word::{Head, Word};
 use crate::errors::{self, Errors};
 use crate::form::{Form, Linear, Prescribed, Stretch};
@@ -55,7 +56,12 @@ impl Statement for Drive {
                 self.check_bends_no_body(check, point);
                 self.check_moves_alone(check, point, earlier);
             }
-            None => check.not_all_fixed(name, KIND, points),
+            None => match self.scaled() {
+                Some(term) if check.is(&term.point, Kind::CHASSIS_POINT) => {
+                    check.report(takes_no_factor(name, term));
+                }
+                _ => check.not_all_fixed(name, KIND, points),
+            },
         }
         check.prescribed_once(self, earlier);
     }
@@ -135,6 +141,17 @@ impl Statement for Drive {
 }
 
 impl Drive {
+    /// The coordinate, if the drive prescribes a multiple of only one.
+    fn scaled(&self) -> Option<&Term> {
+        match &self.quantity {
+            Quantity::Sum(sum) => match sum.terms.as_slice() {
+                [term] => Some(term),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Makes the length between two points an unknown with the drive's name.
     fn stretch(&self, lowering: &mut Lowering<'_>, line: &[Ident; 2]) -> Name {
         let name = Name::from(&self.named.name);
@@ -217,6 +234,25 @@ fn body_bent(drive: &Ident, point: &Ident, body: &Ident) -> Error {
         format!(
             "`{point}` is one of two chassis points of body `{body}`: to move it alone would bend \
              the body; drive a free point of the body instead"
+        ),
+    )
+}
+
+fn takes_no_factor(name: &Ident, term: &Term) -> Error {
+    let Term { point, axis, .. } = term;
+    let remedy = if term.factor < 0.0 {
+        let mut direction = [0; 3];
+        if let Some(number) = direction.get_mut(term.axis()) {
+            *number = -1;
+        }
+        format!("to count it the other way write `{point} along {direction:?}`")
+    } else {
+        format!("write `{point}.{axis}`")
+    };
+    errors::at(
+        name,
+        format!(
+            "drive `{name}` moves chassis point `{point}`, whose coordinate takes no factor; {remedy}"
         ),
     )
 }

@@ -69,11 +69,7 @@ impl Statement for Slide {
             ));
         }
         if !listing.keeps_apart(system, [from, to]) {
-            errors.push(errors::distance_not_constant(
-                from,
-                to,
-                "a line to slide on",
-            ));
+            errors.push(listing.distance_not_constant([from, to], "a line to slide on"));
         }
     }
 }

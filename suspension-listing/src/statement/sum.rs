@@ -18,7 +18,7 @@ pub(super) struct Sum {
 pub(super) struct Term {
     pub(super) factor: f64,
     pub(super) point: Ident,
-    axis: Ident,
+    pub(super) axis: Ident,
 }
 
 impl Parse for Sum {

@@ -206,3 +206,65 @@ fn a_missing_word_is_named() {
     );
     assert_eq!([mistake.line, mistake.column], [1, 11]);
 }
+
+/// A drive of a chassis point moves it by the coordinate itself.
+#[test]
+fn for_a_factor_of_a_driven_chassis_point_the_coordinate_without_it_is_given() {
+    let text = "fixed: rack, pivot;\nfree: p;\nlink rod: rack -> p;\nlink arm: pivot -> p;\ndrive lift: p.z;\n";
+    for (drive, expected) in [
+        (
+            "-rack.y",
+            "drive `steer` moves chassis point `rack`, whose coordinate takes no factor; to count it the other way write \
+             `rack along [0, -1, 0]`",
+        ),
+        (
+            "2 rack.z",
+            "drive `steer` moves chassis point `rack`, whose coordinate takes no factor; write `rack.z`",
+        ),
+    ] {
+        assert_eq!(
+            only_message(&format!("{text}drive steer: {drive};")),
+            expected
+        );
+    }
+    let turned = format!("{text}drive steer: rack along [0, -1, 0];");
+    text::parse(&turned, "", &NoIncludes).expect("the drive that the message gives");
+}
+
+/// Its distance from other chassis points changes.
+#[test]
+fn for_a_line_to_a_driven_chassis_point_the_drive_is_named_as_the_cause() {
+    let text = "fixed: a, b, pivot;\nfree: p;\nslide rail: p on a -> b;\nlink arm: pivot -> p;\ndrive shift: b.y;\n";
+    assert_eq!(
+        only_message(text),
+        "a line to slide on needs two points at a constant distance, and a drive moves chassis point `b`; name one that no drive moves, \
+         or declare both under `free:` in one body"
+    );
+}
+
+#[test]
+fn a_name_of_an_angle_is_taken_by_an_angle() {
+    let text = "fixed: a, b;\nfree: p, q;\nhinge left: a, b -> p;\nhinge right: a, b -> q;\nangle cross: a -> p, b -> q;\n\
+                measure cross: p.z;\ndrive z: p.z;\n";
+    assert_eq!(
+        only_message(text),
+        "the name `cross` is already taken by an angle; choose another"
+    );
+}
+
+/// Its angle about the axis is that of a line without length.
+#[test]
+fn for_a_driven_angle_of_a_line_along_its_axis_a_line_off_the_axis_is_asked_for() {
+    let text = |ahead: &str| {
+        format!(
+            "fixed: a at [0, 0, 0], b at [0, 1, 0], ahead at {ahead};\nfree: p at [0.5, 0.5, 0];\nhinge arm: a, b -> p;\n\
+             drive turn: angle(a -> ahead, a -> p about a -> b);\n"
+        )
+    };
+    assert_eq!(
+        only_message(&text("[0, 2, 0]")),
+        "the line `a -> ahead` lies along the axis `a -> b` at the design position, where its angle about the axis is not determined; \
+         name a line off the axis"
+    );
+    text::parse(&text("[0.001, 2, 0]"), "", &NoIncludes).expect("a line off the axis");
+}

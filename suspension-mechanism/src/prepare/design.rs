@@ -73,6 +73,7 @@ pub(super) fn at_design<L: Suspension<N>, const N: usize>(
                 task.in_radians(stated, drive.kind) - offset
             }));
             task.check_angles(drives.values(), table)?;
+            task.check_lengths(drives.values(), table)?;
             drives
         }
         None => model.drives_at(guess),

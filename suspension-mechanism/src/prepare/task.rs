@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use crate::failure::Failure;
 use crate::file::{Coefficients, Dimension, MotionFile, Source, Table};
-use crate::mechanism::{DriveLaws, Instants, Names, Polynomial};
+use crate::mechanism::{DriveLaws, DrivenLength, Instants, Names, Polynomial};
 use crate::number::{number, rounded};
 use crate::prepare::design::unsatisfied::Unsatisfied;
 
@@ -162,6 +162,23 @@ impl<'a> Task<'a> {
                 return Err(self
                     .source
                     .refuse(&place.unwrap_or_else(|| table.span()), message));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that no driven length is less than zero.
+    pub(super) fn check_lengths<V>(
+        &self,
+        values: impl Iterator<Item = f64>,
+        table: &Table<V>,
+    ) -> Result<(), Failure> {
+        for ((drive, value), named) in values.enumerate().zip(&self.names.drives) {
+            let fault = DrivenLength::below_zero(&self.names.driven_lengths, drive, value);
+            if let Some(fault) = fault {
+                let place = table.get_ref().get(named.name.as_str()).map(Spanned::span);
+                let place = place.unwrap_or_else(|| table.span());
+                return Err(self.source.refuse(&place, fault));
             }
         }
         Ok(())

@@ -215,8 +215,25 @@ pub(super) fn check(
         return Some(errors::points_of_one_body(drive, &lines, body, remedy));
     }
     let [from, to] = about;
-    (from != to && !listing.keeps_apart(system, [from, to]))
-        .then(|| errors::distance_not_constant(from, to, "the axis of an angle"))
+    if from == to {
+        return None;
+    }
+    if !listing.keeps_apart(system, [from, to]) {
+        return Some(listing.distance_not_constant([from, to], "the axis of an angle"));
+    }
+    let mut lines = lines.iter();
+    let along = lines.find(|line| listing.are_parallel([line, about]))?;
+    Some(along_axis(along, about))
+}
+
+fn along_axis([from, to]: &[Ident; 2], [start, end]: &[Ident; 2]) -> Error {
+    errors::at(
+        from,
+        format!(
+            "the line `{from} -> {to}` lies along the axis `{start} -> {end}` at the design position, where its angle about \
+             the axis is not determined; name a line off the axis"
+        ),
+    )
 }
 
 pub(super) fn missing_axis(drive: &Ident) -> Error {

@@ -30,6 +30,15 @@ impl DrivenLength {
         lengths.find(|length| drives[length.drive].abs() < NEAR * size)
     }
 
+    /// The message that `value` of a drive is less than zero, if that is one of these lengths: only the square of a length
+    /// enters the equations.
+    pub fn below_zero(all: &[Self], drive: usize, value: f64) -> Option<String> {
+        let length = all.iter().find(|length| length.drive == drive)?;
+        let [from, to] = &length.ends;
+        (value < 0.0)
+            .then(|| format!("the length from `{from}` to `{to}` cannot be less than zero"))
+    }
+
     /// The message that it is zero.
     pub(crate) fn fault(&self) -> String {
         let [from, to] = &self.ends;
