@@ -66,7 +66,7 @@ enum {
     SUSP_ERROR_FLAT = 23,
     /** no rigid body has these lengths: they do not close at a point; measure its lengths again */
     SUSP_ERROR_NOT_CLOSED = 24,
-    /** a line has no length; put its ends apart */
+    /** a line has no length, or lies along the axis of its angle; put its ends apart, or off the axis */
     SUSP_ERROR_NO_LINE = 25,
     /** the fixed order of elimination has too small a pivot at these hardpoints; state hardpoints near these in the listing, or step with partial pivoting */
     SUSP_ERROR_SMALL_PIVOT = 26,

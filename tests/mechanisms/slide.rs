@@ -160,7 +160,7 @@ mod strut {
         assert_eq!(refused, GeometryError::NoLine { point: 7 });
         assert_eq!(
             refused.named(&macpherson::Listing).to_string(),
-            "a line has no length: point `strut_high`; put its ends apart"
+            "a line has no length, or lies along the axis of its angle: point `strut_high`; put its ends apart, or off the axis"
         );
     }
 }

@@ -101,6 +101,17 @@ fn lever() -> lever::Points<f64> {
     }
 }
 
+#[test]
+fn a_line_along_the_axis_of_its_angle_is_refused_with_the_end_of_the_axis() {
+    let mut points = lever();
+    points.post = (points.rear + points.front) / 2.0;
+    let refused = lever::Model::new(&points).expect_err("no angle");
+    assert_eq!(
+        refused.named(&lever::Listing).to_string(),
+        "a line has no length, or lies along the axis of its angle: point `front`; put its ends apart, or off the axis"
+    );
+}
+
 /// The arm turned about the chassis' axis and the lever about the arm's, by angles from the design that change.
 fn turned(swing: Signal<f64>, steer: Signal<f64>) -> Signal<lever::Points<f64>> {
     let design = lever();

@@ -19,8 +19,8 @@ macro_rules! causes {
                 "state these points as a `body`";
             NotClosed = 24: "no rigid body has these lengths: they do not close at a point",
                 "measure its lengths again";
-            NoLine = 25: "a line has no length",
-                "put its ends apart";
+            NoLine = 25: "a line has no length, or lies along the axis of its angle",
+                "put its ends apart, or off the axis";
             SmallPivot = 26: "the fixed order of elimination has too small a pivot at these hardpoints",
                 "state hardpoints near these in the listing, or step with partial pivoting";
             SingularDesign = 27: "the equations do not determine the motion at these hardpoints: the mechanism locks there, or a drive has no effect",

@@ -27,8 +27,8 @@ pub enum GeometryError {
         /// The point.
         point: usize,
     },
-    /// The ends of a line on which a point slides, or of a driven length, coincide or are too far apart to compute
-    /// with.
+    /// The ends of a line on which a point slides, of a driven length or of a line at an angle coincide or are too far
+    /// apart to compute with, or the line lies along the axis of its angle.
     NoLine {
         /// The end of the line.
         point: usize,
