@@ -2,6 +2,8 @@
 
 mod corner_points;
 mod corner_words;
+#[cfg(test)]
+mod damaged_tables;
 mod doubts;
 mod format;
 mod hardpoint_corners;
