@@ -1,5 +1,6 @@
 //! Notes on statements of a file that its author may not have meant.
 
+mod below_ground;
 pub(super) mod contradicted_drives;
 pub(super) mod contradicted_wheels;
 pub(super) mod listed_points;
@@ -55,9 +56,14 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let of_radius = wheels
         .clone()
         .find_map(|wheel| diameter(task, wheel, &placed_points));
+    let of_ground = below_ground::note(task, &placed_points).filter(|_| !has_outlier);
     let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
     let of_points = of_points.into_iter().flatten();
-    let notes = of_points.chain(of_side).chain(of_wheels).chain(of_radius);
+    let notes = of_points
+        .chain(of_side)
+        .chain(of_wheels)
+        .chain(of_radius)
+        .chain(of_ground);
     let of_numbers = lengths(task).chain(rates(task));
     notes.chain(of_numbers).collect()
 }

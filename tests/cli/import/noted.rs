@@ -124,6 +124,28 @@ fn a_wheel_radius_that_seems_to_be_the_diameter_is_noted() {
     }
 }
 
+#[test]
+fn a_point_below_the_ground_is_noted() {
+    let folder = folder();
+    let file = table(&CORNER) + "tire_radius, 229\n";
+    for (z, expected) in [
+        ("152", None),
+        ("-20", None),
+        (
+            "-152",
+            Some(
+                "note: motion.toml: `rack` lies 152 mm below the ground, which is wheel_radius below `wheel_centre`: are the z of both right?",
+            ),
+        ),
+    ] {
+        assert!(file.contains("-190, 152"), "{file}");
+        let file = file.replace("-190, 152", &format!("-190, {z}"));
+        let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+        let noted = notes.lines().find(|note| note.contains("below the ground"));
+        assert_eq!(noted, expected, "{notes}");
+    }
+}
+
 /// As points of unknown names are.
 #[test]
 fn rows_of_numbers_with_unknown_names_are_listed() {
