@@ -14,7 +14,7 @@ use super::rack::{self, RACK};
 use super::upper_wishbone::{on_upper, point_on_upper};
 use candidate::Candidate;
 
-/// The most missing points of a layout that is said to use more of the file's points.
+/// The most missing points of a layout that the file may well be meant for.
 const FEW: usize = 2;
 
 /// A chosen listing, with the points that the file has for it.

@@ -95,6 +95,59 @@ fn a_point_that_one_corner_lacks_is_named_with_the_corner_that_has_it() {
     }
 }
 
+/// The three numbers of the other group are not those of a point of this name.
+#[test]
+fn a_mistyped_number_in_the_first_group_is_refused() {
+    for (mistyped, remark) in [
+        ("12O", ""),
+        (
+            "1 20",
+            " (between thousands only a comma or a point may stand)",
+        ),
+    ] {
+        let rows = cars(|name, [left, right, ..]| match name {
+            "lca_rear" => format!("{name};{};{right}\n", left.replace("120", mistyped)),
+            _ => format!("{name};{left};{right}\n"),
+        });
+        let said = refusal(
+            "a.csv",
+            &format!("Point;FL;;;FR;;\n;x;y;z;x;y;z\n{rows}"),
+            &[],
+        );
+        let expected = format!(
+            "a.csv:4:1: point `lca_rear` needs three numbers in a row: x, y, z; `{mistyped}` is no number{remark}"
+        );
+        assert_eq!(said, expected);
+    }
+}
+
+#[test]
+fn a_suspension_of_no_layout_is_refused_with_each_row_named_once() {
+    let rows: String = [
+        "FLL inner",
+        "FLL outer",
+        "RLL inner",
+        "Pushrod inner",
+        "Pushrod outer",
+        "Wheel centre",
+    ]
+    .iter()
+    .zip(1..)
+    .map(|(name, row)| format!("{name};{row};{row}00;250;{row};-{row}00;250\n"))
+    .collect();
+    let said = refusal(
+        "a.csv",
+        &format!("Point;Left;;;Right;;\n;x;y;z;x;y;z\n{rows}"),
+        &[],
+    );
+    assert!(
+        said.contains("; of other layouts: `Pushrod inner` (a.csv:6), `Pushrod outer` (a.csv:7); "),
+        "{said}"
+    );
+    let expected = "says what the points are; a suspension of another kind needs a listing of its own, see suspension motion --help";
+    assert!(said.ends_with(expected), "{said}");
+}
+
 /// The front axle has more points than the rear one, and angles of its own.
 #[test]
 fn groups_may_be_empty_and_state_numbers() {

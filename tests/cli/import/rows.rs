@@ -7,19 +7,24 @@ use super::{CORNER, IN_OUR_AXES, import, table};
 /// Part of a row, and its replacement.
 #[test]
 fn a_point_row_without_three_numbers_is_refused() {
-    let none = |field: &str| {
-        format!("`{field}` is no number (between thousands only a comma or a point may stand)")
-    };
+    let none = |field: &str, remark: &str| format!("`{field}` is no number{remark}");
+    let apart = " (between thousands only a comma or a point may stand)";
     for (row, other, has) in [
         ("150, -175, 120", "150, -175", "it has 2".to_owned()),
         ("150, -175, 120", "150, -175, 120, 7", "it has 4".to_owned()),
-        ("-175", "-l75", none("-l75")),
-        ("-175", "17O.5", none("17O.5")),
+        ("-175", "-l75", none("-l75", "")),
+        ("-175", "17O.5", none("17O.5", "")),
+        ("-175", "1 75", none("1 75", apart)),
+        (
+            ", -175",
+            ", \u{2013} 175",
+            none("\u{2013} 175", " (its sign stands directly before it)"),
+        ),
         ("-175", "inf", "it has 2".to_owned()),
         (
             "lca_rear, 150, -175, 120",
             "lca_rear 150,0 -175,0 120,0",
-            none("0 -175"),
+            none("0 -175", apart),
         ),
     ] {
         let message = refusal("a.csv", &table(&CORNER).replace(row, other), &[]);

@@ -6,6 +6,7 @@ use crate::commands::import::hardpoints::{Hardpoints, UnknownNumber};
 use crate::commands::import::length_units::{length, unit};
 use crate::commands::import::names::Names;
 use crate::commands::import::spelling::key_of;
+use crate::decimals::MINUS;
 use crate::failure::Failure;
 use crate::vehicle_corner::Section;
 
@@ -21,6 +22,9 @@ pub(super) fn add(
     name: &str,
     names: &Names,
 ) -> Result<(), Failure> {
+    if let Some(name) = row.of_mistyped_group() {
+        return Err(misread(stated, name, row, names));
+    }
     let (key, _) = key_of(name);
     let (is_point, is_number) = (names.is_point(&key), names.is_number(&key));
     if is_point || is_number {
@@ -121,10 +125,20 @@ fn misread(stated: &Hardpoints<'_>, name: &str, row: &Row<'_>, names: &Names) ->
 /// Says which field of a row is no number, or how many it has.
 fn what_it_has(row: &Row<'_>) -> String {
     match row.misspelt_number() {
-        Some(field) => {
-            format!("`{field}` is no number (between thousands only a comma or a point may stand)")
-        }
+        Some(field) => format!("`{field}` is no number{}", why_no_number(field)),
         None => format!("it has {}", row.numbers().len()),
+    }
+}
+
+/// Says how to write a field whose signs are those of a number.
+fn why_no_number(field: &str) -> &'static str {
+    let unsigned = field.trim_start_matches(MINUS).trim_start_matches('+');
+    if unsigned.len() < field.len() && unsigned.starts_with(char::is_whitespace) {
+        " (its sign stands directly before it)"
+    } else if field.contains(char::is_alphabetic) {
+        ""
+    } else {
+        " (between thousands only a comma or a point may stand)"
     }
 }
 

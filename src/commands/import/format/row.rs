@@ -162,6 +162,19 @@ impl<'a> Row<'a> {
         fields.find(is_misspelt).copied()
     }
 
+    /// Returns the first field of a row in which a mistyped number stands before the coordinates, as `46O` of the left corner before
+    /// those of the right one.
+    pub(super) fn of_mistyped_group(&self) -> Option<&'a str> {
+        let (first, places) = self.found()?;
+        let before = self.fields.get(first.checked_sub(1)?);
+        let is_mistyped = first > 1 && self.misspelt_number().as_ref() == before;
+        let is_short = places.len() < self.groups.len();
+        self.fields
+            .first()
+            .copied()
+            .filter(|_| is_mistyped && is_short)
+    }
+
     /// Returns whether the row has any digit, even in a mistyped number.
     pub(super) fn has_digits(&self) -> bool {
         let mut fields = self.fields.iter();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::is_used;
+use super::{FEW, is_used};
 use crate::commands::import::hardpoints::{Hardpoint, Hardpoints};
 use crate::commands::import::layout::Layout;
 use crate::commands::import::names::{MOST_NAMES, Names, and_more};
@@ -141,13 +141,16 @@ impl<'a> Candidate<'a> {
     /// Lists the points of the file that other layouts have.
     fn of_others(&self, points: &[&Hardpoint], names: &Names, stated: &Hardpoints<'_>) -> String {
         let is_of_other = |point: &&&Hardpoint| names.is_point(&point.key) && !self.uses(point);
-        let mut others = points.iter().filter(is_of_other);
-        let told = others.by_ref().take(FEW_NAMES);
-        let mut each: Vec<String> = told.map(|point| stated.quoted(point)).collect();
+        let others = points.iter().filter(is_of_other);
+        let mut each: Vec<String> = others.map(|point| stated.quoted(point)).collect();
+        // A row with a point of each side.
+        each.dedup();
         if each.is_empty() {
             return String::new();
         }
-        each.extend(and_more(others.count()));
+        let more = each.len().saturating_sub(FEW_NAMES);
+        each.truncate(FEW_NAMES);
+        each.extend(and_more(more));
         format!("; of other layouts: {}", each.join(", "))
     }
 
@@ -234,8 +237,15 @@ impl<'a> Candidate<'a> {
                 self.of_others(points, names, stated),
             ),
         };
+        let of_its_own = match self.needed().len() > FEW && wanted.is_none() {
+            true => {
+                "; a suspension of another kind needs a listing of its own, see suspension motion --help"
+            }
+            false => "",
+        };
         Some(format!(
-            "{what} {lacks}{unknown}{others}; suspension import --names lists all names, suspension list {linkage} says what the points are"
+            "{what} {lacks}{unknown}{others}; suspension import --names lists all names, suspension list {linkage} says what the points \
+             are{of_its_own}"
         ))
     }
 }
