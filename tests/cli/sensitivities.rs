@@ -150,7 +150,7 @@ fn sensitivities_are_sorted_and_unknown_quantities_refused() {
     assert_eq!(output.status.code(), Some(0), "{output:?}");
     let report = text(&output.stdout);
     assert!(
-        report.contains("a.toml: per mm of each hardpoint coordinate and link length"),
+        report.contains("a.toml: per mm of each hardpoint coordinate and link length (the 2 with the largest effect, see --largest); axes"),
         "{report}"
     );
     assert!(

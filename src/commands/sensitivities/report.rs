@@ -53,10 +53,14 @@ impl Report<'_> {
         let axes = self.mechanism.axes.in_words();
         let downwards = counted_downwards(self.mechanism);
         let downwards = downwards.map_or_else(String::new, |note| format!(". {note}"));
+        let shown = match largest < self.found.each.len() {
+            true => format!(" (the {largest} with the largest effect, see --largest)"),
+            false => String::new(),
+        };
         let is_wanted = |number: &DesignNumber| of.is_empty() || number.is_one_of(of);
         let numbers: Vec<DesignNumber> = self.numbers().filter(is_wanted).collect();
         let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length; axes of {axes}{downwards}\n{}",
+            "{}: per {per} of each hardpoint coordinate and link length{shown}; axes of {axes}{downwards}\n{}",
             self.file,
             self.tie_rod_note(&numbers)
         );
