@@ -40,10 +40,9 @@ const SCALE: [[f64; 3]; 5] = [
 impl Colour {
     /// Returns the colour of the curve with this place in its plot.
     pub(super) fn of_curve(self, place: usize) -> RGBColor {
-        let own = |place: usize| OWN[place % OWN.len()];
         match self {
-            Self::OfPlace => own(place),
-            Self::Own(place) => own(place),
+            Self::OfPlace => Self::Own(place).of_curve(place),
+            Self::Own(own) => OWN[own % OWN.len()],
             Self::OfScale(part) => on_scale(part),
             Self::Black => RGBColor(0, 0, 0),
         }

@@ -57,21 +57,16 @@ impl Axes {
 
     /// The signs of the coordinates relative to ISO 8855, for the conversion in either direction.
     pub fn signs(self) -> [f64; 3] {
-        match self {
-            Self::Iso => [1.0, 1.0, 1.0],
-            Self::Adams => [-1.0, -1.0, 1.0],
-            Self::Sae => [1.0, -1.0, -1.0],
-        }
+        self.turned(Vector3::repeat(1.0)).into()
     }
 
     /// Converts a vector from ISO 8855 to these axes, or from them to ISO 8855: both are the same half turn.
     pub fn turned<N: Scalar + Neg<Output = N>>(self, vector: Vector3<N>) -> Vector3<N> {
-        let signs = Vector3::from(self.signs());
-        vector.zip_map(
-            &signs,
-            |coordinate, sign| {
-                if sign < 0.0 { -coordinate } else { coordinate }
-            },
-        )
+        let [x, y, z] = vector.into();
+        match self {
+            Self::Iso => Vector3::new(x, y, z),
+            Self::Adams => Vector3::new(-x, -y, z),
+            Self::Sae => Vector3::new(x, -y, -z),
+        }
     }
 }

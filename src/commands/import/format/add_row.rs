@@ -130,7 +130,7 @@ fn what_it_has(row: &Row<'_>) -> String {
     }
 }
 
-/// Says how to write a field whose signs are those of a number.
+/// Says which sign of a mistyped number is probably the mistake; nothing of one with letters, as `46O`.
 fn why_no_number(field: &str) -> &'static str {
     let unsigned = field.trim_start_matches(MINUS).trim_start_matches('+');
     if unsigned.len() < field.len() && unsigned.starts_with(char::is_whitespace) {

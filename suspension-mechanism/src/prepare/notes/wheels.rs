@@ -51,21 +51,21 @@ fn lying_kingpin(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> Opt
     let off = axis.xy().norm().atan2(axis.z.abs()).to_degrees();
     (off > OFF_VERTICAL).then(|| {
         let line = format!("kingpin of the {}", wheel.title("wheel"));
-        far_off(
-            task,
-            &line,
-            ends,
-            &format!("{} deg off the vertical", rounded(off, 3)),
-        )
+        far_off(task, (&line, ends), (off, "vertical"))
     })
 }
 
-/// The note that a line between two points has an unusual direction, `off` in words.
-fn far_off(task: &Task<'_>, line: &str, ends: [usize; 2], off: &str) -> String {
+/// The note that a line between two points is that many degrees off its usual direction.
+fn far_off(
+    task: &Task<'_>,
+    (line, ends): (&str, [usize; 2]),
+    (degrees, usual): (f64, &str),
+) -> String {
     let [from, to] = ends.map(|point| &task.names.points[point]);
+    let off = rounded(degrees, 3);
     format!(
-        "the {line}, from `{from}` to `{to}`, is {off} at the design position: are these the two points that are meant, and their \
-         coordinates right?"
+        "the {line}, from `{from}` to `{to}`, is {off} deg off the {usual} at the design position: are these the two points that are \
+         meant, and their coordinates right?"
     )
 }
 
@@ -77,12 +77,7 @@ fn across_the_wheel(task: &Task<'_>, wheel: &Wheel, placed: &[Vector3<f64>]) -> 
     let off = axis.xz().norm().atan2(axis.y.abs()).to_degrees();
     (off > OFF_AXIS).then(|| {
         let line = format!("spin axis of the {}", wheel.title("wheel"));
-        far_off(
-            task,
-            &line,
-            ends,
-            &format!("{} deg off the y direction", rounded(off, 3)),
-        )
+        far_off(task, (&line, ends), (off, "y direction"))
     })
 }
 
