@@ -33,7 +33,7 @@ build_core() {
     (
         cd "$folder"
         RUSTC_BOOTSTRAP=1 RUSTFLAGS="-Cembed-bitcode=yes -Zemit-stack-sizes" \
-            cargo +debian build --quiet --release -Zbuild-std=core,alloc "${flags[@]}"
+            cargo +debian build --quiet --release -Zbuild-std=core,alloc --target-dir target "${flags[@]}"
     )
     for target in "${targets[@]}"; do
         local libraries
