@@ -201,7 +201,7 @@ impl Study {
             _ => format!("at {}: ", label(*first)),
         };
         Some(format!(
-            "no suspension can be assembled with {} {values} {}: {at}{}",
+            "no suspension can be assembled with {} {values} {} from the design: {at}{}",
             varied.change.name,
             varied.mechanism.unit.symbol(),
             why.in_words(&varied.mechanism.names)

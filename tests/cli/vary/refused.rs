@@ -101,12 +101,11 @@ fn values_without_a_suspension_are_named_and_the_others_kept() {
         .collect();
     assert_eq!(values, [0.0]);
     let message = text(&output.stderr);
-    let expected =
-        "a.toml: no suspension can be assembled with tie_rod -0.7 and -0.35 m: at -0.7: ";
+    let expected = "a.toml: no suspension can be assembled with tie_rod -0.7 and -0.35 m from the design: at -0.7: ";
     assert!(message.contains(expected), "{message}");
     let output = vary(folder.path(), &corner(""), &["tie_rod=-0.7"]);
     assert_eq!(output.status.code(), Some(3), "{output:?}");
-    let expected = "no suspension can be assembled with tie_rod -0.7 m: a length is not positive";
+    let expected = "no suspension can be assembled with tie_rod -0.7 m from the design: a length is not positive";
     assert!(text(&output.stderr).contains(expected), "{output:?}");
 }
 
@@ -125,7 +124,7 @@ fn the_last_message_has_values_without_a_suspension_and_a_lock() {
     assert_eq!(output.status.code(), Some(3), "{output:?}");
     let message = text(&output.stderr);
     for expected in [
-        "\na.toml: no suspension can be assembled with tie_rod -0.7 m: ",
+        "\na.toml: no suspension can be assembled with tie_rod -0.7 m from the design: ",
         "\na.toml: 43 of 61 places are out of reach",
     ] {
         assert!(message.contains(expected), "{message}");
