@@ -258,7 +258,8 @@ susp_status susp_attia2003_f64_bounded_step_twice(
 
 /** `bounded_step` in one fixed order of pivots, or a refusal: the call for a hard real-time loop. A
  * refusal takes no longer than a step and does not change the motion; `bounded_step` with the same
- * arguments returns the reason, or uses another order. `report` may be NULL. */
+ * arguments returns the reason, or uses another order. Numbers that are not finite are
+ * SUSP_ERROR_OVERFLOW here, inputs as well as results. `report` may be NULL. */
 susp_status susp_attia2003_f64_attempt(
         const susp_attia2003_f64_model *model,
         const susp_attia2003_f64_inputs *inputs,

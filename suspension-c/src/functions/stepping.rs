@@ -66,7 +66,8 @@ macro_rules! functions_of_stepping {
 
         /// `bounded_step` in one fixed order of pivots, or a refusal: the call for a hard real-time loop. A
         /// refusal takes no longer than a step and does not change the motion; `bounded_step` with the same
-        /// arguments returns the reason, or uses another order. `report` may be NULL.
+        /// arguments returns the reason, or uses another order. Numbers that are not finite are
+        /// SUSP_ERROR_OVERFLOW here, inputs as well as results. `report` may be NULL.
         fn attempt(model: In<Model>, inputs: In<Inputs>, outputs: Outputs, dt: Number, motion: InOut<Motion>, report: Out<Report>) -> Status {
             answer(|| attempted::<1>(model, inputs, outputs, dt, motion, report))
         }
