@@ -106,7 +106,8 @@ susp_status susp_corner_drives(
  * however far: in as many sub-steps as necessary, at most 200. With `dt` = 0 the step takes no time,
  * and the drives must be near the last ones. In between the drives follow the cubics with their values
  * and rates at both ends or, if these lead past a lock, straight lines from rest, in at most 200
- * further sub-steps. `report` may be NULL. */
+ * further sub-steps. A refusal at a lock takes 500 to 2,000 times as long as a step of a millisecond.
+ * `report` may be NULL. */
 susp_status susp_corner_step(
         susp_corner *corner,
         const double *drives,

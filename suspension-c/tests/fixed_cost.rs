@@ -121,3 +121,16 @@ fn steps_that_explain_refusals_compute_the_same_as_attempts() {
     assert_eq!(compare::<1>(step, 5e-3), Some(JUMP));
     assert_eq!(compare::<2>(step_twice, 5e-3), None);
 }
+
+/// An attempt does not search for the reason.
+#[test]
+fn a_nan_input_overflows_in_an_attempt_and_is_not_finite_in_a_step() {
+    let (model, given) = (model(), inputs(Drives { values: [f32::NAN] }, 0.0));
+    let status = |call: Attempt| {
+        let mut motion = at_rest();
+        let (to, moving) = ((&given).into(), (&mut motion).into());
+        call((&model).into(), to, ALL, STEP, moving, None.into())
+    };
+    assert_eq!(status(five_link_f32::attempt), Status::Overflow);
+    assert_eq!(status(step), Status::NotFinite);
+}

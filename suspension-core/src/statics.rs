@@ -164,7 +164,19 @@ impl<'a, T: Real, L: Linkage<N, Scalar = T>, const N: usize> Loads<'a, L, N> {
         }
     }
 
-    /// The multiplier of each equation.
+    /// The multiplier of each equation. That of a link is the force in it, positive in tension; if a drive prescribes the
+    /// link's angle from an axis, the part of the force along the link that the drive causes is not included.
+    ///
+    /// ```
+    /// use suspension_core::linkages::double_wishbone::{Corner, Points, equation};
+    /// use suspension_core::nalgebra::Vector3;
+    ///
+    /// let corner: Corner = Corner::design()?;
+    /// let forces = Points { tie_ball: Vector3::new(0.0, 1000.0, 0.0), ..Points::default() }; // N, outboard
+    /// let loads = corner.statics()?.under(&forces)?;
+    /// assert!(loads.multipliers()[equation::TIE_ROD] > 900.0); // most of it pulls at the tie rod
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn multipliers(&self) -> &SVector<T, N> {
         &self.multipliers
     }

@@ -116,6 +116,28 @@ fn nth<P: Values<Vector3<f64>>>(points: &P, point: usize) -> Vector3<f64> {
 
 impl Listing {
     /// The contributions to the forces of each of [`parts`](Self::parts).
+    ///
+    /// ```
+    /// use suspension_core::{Values, nalgebra::Vector3};
+    /// use suspension_runtime::{Listing, catalogue};
+    ///
+    /// let listing = Listing::parse(catalogue::listing("double_wishbone_pushrod").unwrap())?;
+    /// let corner = listing.corner::<30>(&listing.design().unwrap())?;
+    /// let at = corner.points().value;
+    /// let [inner, outer, upper] =
+    ///     ["damper_inner", "damper_outer", "pushrod_upper"].map(|name| listing.point(name).unwrap());
+    /// let [from, to] = at.at([inner, outer]);
+    /// let push = (to - from).normalize() * 3000.0; // N, of the spring at the damper
+    /// let forces = at.map(|_| Vector3::zeros()).with(outer, push).with(inner, -push);
+    ///
+    /// let loads = corner.statics().map_err(|failure| failure.to_string())?.under(&forces);
+    /// let loads = loads.map_err(|failure| failure.to_string())?;
+    /// let pushrod = listing.parts().position(|part| part.name == "pushrod").unwrap();
+    /// let by_pushrod = listing.part_forces()[pushrod].forces(|equations| loads.by(equations.clone()), &at);
+    /// let [on_rocker] = by_pushrod.at([upper]);
+    /// assert_eq!(format!("{:.0} N", on_rocker.norm()), "2921 N");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn part_forces(&self) -> Vec<PartForces> {
         let parts: Vec<_> = self.parts().collect();
         let mut forces: Vec<PartForces> = parts.iter().map(PartForces::from_statement).collect();

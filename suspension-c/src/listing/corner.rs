@@ -104,7 +104,8 @@ crate::functions! { "susp":
     /// however far: in as many sub-steps as necessary, at most 200. With `dt` = 0 the step takes no time,
     /// and the drives must be near the last ones. In between the drives follow the cubics with their values
     /// and rates at both ends or, if these lead past a lock, straight lines from rest, in at most 200
-    /// further sub-steps. `report` may be NULL.
+    /// further sub-steps. A refusal at a lock takes 500 to 2,000 times as long as a step of a millisecond.
+    /// `report` may be NULL.
     fn corner_step(corner: InOut<Corner>, drives: In<Number>, count: usize, dt: Number, report: Out<Report>, failure: Out<Failure>) -> Status {
         on(corner.object().map(Placed::parts_mut), failure, |moving, parsed| {
             let (drives, report) = (drives.many(count)?, report.optional()?);

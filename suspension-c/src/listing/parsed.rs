@@ -104,19 +104,17 @@ impl Parsed {
         place.ok_or(Status::Absent)
     }
 
-    /// Returns the positions that the listing states, NaN for the others.
-    pub(super) fn design(&self) -> Vec<Vector3<f64>> {
-        let mut design: Vec<_> = self.points.iter().map(|_| UNSTATED).collect();
+    /// Writes the positions that the listing states, NaN for the others.
+    pub(super) fn write_design(&self, points: &mut [MaybeUninit<f64>]) {
+        points.fill(MaybeUninit::new(f64::NAN));
+        let (points, _) = points.as_chunks_mut();
         for (place, at) in self.listing.stated() {
-            if let Some(point) = design.get_mut(place) {
-                *point = at;
+            if let Some(point) = points.get_mut(place) {
+                *point = <[f64; 3]>::from(at).map(MaybeUninit::new);
             }
         }
-        design
     }
 }
-
-const UNSTATED: Vector3<f64> = Vector3::new(f64::NAN, f64::NAN, f64::NAN);
 
 /// The numbers of parts of a listing.
 #[derive(Clone, Copy, Debug)]

@@ -84,10 +84,7 @@ crate::functions! { "susp":
         answer(|| {
             let (listing, points) = (listing.object()?, points.many(count)?);
             check_count(count, 3 * listing.counts().points)?;
-            let coordinates = listing.design().into_iter().flat_map(<[f64; 3]>::from);
-            for (place, coordinate) in points.iter_mut().zip(coordinates) {
-                place.write(coordinate);
-            }
+            listing.write_design(points);
             Ok(())
         })
     }

@@ -1,4 +1,5 @@
-//! Rust files as `suspension bake` writes them: that they are modules here says that they compile.
+//! Rust files as `suspension bake` writes them: that they are modules here says that they compile, also under strict lints.
+#![warn(clippy::pedantic)]
 #![allow(unreachable_pub, reason = "they are for crates of any kind")]
 
 use std::path::Path;

@@ -16,7 +16,7 @@ use suspension_core::baked::Surface;
 pub const FRONT_POINTS_BY_BUMP_AND_STEER_OUTPUTS: [&str; 18] = ["lower_ball_x", "lower_ball_y", "lower_ball_z", "upper_ball_x", "upper_ball_y", "upper_ball_z", "tie_ball_x", "tie_ball_y", "tie_ball_z", "wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "axle_x", "axle_y", "axle_z", "strut_lower_x", "strut_lower_y", "strut_lower_z"];
 
 /// See the head of this file.
-#[allow(clippy::approx_constant)]
+#[allow(clippy::approx_constant, clippy::unreadable_literal)]
 #[rustfmt::skip]
 pub static FRONT_POINTS_BY_BUMP_AND_STEER: Surface<'static, f64, 18, 6> = Surface {
     ranges: [[0.18, 0.42], [0.32, 0.36]],

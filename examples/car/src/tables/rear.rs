@@ -16,7 +16,7 @@ use suspension_core::baked::Curve;
 pub const REAR_POINTS_BY_BUMP_OUTPUTS: [&str; 21] = ["lateral_ball_x", "lateral_ball_y", "lateral_ball_z", "diagonal_ball_x", "diagonal_ball_y", "diagonal_ball_z", "upper_front_ball_x", "upper_front_ball_y", "upper_front_ball_z", "upper_rear_ball_x", "upper_rear_ball_y", "upper_rear_ball_z", "toe_ball_x", "toe_ball_y", "toe_ball_z", "wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "axle_x", "axle_y", "axle_z"];
 
 /// See the head of this file.
-#[allow(clippy::approx_constant)]
+#[allow(clippy::approx_constant, clippy::unreadable_literal)]
 #[rustfmt::skip]
 pub static REAR_POINTS_BY_BUMP: Curve<'static, f64, 21, 6> = Curve {
     range: [0.2, 0.44],

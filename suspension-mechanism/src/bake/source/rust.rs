@@ -20,7 +20,7 @@ use suspension_core::baked::{kind};
 pub const {name}_OUTPUTS: [&str; {width}] = {names:?};
 
 /// See the head of this file.
-#[allow(clippy::approx_constant)]
+#[allow(clippy::approx_constant, clippy::unreadable_literal)]
 #[rustfmt::skip]
 pub static {name}: {kind}<'static, f64, {width}, {TERMS}> = {kind} {{
 {fields}}};

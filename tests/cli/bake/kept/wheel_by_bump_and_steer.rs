@@ -17,7 +17,7 @@ use suspension_core::baked::Surface;
 pub const WHEEL_BY_BUMP_AND_STEER_OUTPUTS: [&str; 6] = ["wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "spin_axis_x", "spin_axis_y", "spin_axis_z"];
 
 /// See the head of this file.
-#[allow(clippy::approx_constant)]
+#[allow(clippy::approx_constant, clippy::unreadable_literal)]
 #[rustfmt::skip]
 pub static WHEEL_BY_BUMP_AND_STEER: Surface<'static, f64, 6, 6> = Surface {
     ranges: [[0.24, 0.36], [0.32, 0.36]],

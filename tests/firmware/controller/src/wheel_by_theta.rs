@@ -17,7 +17,7 @@ use suspension_core::baked::Curve;
 pub const WHEEL_BY_THETA_OUTPUTS: [&str; 6] = ["wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "spin_axis_x", "spin_axis_y", "spin_axis_z"];
 
 /// See the head of this file.
-#[allow(clippy::approx_constant)]
+#[allow(clippy::approx_constant, clippy::unreadable_literal)]
 #[rustfmt::skip]
 pub static WHEEL_BY_THETA: Curve<'static, f64, 6, 6> = Curve {
     range: [0.7, 2.1503125],
