@@ -1,8 +1,12 @@
 //! One trait over all steppers: the same calls, the same report, the same motion.
 
+use std::cell::RefCell;
+
 use suspension_core::linkages::five_link::Model;
+use suspension_core::signal::ChassisMotion;
+use suspension_core::solve::report::Report;
 use suspension_core::step::series::SeriesTracker;
-use suspension_core::{Bounded, Motion, Stepper, Tracker};
+use suspension_core::{Bounded, Inputs, Linkage, Motion, SolveError, Stepper, Tracker};
 
 use super::support;
 
@@ -49,6 +53,47 @@ fn every_stepper_divides_a_long_advance() {
     let tracked = advanced(&Tracker::default());
     let bounded = advanced(&Bounded::<f64, 3>::new());
     assert!((tracked.position - bounded.position).amax() < 1e-13);
+}
+
+/// A bounded step that records the length of each attempt, and whether it succeeded.
+#[derive(Default)]
+struct Recorded(RefCell<Vec<(f64, bool)>>);
+
+impl Stepper<f64> for Recorded {
+    fn step<L, C, const N: usize>(
+        &self,
+        linkage: &L,
+        inputs: &Inputs<C, L::Drives>,
+        dt: f64,
+        motion: &mut Motion<f64, N>,
+    ) -> Result<Report<f64>, SolveError<f64>>
+    where
+        L: Linkage<N, Scalar = f64>,
+        C: ChassisMotion<L::Fixed>,
+    {
+        let stepped = Stepper::step(&Bounded::<f64, 3>::new(), linkage, inputs, dt, motion);
+        self.0.borrow_mut().push((dt, stepped.is_ok()));
+        stepped
+    }
+}
+
+/// A refusal takes much longer than a step.
+#[test]
+fn a_length_that_was_refused_is_not_tried_after_one_good_step() {
+    let way = Recorded::default();
+    let model: Model<f64> = support::five_link_model();
+    let mut motion = support::five_link_start(&model);
+    way.advance(&model, support::five_link_inputs, [0.0, 1.9], &mut motion)
+        .expect("an advance");
+    let attempts = way.0.into_inner();
+    let mut after_refusals = 0;
+    for three in attempts.windows(3) {
+        if let &[(refused, false), (_, true), (next, _)] = three {
+            after_refusals += 1;
+            assert!(next < 0.75 * refused, "{refused} s, then {next} s");
+        }
+    }
+    assert!(after_refusals > 1);
 }
 
 /// The type of the numbers comes from the model.

@@ -35,7 +35,7 @@ pub trait Stepper<T: Real> {
         C: ChassisMotion<L::Fixed>;
 
     /// Goes from one time to another, in either direction, in as few steps as succeed: a refused step is halved, and
-    /// after a good one the step is doubled.
+    /// after two good ones the step is doubled.
     ///
     /// # Errors
     ///

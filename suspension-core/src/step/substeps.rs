@@ -1,4 +1,4 @@
-//! An interval of time in as few steps as possible: after a refusal the step is halved, after a success doubled.
+//! An interval of time in as few steps as possible: after a refusal the step is halved, after two successes doubled.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::{Cause, Explain, Facts, SolveError, messages};
@@ -55,12 +55,14 @@ pub(crate) fn advance_in_steps<T: Real>(
         match step(next, next - reached) {
             Ok(report) => {
                 reached = next;
-                refused = None;
                 advanced = advanced.with_next(report);
                 if last_step {
                     return Ok(advanced);
                 }
-                dt *= T::constant(2.0);
+                // Right after a refusal twice the step would be the one that was refused.
+                if refused.take().is_none() {
+                    dt *= T::constant(2.0);
+                }
             }
             Err(error) => {
                 refused = Some((next - reached, error));
