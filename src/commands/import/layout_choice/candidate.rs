@@ -165,11 +165,13 @@ impl<'a> Candidate<'a> {
         points: &[&Hardpoint],
         names: &Names,
     ) -> Option<String> {
+        let is_unused = |point: &&&Hardpoint| names.is_point(&point.key) && !self.uses(point);
+        let unused: Vec<&&Hardpoint> = points.iter().filter(is_unused).collect();
         self.found.iter().find_map(|(name, taken)| {
             let forms = names.forms_of(name);
-            let mut others = points.iter().filter(|point| !self.uses(point) && point.at != taken.at);
+            let mut others = unused.iter().filter(|point| point.at != taken.at);
             let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
-            let [other, taken] = [other, taken].map(|point| stated.quoted(point));
+            let [other, taken] = [**other, *taken].map(|point| stated.quoted(point));
             Some(format!(
                 "{other} and {taken} are names of one point, {name}, in different places: leave one of them, or give the other a \
                  name that import does not know"
