@@ -98,7 +98,7 @@ enum {
     SUSP_ERROR_UNHEALTHY_PIVOTS = 51,
     /** an angle is driven beyond its range; drive it from 0 to pi where it is between a link and an axis, else by less than a whole turn */
     SUSP_ERROR_ANGLE_OUT_OF_RANGE = 52,
-    /** the time step is not a finite number; give finite times */
+    /** the time step or the time after it is not a finite number; give finite times */
     SUSP_ERROR_STEP_NOT_FINITE = 53,
     /** nothing is proved: the Jacobian is singular to rounding; prove roots away from singularities */
     SUSP_ERROR_UNPROVED_NEAR_SINGULAR = 60,

@@ -1,8 +1,9 @@
 //! Messages: the fact, and what to write instead. Messages about only one kind of statement are in its file.
 
 use std::fmt::Display;
+use std::iter;
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenTree};
 use syn::buffer::Cursor;
 use syn::spanned::Spanned;
 use syn::{Attribute, Error, Ident};
@@ -57,18 +58,25 @@ pub(crate) fn lacks_semicolon(message: &str) -> bool {
 }
 
 /// The error that a statement does not end, at the last token that was read as part of it.
-pub(crate) fn at_statement_end(error: Error, mut begin: Cursor<'_>, end: Cursor<'_>) -> Error {
+pub(crate) fn at_statement_end(error: Error, begin: Cursor<'_>, end: Cursor<'_>) -> Error {
     let message = error.to_string();
     if !lacks_semicolon(&message) {
         return error;
     }
-    let mut last = error.span();
-    while begin != end
-        && let Some((token, next)) = begin.token_tree()
-    {
-        (last, begin) = (token.span(), next);
-    }
-    Error::new(last, message)
+    let last = tokens(begin, end).last();
+    Error::new(last.map_or(error.span(), |last| last.span()), message)
+}
+
+/// The tokens between two places of a text.
+pub(crate) fn tokens<'a>(
+    mut begin: Cursor<'a>,
+    end: Cursor<'a>,
+) -> impl Iterator<Item = TokenTree> + use<'a> {
+    iter::from_fn(move || {
+        let (token, next) = begin.token_tree().filter(|_| begin != end)?;
+        begin = next;
+        Some(token)
+    })
 }
 
 /// The message for a name that is a keyword of Rust, which replaces that of `syn`.

@@ -11,11 +11,11 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::Attribute;
 use syn::parse::{ParseStream, Parser};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, lacks_semicolon};
 use crate::include::IncludeSource;
 use crate::listing::Listing;
 use crate::statement::mirror::{MIRROR, Mirror};
-use crate::statement::operands::lines;
+use crate::statement::operands::{first_word, lines};
 use statement::{skip_statement, statement, tokens};
 
 /// Reads the statements of a listing to the end of the input, and the errors of those that could not be read.
@@ -90,16 +90,24 @@ impl<'a> Reading<'a> {
             Err(error) => self.errors.push(error),
         }
         while !input.is_empty() {
-            let ahead = input.fork();
+            let begin = input.cursor();
             match statement(input, &mut self.listing) {
-                Ok(()) => match self.listing.include.take() {
-                    Some(include) => self.include(&include),
-                    None => self.texts.push(tokens(&ahead)?),
-                },
+                Ok(()) => {}
+                // Nothing but the semicolon is missing.
+                Err(error)
+                    if lacks_semicolon(&error.to_string()) && first_word(input).is_some() =>
+                {
+                    self.errors.push(error);
+                }
                 Err(error) => {
                     self.report(error);
                     skip_statement(input)?;
+                    continue;
                 }
+            }
+            match self.listing.include.take() {
+                Some(include) => self.include(&include),
+                None => self.texts.push(tokens(begin, input.cursor())),
             }
         }
         if let Some(sides) = self.listing.mirror.take()

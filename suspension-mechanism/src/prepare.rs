@@ -22,5 +22,4 @@ mod vehicle;
 pub use analyses::combined_changes::describe_one_sided;
 pub use listing::points::point_names;
 pub use loaded::{Loaded, load};
-pub use notes::wrong_side::only_on_wrong_side;
 pub use own_linkage::load_own;

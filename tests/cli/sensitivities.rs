@@ -132,6 +132,27 @@ fn the_note_on_links_built_anew_is_printed_above_toe_alone() {
     }
 }
 
+/// The marker of the spin axis stands among hardpoints; where a joint is the inner point of the axis, nothing is to be said.
+#[test]
+fn the_note_on_the_spin_axis_is_printed_above_angles_of_the_wheel() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), corner(0.36)).expect("written");
+    let joint = include_str!("../../examples/five_link.toml");
+    std::fs::write(folder.path().join("b.toml"), joint).expect("written");
+    let what = "\n`axle` is no joint, it states the spin axis: moving it or `wheel_centre` alone sets another camber or toe";
+    for (file, of, is_printed) in [
+        ("a.toml", "camber", true),
+        ("a.toml", "toe", true),
+        ("a.toml", "damper", false),
+        ("b.toml", "toe", false),
+    ] {
+        let output = run(folder.path(), &["sensitivities", file, "--of", of]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let report = text(&output.stdout);
+        assert_eq!(report.contains(what), is_printed, "{report}");
+    }
+}
+
 #[test]
 fn sensitivities_are_sorted_and_unknown_quantities_refused() {
     let folder = folder();

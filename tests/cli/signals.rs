@@ -141,6 +141,16 @@ fn an_interrupted_comparison_says_how_far_it_came_in_the_table() {
 }
 
 #[test]
+fn an_interrupt_ends_the_reading_of_hardpoints() {
+    let folder = folder();
+    let rows = (0..20_000).map(|row| format!("bolt {row}, {row}, 2, 3\n"));
+    std::fs::write(folder.path().join("a.csv"), rows.collect::<String>()).expect("written");
+    let output = interrupted_by("-INT", folder.path(), &["import", "a.csv"]);
+    let expected = "a.csv: interrupted before it was read\n";
+    assert_eq!(text(&output.stderr), expected);
+}
+
+#[test]
 fn an_interrupt_without_a_table_does_not_mention_rows() {
     let folder = folder();
     let output = ended_by("-INT", folder.path(), &["--plots", "."]);

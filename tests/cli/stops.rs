@@ -4,7 +4,7 @@ use suspension_core::linkage::Designed;
 use suspension_core::linkages::double_wishbone_pushrod::{Corner, Drives, Lengths, Model};
 use suspension_core::{Build, Signal};
 
-use super::program::{edited, folder, rows, run, text};
+use super::program::{CORNER, edited, folder, rows, run, text};
 use crate::support::Reference;
 
 const TWO_SECONDS: &str = "start = 0.0\nstop = 2.0\nstep = 0.05";
@@ -247,5 +247,19 @@ fn of_several_drives_the_one_that_leads_into_the_lock_is_named() {
         let message = text(&output.stderr);
         assert!(message.contains(expected), "{message}");
         assert!(message.contains("` is too long: it has"), "{message}");
+    }
+}
+
+/// With the rack 2 m further the tie rod would have to be longer, but what ends the rack's travel is the same as for 0.2 m.
+#[test]
+fn a_lock_has_the_same_cause_however_far_the_place_asked_for_is_beyond() {
+    let folder = folder();
+    std::fs::write(folder.path().join("a.toml"), CORNER).expect("written");
+    for (far, lengths) in [("0.2", true), ("2", false)] {
+        let drive = format!("steer=0:{far}:2");
+        let output = run(folder.path(), &["sweep", "a.toml", "--drive", &drive]);
+        let message = text(&output.stderr);
+        assert!(message.contains("; `tie_rod` is too long"), "{message}");
+        assert_eq!(message.contains("would need"), lengths, "{message}");
     }
 }

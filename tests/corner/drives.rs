@@ -62,6 +62,24 @@ fn a_time_that_is_not_finite_is_refused_as_such() {
     assert_eq!((corner.drives(), corner.time()), (start, 0.0));
 }
 
+/// Two such steps would make the time infinite.
+#[test]
+fn a_step_after_which_the_time_is_not_finite_is_refused() {
+    let mut corner: measured::Corner = measured::Corner::design().expect("a design");
+    let drives = Signal::still(corner.drives());
+    for dt in [f64::MAX, -f64::MAX] {
+        corner.step(dt, drives).expect("a finite time");
+        let before = (corner.time(), *corner.motion());
+        for refused in [corner.step(dt, drives), corner.step_towards(dt, drives)] {
+            let stopped = refused.expect_err("an infinite time").error;
+            assert_eq!(stopped.refused, Some((dt, SolveError::StepNotFinite)));
+            assert_eq!((stopped.reached, *corner.motion()), before);
+        }
+        assert_eq!((corner.time(), *corner.motion()), before);
+        corner.step(-dt, drives).expect("back to zero");
+    }
+}
+
 /// The change is in no equation either: its derivatives would be NaN.
 #[test]
 fn a_change_of_drives_that_is_not_finite_has_no_derivatives() {

@@ -60,7 +60,8 @@ fn a_step_of_a_length_that_is_not_finite_is_refused() {
             corner.advance(length, |_| drives),
         ] {
             let message = stopped.expect_err("no length").to_string();
-            let expected = "the time step is not a finite number; give finite times";
+            let expected =
+                "the time step or the time after it is not a finite number; give finite times";
             assert!(message.ends_with(expected), "{message}");
         }
         assert_eq!((corner.time(), corner.drives(), *corner.motion()), before);

@@ -33,23 +33,33 @@ impl ImportedCorner<'_> {
     ///
     /// # Errors
     ///
-    /// A sentence if the wheel is too far away, as where lengths in cm are taken for inches.
+    /// A sentence if the wheel is too far away, as where lengths in cm are taken for inches, or its y is mistyped.
     pub(super) fn check_unit(&self) -> Result<(), String> {
+        /// How much further from the middle than all other points a wheel centre is if its own y alone is wrong.
+        const ALONE: f64 = 3.0;
         let is_stated = self.unit.or(self.stated.unit).is_some();
-        let centre = self.position("wheel_centre").filter(|_| !is_stated);
-        let Some([_, y, _]) = centre else {
+        let centre = self.choice.point("wheel_centre").filter(|_| !is_stated);
+        let Some(centre) = centre else {
             return Ok(());
         };
         let (unit, why) = self.unit();
-        let metres = y.abs() / unit.metre();
-        if metres <= WIDEST {
+        let off = |point: &Hardpoint| point.at[1].abs() / unit.metre();
+        if off(centre) <= WIDEST {
             return Ok(());
         }
-        let unit = unit.symbol();
+        let others = self.choice.off_axis();
+        let next = others.map(|(_, point)| off(point)).fold(0.0, f64::max);
+        let remedy = match off(centre) > ALONE * next {
+            true => "correct its y",
+            false => "state the unit with --unit; convert lengths in cm to mm",
+        };
         Err(format!(
-            "the unit of lengths would be {unit}, {why}, but then the wheel centre is {} m from the middle of the vehicle: state \
-             the unit with --unit; convert lengths in cm to mm",
-            rounded(metres, 3)
+            "the unit of lengths would be {}, {why}, but then {} is {} m from the middle of the vehicle and no other point more than \
+             {} m: {remedy}",
+            unit.symbol(),
+            self.stated.quoted(centre),
+            rounded(off(centre), 3),
+            rounded(next, 3)
         ))
     }
 

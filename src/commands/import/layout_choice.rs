@@ -72,6 +72,12 @@ impl<'a> Choice<'a> {
         is_used(&self.found, point)
     }
 
+    /// Returns the points that are not on the axis of the wheel, each with its name in the listing.
+    pub(super) fn off_axis(&self) -> impl Iterator<Item = (&str, &'a Hardpoint)> + Clone {
+        let found = self.found.iter().map(|(name, point)| (&**name, *point));
+        found.filter(|(name, _)| !["wheel_centre", "axle"].contains(name))
+    }
+
     /// Returns the file's point for a point of the listing.
     pub(super) fn point(&self, name: &str) -> Option<&'a Hardpoint> {
         point_of(&self.found, name)

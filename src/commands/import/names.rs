@@ -3,7 +3,7 @@
 mod words;
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use serde::Deserialize;
 use suspension_listing::did_you_mean::nearest;
@@ -61,7 +61,7 @@ pub(super) struct Names {
     pub(super) arrangement: Arrangement,
     words: Words,
     /// The normal forms that have been asked for.
-    normal: RefCell<BTreeMap<String, String>>,
+    normal: RefCell<HashMap<String, String>>,
     /// The normal forms of the names of each point.
     forms: BTreeMap<String, Vec<String>>,
     /// The normal forms of the names of all points, and of all numbers.

@@ -117,9 +117,7 @@ fn check_side_of_wheel(choice: &Choice<'_>) -> Result<(), String> {
     let Some(centre) = choice.point("wheel_centre") else {
         return Ok(());
     };
-    let others = choice.found.iter();
-    let others = others.filter(|(name, _)| !["wheel_centre", "axle"].contains(&name.as_str()));
-    let others = others.map(|(_, point)| *point);
+    let others = choice.off_axis().map(|(_, point)| point);
     let mut others = others.filter(|point| point.at[1] != 0.0);
     let is_across = |point: &Hardpoint| point.at[1] * centre.at[1] < 0.0;
     let first = others.clone().find(|point| is_across(point));
@@ -146,23 +144,21 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     let Some(centre) = choice.point("wheel_centre") else {
         return Ok(());
     };
-    let is_swapped = |why: String| {
-        Err(format!(
-            "the columns seem to be swapped: the second one is y, across the vehicle, and {why}; put them in the order \
-             x (along), y (across), z (up or down), or correct that point"
-        ))
-    };
-    let chassis = choice.found.iter();
-    let outboard = chassis
-        .filter(|(name, _)| choice.layout.is_on_chassis(name))
-        .map(|(_, point)| *point)
-        .find(|point| point.at[1].abs() >= centre.at[1].abs());
-    if let Some(point) = outboard {
+    let is_outboard = |point: &Hardpoint| point.at[1].abs() >= centre.at[1].abs();
+    let outboard = || choice.off_axis().filter(|(_, point)| is_outboard(point));
+    let on_chassis = outboard().find(|(name, _)| choice.layout.is_on_chassis(name));
+    if let Some((_, point)) = on_chassis {
         let [y, at] = [point, centre].map(|point| number(point.at[1]));
         let (name, of) = (&point.name, &centre.name);
-        return is_swapped(format!(
-            "is {y} at `{name}` on the chassis, but {at} at `{of}`"
-        ));
+        return Err(match outboard().count() {
+            1 => format!(
+                "y is {y} at `{name}` on the chassis, further from the middle of the vehicle than {at} at `{of}` and all other points: \
+                 correct it, or if the columns are swapped, {ORDER}"
+            ),
+            _ => swapped(&format!(
+                "is {y} at `{name}` on the chassis, but {at} at `{of}`"
+            )),
+        });
     }
     let Some(axle) = choice.point("axle") else {
         return Ok(());
@@ -171,13 +167,25 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
     let (name, of) = (&axle.name, &centre.name);
     let camber = z.atan2(y).to_degrees();
     match x <= y {
-        false => is_swapped(format!("from `{name}` to `{of}` it changes less than x")),
+        false => Err(swapped(&format!(
+            "from `{name}` to `{of}` it changes less than x"
+        ))),
         true if camber > MOST_CAMBER => Err(format!(
             "the spin axis, from `{name}` to `{of}`, has a camber of {camber:.0} degrees: correct these points or, if `{name}` is \
              no point of the spin axis, give it a name that import does not know"
         )),
         true => Ok(()),
     }
+}
+
+/// The usual order of columns, as a remedy.
+const ORDER: &str = "put them in the order x (along), y (across), z (up or down)";
+
+/// Says why the columns seem to be swapped.
+fn swapped(why: &str) -> String {
+    format!(
+        "the columns seem to be swapped: the second one is y, across the vehicle, and {why}; {ORDER}, or correct that point"
+    )
 }
 
 /// Returns the first clue of the direction that most clues of an axis show, or the first one does, and the first clue against

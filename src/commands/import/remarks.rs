@@ -80,7 +80,6 @@ impl ImportedCorner<'_> {
         } else if choice.point("wheel_centre").is_some() && !is_of_axle {
             remarks.push(format!("the corner is the {side} one"));
         }
-        remarks.extend(self.point_across());
         remarks.extend(self.exchanged_ends());
         remarks.extend(self.unlike_twins());
         remarks.extend(self.toe_link());

@@ -6,11 +6,11 @@ use crate::characteristics::{DesignNumber, counted_downwards, refuse_unknown_num
 use crate::commands::sensitivities::scatter::{DIGITS, Scatter};
 use crate::failure::Failure;
 use crate::kinematics::Kinematics;
-use crate::mechanism::Length;
+use crate::mechanism::{Length, Names};
 use crate::number::{rounded, without_rounding};
 use crate::output::records::{self, Field};
 use crate::output::rows::TableTargets;
-use crate::quantities::{TOE, TOTAL_TOE};
+use crate::quantities::{CAMBER, Quantity, TOE, TOTAL_TOE};
 use crate::sensitivities::Sensitivities;
 
 /// Finite differences of constants are smaller than this: rounding.
@@ -60,9 +60,10 @@ impl Report<'_> {
         let is_wanted = |number: &DesignNumber| of.is_empty() || number.is_one_of(of);
         let numbers: Vec<DesignNumber> = self.numbers().filter(is_wanted).collect();
         let mut out = format!(
-            "{}: per {per} of each hardpoint coordinate and link length{shown}; axes of {axes}{downwards}\n{}",
+            "{}: per {per} of each hardpoint coordinate and link length{shown}; axes of {axes}{downwards}\n{}{}",
             self.file,
-            self.tie_rod_note(&numbers)
+            self.tie_rod_note(&numbers),
+            self.spin_axis_note(&numbers)
         );
         let (zero, others): (Vec<DesignNumber>, Vec<DesignNumber>) = numbers
             .into_iter()
@@ -116,20 +117,42 @@ impl Report<'_> {
     /// the linkage has no such rod.
     fn tie_rod_note(&self, numbers: &[DesignNumber]) -> String {
         const NAMES: [&str; 3] = ["tie_rod", "track_rod", "toe_link"];
-        let is_of_toe = |number: &DesignNumber| {
-            let column = &self.found.columns[number.column];
-            column.is(&TOE) || column.is(&TOTAL_TOE)
-        };
         let changes = self.found.each.iter();
         let mut links = changes.filter_map(|each| each.change.name.strip_prefix("length "));
         let rod = links.find(|link| NAMES.iter().any(|name| link.contains(name)));
-        let rod = rod.filter(|_| numbers.iter().any(is_of_toe));
+        let rod = rod.filter(|_| self.has(numbers, &[&TOE, &TOTAL_TOE]));
         rod.map_or_else(String::new, |rod| {
             format!(
                 "A point is moved with its links built anew to it: an end of `{rod}` changes slopes, as bump steer, and not the toe at the \
                  design position, which `length {rod}` does.\n"
             )
         })
+    }
+
+    /// Says what a move of a spin axis' inner point is if that is a marker and no joint; empty if `numbers` has no angle of the
+    /// wheel.
+    fn spin_axis_note(&self, numbers: &[DesignNumber]) -> String {
+        let Names { points, wheels, .. } = &self.mechanism.names;
+        let markers = self.mechanism.names.markers();
+        let mut axes = wheels
+            .iter()
+            .map(|wheel| wheel.points.axis.map(|end| &points[end]));
+        let axis = axes.find(|[inner, _]| markers.contains(inner));
+        let axis = axis.filter(|_| self.has(numbers, &[&CAMBER, &TOE, &TOTAL_TOE]));
+        axis.map_or_else(String::new, |[inner, centre]| {
+            format!(
+                "`{inner}` is no joint, it states the spin axis: moving it or `{centre}` alone sets another camber or toe at the design \
+                 position, as a shim does.\n"
+            )
+        })
+    }
+
+    /// Returns whether one of these quantities is among the numbers.
+    fn has(&self, numbers: &[DesignNumber], quantities: &[&Quantity]) -> bool {
+        let mut columns = numbers
+            .iter()
+            .map(|number| &self.found.columns[number.column]);
+        columns.any(|column| quantities.iter().any(|quantity| column.is(quantity)))
     }
 
     /// Returns the usual change of a hardpoint in words, and its length in the file's unit.

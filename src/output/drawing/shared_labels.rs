@@ -1,5 +1,7 @@
 //! Points that a view shows in one place, as those of both sides, which share a label.
 
+use crate::vehicle_corner::Section;
+
 /// A label of one point, or of several in one place whose names differ in one word.
 struct Label<'a> {
     /// The words of the first name.
@@ -35,15 +37,24 @@ impl<'a> Label<'a> {
         is_same
     }
 
-    /// The name, or the words that all names have, and those in which they differ: `ball (left, right)`.
+    /// The name, or the words that all names have, and those in which they differ: `ball (left, right)`, `upper (front, rear)`.
+    /// Names that begin with other words than those of a corner stay whole.
     fn text(&self) -> String {
-        match &self.varying {
-            None => self.words.join("_"),
-            Some((index, each)) => {
-                let rest = [&self.words[..*index], &self.words[index + 1..]].concat();
-                format!("{} ({})", rest.join("_"), each.join(", "))
-            }
+        let Some((index, each)) = &self.varying else {
+            return self.words.join("_");
+        };
+        let (before, behind) = (&self.words[..*index], &self.words[index + 1..]);
+        if behind.is_empty() || each.iter().all(|word| Section::of_word(word).is_some()) {
+            return format!(
+                "{} ({})",
+                [before, behind].concat().join("_"),
+                each.join(", ")
+            );
         }
+        let names = each
+            .iter()
+            .map(|word| [before, &[*word], behind].concat().join("_"));
+        names.collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -85,6 +96,8 @@ mod tests {
             ("upper_front", (40, 0)),
             ("upper_rear", (40, 0)),
             ("lower_front", (40, 0)),
+            ("damper_in", (60, 0)),
+            ("push_in", (60, 0)),
         ];
         let expected = [
             ("ball (left, right)", (0, 0)),
@@ -96,6 +109,7 @@ mod tests {
             ("rear_left_hub", (20, 0)),
             ("upper (front, rear)", (40, 0)),
             ("lower_front", (40, 0)),
+            ("damper_in, push_in", (60, 0)),
         ];
         let named = named.map(|(name, at)| (name.to_owned(), at));
         let (names, places): (Vec<_>, Vec<_>) = named.into_iter().unzip();

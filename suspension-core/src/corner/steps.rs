@@ -3,7 +3,7 @@
 use super::clock::Clock;
 use super::{Corner, drives};
 use crate::arithmetic::scalar::Real;
-use crate::error::Failure;
+use crate::error::{Failure, SolveError};
 use crate::linkage::Linkage;
 use crate::signal::{Inputs, Signal};
 use crate::solve::report::Report;
@@ -56,7 +56,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let ends = [&Inputs::still(self.drives), &Inputs::still(drives)];
-        let stepped = drives::check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
+        let stepped = self.check(&drives, dt).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker.step_between(&self.model, ends, dt, motion)
         });
@@ -113,7 +113,7 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         drives: Signal<L::Drives>,
     ) -> Result<Report<T>, Failure<Stopped<T>, L::Listing>> {
         let (mut inputs, to) = (Inputs::still(self.drives), Inputs::still(drives));
-        let advanced = drives::check(&self.model, &drives, [T::zero(), dt]).and_then(|()| {
+        let advanced = self.check(&drives, dt).and_then(|()| {
             let motion = &mut self.motion;
             self.tracker
                 .advance_between(&self.model, &mut inputs, &to, dt, motion)
@@ -127,6 +127,17 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
         advanced.map_err(|stopped| {
             let stopped = Stopped { reached, ..stopped };
             stopped.named(self.model.listing())
+        })
+    }
+
+    /// Refuses wrong drives, and a step after which the time is not finite.
+    fn check(&self, drives: &Signal<L::Drives>, dt: T) -> Result<(), Stopped<T>> {
+        if (self.time() + dt).is_finite() {
+            return drives::check(&self.model, drives, [T::zero(), dt]);
+        }
+        Err(Stopped {
+            reached: T::zero(),
+            refused: Some((dt, SolveError::StepNotFinite)),
         })
     }
 }

@@ -52,7 +52,7 @@ macro_rules! causes {
                 "make the step with partial pivoting";
             AngleOutOfRange = 52: "an angle is driven beyond its range",
                 "drive it from 0 to pi where it is between a link and an axis, else by less than a whole turn";
-            StepNotFinite = 53: "the time step is not a finite number",
+            StepNotFinite = 53: "the time step or the time after it is not a finite number",
                 "give finite times";
 
             UnprovedNearSingular = 60: "nothing is proved: the Jacobian is singular to rounding",

@@ -1,6 +1,7 @@
 //! One statement.
 
-use proc_macro2::TokenTree;
+use proc_macro2::{Punct, Spacing, TokenTree};
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Ident, Token};
 
@@ -9,20 +10,16 @@ use crate::errors;
 use crate::lexed::is_punct;
 use crate::listing::Listing;
 use crate::statement::STATEMENTS;
-use crate::statement::operands::docs;
+use crate::statement::operands::{docs, first_word};
 use crate::statement::word::{Head, Word};
 
-/// The tokens of the next statement, to its semicolon.
-pub(super) fn tokens(input: ParseStream<'_>) -> syn::Result<Vec<TokenTree>> {
-    let mut tokens = Vec::new();
-    loop {
-        let token: TokenTree = input.parse()?;
-        let is_last = is_punct(&token, ';');
-        tokens.push(token);
-        if is_last {
-            return Ok(tokens);
-        }
+/// The tokens of the statement that was read from `begin` to `end`, with its semicolon even if it lacks that.
+pub(super) fn tokens(begin: Cursor<'_>, end: Cursor<'_>) -> Vec<TokenTree> {
+    let mut tokens = errors::tokens(begin, end).collect::<Vec<_>>();
+    if !tokens.last().is_some_and(|last| is_punct(last, ';')) {
+        tokens.push(Punct::new(';', Spacing::Alone).into());
     }
+    tokens
 }
 
 /// Reads a statement into a listing.
@@ -84,9 +81,11 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     )
 }
 
-/// Skips past the next semicolon.
+/// Skips past the next semicolon, or to the next known statement if that comes first, and past its comments.
 pub(super) fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
-    while !input.is_empty() {
+    let is_known = |word: Ident| STATEMENTS.iter().any(|known| word == known.word);
+    let is_at_statement = || !input.peek(Token![#]) && first_word(input).is_some_and(is_known);
+    while !input.is_empty() && !is_at_statement() {
         let token: TokenTree = input.parse()?;
         if is_punct(&token, ';') {
             break;

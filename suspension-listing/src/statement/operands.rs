@@ -37,6 +37,15 @@ pub(crate) fn docs(input: ParseStream<'_>) -> syn::Result<Vec<String>> {
     lines(&input.call(Attribute::parse_outer)?)
 }
 
+/// The first word of the statement that begins here, before a `:` or a name and a `:`; doc comments may come before it.
+pub(crate) fn first_word(input: ParseStream<'_>) -> Option<Ident> {
+    let ahead = input.fork();
+    ahead.call(Attribute::parse_outer).ok()?;
+    let word = ahead.parse().ok()?;
+    let begins = ahead.peek(Token![:]) || ahead.peek(Ident) && ahead.peek2(Token![:]);
+    begins.then_some(word)
+}
+
 /// The lines of doc comments.
 pub(crate) fn lines(attributes: &[Attribute]) -> syn::Result<Vec<String>> {
     let line = |attribute: &Attribute| match &attribute.meta {

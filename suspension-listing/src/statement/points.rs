@@ -6,7 +6,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Error, Ident, Lit, Token, bracketed};
 
-use super::operands::{docs, in_brackets, name};
+use super::operands::{docs, first_word, in_brackets, name};
 use super::word::Word;
 use crate::errors;
 use crate::listing::{Named, Point};
@@ -35,7 +35,8 @@ pub(crate) const FREE: Word = Word {
 pub(crate) fn declared(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
-    while !input.peek(Token![;]) {
+    let ends = || input.peek(Token![;]) || first_word(input).is_some();
+    while !ends() {
         let (docs, name) = (docs(input)?, name(input)?);
         let at = position(input)?;
         let named = Named { docs, name };
@@ -43,7 +44,7 @@ pub(crate) fn declared(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<
         let next = input.lookahead1();
         if next.peek(Token![,]) {
             input.parse::<Token![,]>()?;
-        } else if !next.peek(Token![;]) {
+        } else if !next.peek(Token![;]) && !ends() {
             return Err(next.error());
         }
     }
@@ -55,7 +56,7 @@ pub(crate) fn declared(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<
 
 /// `at [x, y, z]`, or nothing.
 pub(super) fn position(input: ParseStream<'_>) -> syn::Result<Option<Vector>> {
-    if !input.peek(Ident) {
+    if !input.peek(Ident) || first_word(input).is_some() {
         return Ok(None);
     }
     let word: Ident = input.parse()?;

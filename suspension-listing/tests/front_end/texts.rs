@@ -73,16 +73,57 @@ fn declared_names_come_from_statements_alone() {
 
 #[test]
 fn after_a_point_of_a_list_a_comma_or_semicolon_is_expected() {
-    let message = only_message("fixed: a at [0, 0, 0]\nfree: p;\nlink rod: a -> p;");
+    let message = only_message("fixed: a at [0, 0, 0] b;\nfree: p;\nlink rod: a -> p;");
     assert!(
         message.starts_with("expected `,` or `;`; a `fixed` is written"),
         "{message}"
     );
-    let message = only_message("fixed: a\nfree: p;\nlink rod: a -> p;");
+    let message = only_message("fixed: a b;\nfree: p;\nlink rod: a -> p;");
     assert_eq!(
         message,
-        "unexpected `free`; write `,` or `;`, or a design position: `at [x, y, z]`"
+        "unexpected `b`; write `,` or `;`, or a design position: `at [x, y, z]`"
     );
+}
+
+/// The statement before the next one is whole, with its points and their images, and the next one is read too.
+#[test]
+fn mistakes_below_a_missing_semicolon_are_reported() {
+    for statement in [
+        "fixed: left_b at [0, 0, 0]",
+        "fixed: left_b",
+        "fixed: left_b,",
+        "fixed: left_b;\nlink left_c: left_b -> left_p",
+    ] {
+        for (next, expected) in [
+            (
+                "link left_rod: left_b -> left_q;",
+                "there is no point `left_q`",
+            ),
+            (
+                "/// A rod.\nlnik left_rod: left_b -> left_p;",
+                "unknown statement `lnik`",
+            ),
+        ] {
+            let text = format!(
+                "mirror: left -> right;\nfixed: left_a;\nfree: left_p;\n{statement}\n{next}\ndrive left_z: left_p.z;\n\
+                 link cross: left_p -> right_b;"
+            );
+            let found = mistakes(&text);
+            let [missing, other] = &found[..] else {
+                panic!("{text}\n{found:#?}");
+            };
+            assert!(missing.message.starts_with("expected `;`; "), "{found:#?}");
+            assert!(other.message.starts_with(expected), "{found:#?}");
+        }
+    }
+}
+
+/// A statement that cannot be read ends at the next one, if that comes before a semicolon.
+#[test]
+fn a_statement_that_cannot_be_read_ends_at_the_next_one() {
+    let text = "fixed: a;\nfree: p;\nlink rod: a => p\nlink strut: a => p;\nwheel: p => a;";
+    let lines: Vec<usize> = mistakes(text).iter().map(|it| it.line).collect();
+    assert_eq!(lines, [3, 4, 5]);
 }
 
 /// The next statement may begin several lines below.

@@ -28,9 +28,8 @@ pub struct Lock {
     /// The number of the drive that turns there, if one does: led by it, the mechanism locks.
     pub turns: Option<usize>,
     blocking: Option<BlockingLink>,
-    /// A description of the link just beyond the lock, or otherwise of the hinge with the greatest share in the lock.
-    /// It is used if no link is known at the requested position, which may be far beyond.
-    near: Option<String>,
+    /// The hinge with the greatest share in the lock, if no link's length is the cause.
+    hinge: Option<Hinge>,
     /// The driven angle that is at the end of its range, if any.
     end_of_angle: Option<EndOfAngle>,
     /// The driven length that is zero, if any.
@@ -58,19 +57,15 @@ impl Lock {
         let at_zero = DrivenLength::at_zero(lengths, &drives, model.size()).cloned();
         let locks = end_of_angle.is_none() && at_zero.is_none();
         let reached = stopped.reached;
-        let blocking = |asked| BlockingLink::find(model, names, laws, [reached, asked], q);
-        let just_beyond = || {
-            let link = blocking(reached + BEYOND * (asked - reached));
-            let hinge = || find_hinge_at_lock(model, names, laws, reached, q).map(Hinge::fault);
-            link.map(|link| link.fault()).or_else(hinge)
-        };
-        let at_asked = locks.then(|| blocking(asked)).flatten();
-        let near = (locks && at_asked.is_none()).then(just_beyond).flatten();
+        let blocking = || BlockingLink::find(model, names, laws, [reached, asked], q);
+        let blocking = locks.then(blocking).flatten();
+        let hinge = || find_hinge_at_lock(model, names, laws, reached, q);
+        let hinge = (locks && blocking.is_none()).then(hinge).flatten();
         Self {
             drives,
             turns: locks.then(|| turning_drive(model, &there, q)).flatten(),
-            blocking: at_asked,
-            near,
+            blocking,
+            hinge: hinge.cloned(),
             end_of_angle,
             at_zero,
             cause,
@@ -81,7 +76,7 @@ impl Lock {
     /// otherwise the hinge.
     pub fn fault(&self) -> Option<String> {
         let blocking = self.blocking.as_ref().map(BlockingLink::fault);
-        blocking.or_else(|| self.near.clone())
+        blocking.or_else(|| self.hinge.as_ref().map(Hinge::fault))
     }
 
     /// A description of the lock; `design` are the drives at the design position.
@@ -124,7 +119,7 @@ impl Lock {
             .blocking
             .as_ref()
             .map(|blocking| blocking.in_words(unit));
-        match blocking.or_else(|| self.near.clone()) {
+        match blocking.or_else(|| self.fault()) {
             Some(fault) => format!("{end}; {fault}"),
             None => end,
         }
@@ -170,6 +165,3 @@ pub fn describe_change_from_design(change: f64, symbol: &str) -> String {
         rounded(change.abs(), DIGITS)
     )
 }
-
-/// How far beyond the lock the cause is searched for, as a fraction of the way to the requested position.
-const BEYOND: f64 = 0.01;

@@ -98,8 +98,8 @@ fn in_and_m_in_a_remark_are_not_units_unless_they_stand_for_one() {
 fn a_table_in_centimetres_that_does_not_say_so_is_refused() {
     let corner = table(&CORNER.map(|(name, at)| (name, at.map(|coordinate| coordinate / 10.0))));
     let said = refusal("a.csv", &corner, &[]);
-    let expected = "a.csv: the unit of lengths would be in, as the points are up to 59 apart, but then the wheel centre is 1.55 m from \
-                    the middle of the vehicle: state the unit with --unit; convert lengths in cm to mm";
+    let expected = "a.csv: the unit of lengths would be in, as the points are up to 59 apart, but then `wheel_center` (a.csv:9) is 1.55 m \
+                    from the middle of the vehicle and no other point more than 1.42 m: state the unit with --unit; convert lengths in cm to mm";
     assert_eq!(said, expected);
 }
 

@@ -10,14 +10,11 @@ fn a_point_on_the_other_side_of_the_vehicle_is_noted() {
     let doubt = "is on the other side of the vehicle than";
     let turned = table(&CORNER).replace("lca_outer, -4, -560", "lca_outer, -4, 560");
     let imported = import(folder.path(), "a.csv", &turned, &[]);
-    for expected in [
-        format!(
-            "a.csv: `lca_outer` (a.csv:3) {doubt} the wheel centre: is the sign of its y right?"
-        ),
-        format!("motion.toml: `lower_ball` {doubt} `wheel_centre`: is the sign of its y right?"),
-    ] {
-        assert!(imported.notes.contains(&expected), "{}", imported.notes);
-    }
+    let expected = format!(
+        "motion.toml: `lower_ball` (lca_outer, a.csv:3) {doubt} `wheel_centre` (wheel_center, a.csv:9): is the sign of its y right?"
+    );
+    assert!(imported.notes.contains(&expected), "{}", imported.notes);
+    assert_eq!(imported.notes.matches(doubt).count(), 1);
     // A chassis point may be a little beyond the middle.
     let damper = table(&CORNER).replace("4, -20, 530", "4, 20, 530");
     for file in [table(&CORNER), damper] {
@@ -81,12 +78,12 @@ fn a_slipped_decimal_point_is_noted() {
         (
             "tierod_inner, -72",
             "tierod_inner, -1200",
-            "`rack` lies 1061 mm from the other points: should its x be 120 instead of 1200?",
+            "`rack` (tierod_inner, a.csv:7) lies 1061 mm from the other points: should its x be 120 instead of 1200?",
         ),
         (
             "4, -20, 530",
             "4, -20, 1582",
-            "`damper_inner` lies 1084 mm from the other points: should its z be 158.2 instead of 1582?",
+            "`damper_inner` (shock_to_chassis, a.csv:15) lies 1084 mm from the other points: should its z be 158.2 instead of 1582?",
         ),
     ] {
         let file = table(&CORNER);
@@ -117,7 +114,7 @@ fn a_wheel_radius_that_seems_to_be_the_diameter_is_noted() {
         let noted = notes.find(|note| note.contains("wheel_radius is"));
         let expected = doubt.map(|doubt| {
             format!(
-                "note: motion.toml: wheel_radius is {radius} mm, and `wheel_centre` is at y = 610 and z = 229: {doubt}"
+                "note: motion.toml: wheel_radius is {radius} mm, and `wheel_centre` (wheel_center, a.csv:9) is at y = 610 and z = 229: {doubt}"
             )
         });
         assert_eq!(noted, expected.as_deref());
@@ -134,7 +131,7 @@ fn a_point_below_the_ground_is_noted() {
         (
             "-152",
             Some(
-                "note: motion.toml: `rack` lies 152 mm below the ground, which is wheel_radius below `wheel_centre`: are the z of both right?",
+                "note: motion.toml: `rack` (tierod_inner, a.csv:7) lies 152 mm below the ground, which is wheel_radius below `wheel_centre` (wheel_center, a.csv:9): are the z of both right?",
             ),
         ),
     ] {

@@ -160,7 +160,7 @@ fn an_ambiguous_file_is_refused() {
             "a.csv",
             "upper_ball, 1, 2, 3\n".to_owned(),
             vec![],
-            "a.csv: no layout has all its points here; the nearest, double_wishbone, lacks `lower_front`",
+            "a.csv: no layout has half of its points here under known names; a suspension of another kind needs a listing of its own, see suspension motion --help; the nearest, double_wishbone, lacks `lower_front`",
         ),
         (
             "a.csv",

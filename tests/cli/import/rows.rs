@@ -138,6 +138,28 @@ fn swapped_columns_are_refused() {
     }
 }
 
+/// Ten times too large in one field.
+#[test]
+fn a_slipped_y_is_refused_by_its_point() {
+    for (point, slipped, expected) in [
+        (
+            "150, -175",
+            "150, -1750",
+            "a.csv: y is -1750 at `lca_rear` on the chassis, further from the middle of the vehicle than -610 at `wheel_center` and \
+             all other points: correct it, or if the columns are swapped, put them in the order x (along), y (across), z (up or down)",
+        ),
+        (
+            "0, -610",
+            "0, -6100",
+            "a.csv: the unit of lengths would be mm, as the points are up to 6080 apart, but then `wheel_center` (a.csv:9) is 6.1 m from \
+             the middle of the vehicle and no other point more than 0.56 m: correct its y",
+        ),
+    ] {
+        let message = refusal("a.csv", &table(&CORNER).replace(point, slipped), &[]);
+        assert_eq!(message, expected);
+    }
+}
+
 #[test]
 fn centimetres_are_refused_as_the_unit_of_a_table() {
     for heading in [

@@ -126,7 +126,7 @@ impl Named {
             Some(found) => Ok(Some(Self::new(mechanism, known.swap_remove(found)))),
             None => unsteered(mechanism, &as_in_tables(name))
                 .or_else(|| unsteered(mechanism, &in_own_words))
-                .or_else(|| meant(mechanism, &known, name))
+                .or_else(|| meant(mechanism, &known, name, &in_own_words))
                 .map_or(Ok(None), Err),
         }
     }
@@ -141,18 +141,24 @@ fn unsteered(mechanism: &Description, wanted: &str) -> Option<String> {
     needs.map(|needs| format!("{needs}; or empty the heading"))
 }
 
-/// Says what is near to a name that no number has.
-fn meant(mechanism: &Description, known: &[Column], wanted: &str) -> Option<String> {
+/// Says what is near to a name that no number has, or to the same `in_own_words`.
+fn meant(
+    mechanism: &Description,
+    known: &[Column],
+    wanted: &str,
+    in_own_words: &str,
+) -> Option<String> {
     let wheels = &mechanism.names.wheels;
     let names = known.iter();
     let names = names.flat_map(|each| [each.title(), Title::new(each, wheels).to_string()]);
     let names: BTreeSet<String> = names.map(|name| as_in_tables(&name)).collect();
-    let names = names.iter().map(String::as_str);
-    let name = as_in_tables(wanted);
-    // A single letter is an axis, behind many names.
-    let of_wheels = suggest_for_wheels(&name, names.clone()).filter(|_| name.len() > 1);
-    let near = || mistyped(&name, names).map(|near| format!("`{near}`"));
-    let near = of_wheels.or_else(near)?;
+    let names = || names.iter().map(String::as_str);
+    let near = |name: &str| {
+        // A single letter is an axis, behind many names.
+        let of_wheels = suggest_for_wheels(name, names()).filter(|_| name.len() > 1);
+        of_wheels.or_else(|| mistyped(name, names()).map(|near| format!("`{near}`")))
+    };
+    let near = near(&as_in_tables(wanted)).or_else(|| near(in_own_words))?;
     Some(format!(
         "unknown quantity `{wanted}`; did you mean {near}? A column whose heading is empty is left out"
     ))

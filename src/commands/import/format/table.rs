@@ -22,6 +22,7 @@ use crate::commands::import::names::Names;
 use crate::commands::import::spelling::{key_of, spelled};
 use crate::failure::Failure;
 use crate::file::Source;
+use crate::interrupt;
 use crate::mechanism::Axes;
 use crate::vehicle_corner::Section;
 use adams_view::with_commands_as_rows;
@@ -37,7 +38,7 @@ use thousands::Thousands;
 ///
 /// # Errors
 ///
-/// [`Failure::Input`] at a known point without three numbers, and at columns in another order.
+/// [`Failure::Input`] at a known point without three numbers, and at columns in another order; [`Failure::Interrupted`].
 pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'a>, Failure> {
     let lines = with_commands_as_rows(lines_with_tabs(source.text()));
     let lines = joined(with_names_in_rows(lines.into_iter(), names).into_iter());
@@ -51,6 +52,10 @@ pub(super) fn read<'a>(source: &'a Source, names: &Names) -> Result<Hardpoints<'
         thousands: Thousands::of(lines.iter().map(|(_, line)| &**line), names),
     };
     for (place, line) in lines {
+        if interrupt::unless_set(interrupt::flag()).is_break() {
+            let message = format!("{}: interrupted before it was read", source.name());
+            return Err(Failure::Interrupted(message));
+        }
         table.read_line(place, &line)?;
     }
     table.thousands.check(source)?;

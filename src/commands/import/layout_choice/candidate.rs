@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{FEW, is_used};
+use super::is_used;
 use crate::commands::import::hardpoints::{Hardpoint, Hardpoints};
 use crate::commands::import::layout::Layout;
 use crate::commands::import::names::{MOST_NAMES, Names, and_more};
@@ -165,11 +165,13 @@ impl<'a> Candidate<'a> {
         points: &[&Hardpoint],
         names: &Names,
     ) -> Option<String> {
+        let is_unused = |point: &&&Hardpoint| names.is_point(&point.key) && !self.uses(point);
+        let unused: Vec<&&Hardpoint> = points.iter().filter(is_unused).collect();
         self.found.iter().find_map(|(name, taken)| {
             let forms = names.forms_of(name);
-            let mut others = points.iter().filter(|point| !self.uses(point) && point.at != taken.at);
+            let mut others = unused.iter().filter(|point| point.at != taken.at);
             let other = others.find(|other| forms.contains(&names.normal(&other.key)))?;
-            let [other, taken] = [other, taken].map(|point| stated.quoted(point));
+            let [other, taken] = [**other, *taken].map(|point| stated.quoted(point));
             Some(format!(
                 "{other} and {taken} are names of one point, {name}, in different places: leave one of them, or give the other a \
                  name that import does not know"
@@ -232,20 +234,23 @@ impl<'a> Candidate<'a> {
         // The user may name a layout that leaves points of the file out.
         let (what, others) = match wanted {
             Some(_) => (format!("{linkage} lacks"), String::new()),
-            None => (
-                format!("no layout has all its points here; the nearest, {linkage}, lacks"),
-                self.of_others(points, names, stated),
-            ),
-        };
-        let of_its_own = match self.needed().len() > FEW && wanted.is_none() {
-            true => {
-                "; a suspension of another kind needs a listing of its own, see suspension motion --help"
+            None => {
+                let none = match self.found.len() < self.needed().len() {
+                    true => {
+                        "no layout has half of its points here under known names; a suspension of another kind needs a listing of its own, see \
+                         suspension motion --help"
+                    }
+                    false => "no layout has all its points here",
+                };
+                (
+                    format!("{none}; the nearest, {linkage}, lacks"),
+                    self.of_others(points, names, stated),
+                )
             }
-            false => "",
         };
         Some(format!(
             "{what} {lacks}{unknown}{others}; suspension import --names lists all names, suspension list {linkage} says what the points \
-             are{of_its_own}"
+             are"
         ))
     }
 }

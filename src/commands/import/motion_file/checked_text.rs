@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::draft::Draft;
 use crate::failure::Failure;
 use crate::file::{Source, tell};
-use crate::output::notes::{print_notes_on, with_notes_printed};
+use crate::output::notes::{print_notes, print_notes_on};
 use crate::prepare::load;
 
 /// Returns the text of the motion file at the path `out`.
@@ -22,7 +22,8 @@ pub(super) fn checked_text(draft: &Draft<'_>, out: &Path) -> Result<String, Fail
     let (loaded, text) = moved.map_err(|failure| with_line(failure, &unmoved))?;
     let written = file(&text);
     let loaded = loaded.with_drives_of(&written)?;
-    with_notes_printed(loaded.at_design()?);
+    let notes = &loaded.at_design()?.notes;
+    print_notes(notes.iter().map(|note| draft.with_origins(note)));
     if let Some(why) = loaded.own_motion_ends(&AtomicBool::new(false))? {
         tell(format_args!(
             "note: {why}; state a shorter motion under [drives]"

@@ -143,6 +143,15 @@ impl<'a> Draft<'a> {
         )
     }
 
+    /// Returns a note on the motion file with the origin of each point behind its name.
+    pub(super) fn with_origins(&self, note: &str) -> String {
+        let points = self.points.iter();
+        points.fold(note.to_owned(), |note, [name, _, origin]| {
+            let name = format!("`{name}`");
+            note.replacen(&name, &format!("{name} ({origin})"), 1)
+        })
+    }
+
     /// Returns the motion file. The drives start at their values at the `design` position, angles in radians.
     pub(super) fn text(&self, design: &[f64]) -> String {
         let mut text = format!("# Of {}, by suspension import:\n", self.source);

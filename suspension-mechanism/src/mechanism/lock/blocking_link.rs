@@ -19,10 +19,11 @@ use crate::number::rounded;
 pub(crate) struct BlockingLink {
     /// The names, first that of the link whose lengths are known.
     names: Vec<String>,
-    /// Its actual length.
-    has: f64,
-    /// The length nearest to it with which there is a configuration.
-    needs: f64,
+    /// Whether it is too short to go on.
+    is_short: bool,
+    /// Its actual length, and the length nearest to it with which there is a configuration at the place asked for, if
+    /// that is known.
+    lengths: Option<[f64; 2]>,
 }
 
 /// The number of instants on the way from the last configuration to the requested one.
@@ -53,48 +54,32 @@ impl BlockingLink {
         model: &L,
         names: &Names,
         drives: &DriveLaws,
-        [reached, asked]: [f64; 2],
+        times: [f64; 2],
         q: &SVector<f64, N>,
     ) -> Option<Self> {
-        let place = AtDrives::new(model, drives, reached);
-        let AtLock {
-            shares, mut along, ..
-        } = place.analyse_lock(q)?;
+        let at_lock = AtDrives::new(model, drives, times[0]).analyse_lock(q)?;
+        let shares = &at_lock.shares;
         // A line of a driven or held angle would have another angle if it were longer.
         let is_link = |row: &usize| names.is_free_link(&names.equations[*row]);
         let links = || (0..names.equations.len()).filter(is_link);
         let equation = greatest(links().map(|row| (row, shares[row])))?;
-        let mut q = *q;
-        for instant in 1..=INSTANTS {
-            let part = f64::from(instant) / f64::from(INSTANTS);
-            let place = AtDrives::new(model, drives, reached + (asked - reached) * part);
-            q = place.nearest(q, equation, &mut along)?;
-        }
-        let off = AtDrives::new(model, drives, asked).residual(&q);
-        let closed = CLOSED * model.size();
-        if (0..N).any(|row| row != equation && off[row].abs() > closed) {
-            return None;
-        }
         let is_beside = |row: &usize| *row != equation && shares[*row] / shares[equation] > BESIDE;
         let named = [equation].into_iter().chain(links().filter(is_beside));
         let length = names.link(&names.equations[equation])?;
         let has = model.lengths().values().nth(length)?;
-        // The equation of a distance is (d^2 - L^2) / (2 L).
-        let needs = (has * (has + 2.0 * off[equation])).sqrt();
+        let is_short = shares[equation] > 0.0;
+        let needs = needed_length(model, drives, times, *q, at_lock.along, (equation, has));
+        let is_like_fault = |needs: &f64| (has < *needs) == is_short;
         Some(Self {
             names: named.map(|row| names.equations[row].clone()).collect(),
-            has,
-            needs,
+            is_short,
+            lengths: needs.filter(is_like_fault).map(|needs| [has, needs]),
         })
     }
 
     /// A description of whether it is too long or too short.
     pub(crate) fn fault(&self) -> String {
-        let fault = if self.has > self.needs {
-            "long"
-        } else {
-            "short"
-        };
+        let fault = if self.is_short { "short" } else { "long" };
         let are = if self.names.len() == 1 { "is" } else { "are" };
         let names = listed(self.names.iter().map(|name| format!("`{name}`")));
         format!("{names} {are} too {fault}")
@@ -103,11 +88,13 @@ impl BlockingLink {
     /// The fault, and the lengths if the digits shown differ.
     pub(crate) fn in_words(&self, unit: Unit) -> String {
         const DIGITS: usize = 6;
-        let [has, needs] = [self.has, self.needs].map(|length| rounded(length, DIGITS));
         let (fault, symbol) = (self.fault(), unit.symbol());
-        if has == needs {
+        let lengths = self
+            .lengths
+            .map(|each| each.map(|length| rounded(length, DIGITS)));
+        let Some([has, needs]) = lengths.filter(|[has, needs]| has != needs) else {
             return fault;
-        }
+        };
         let it = match self.names.as_slice() {
             [first, _, ..] => format!("`{first}`"),
             _ => "it".to_owned(),
@@ -116,6 +103,28 @@ impl BlockingLink {
             "{fault}: {it} has {has} {symbol} and would need {needs} {symbol} at the place asked for"
         )
     }
+}
+
+/// The length nearest to its own with which a link, given by its equation and its length, lets the drives be where they
+/// are asked to be at the second time; the first time has the configuration `q`.
+fn needed_length<L: Suspension<N>, const N: usize>(
+    model: &L,
+    drives: &DriveLaws,
+    [reached, asked]: [f64; 2],
+    mut q: SVector<f64, N>,
+    mut along: SVector<f64, N>,
+    (equation, has): (usize, f64),
+) -> Option<f64> {
+    for instant in 1..=INSTANTS {
+        let part = f64::from(instant) / f64::from(INSTANTS);
+        let place = AtDrives::new(model, drives, reached + (asked - reached) * part);
+        q = place.nearest(q, equation, &mut along)?;
+    }
+    let off = AtDrives::new(model, drives, asked).residual(&q);
+    let closed = CLOSED * model.size();
+    let is_closed = (0..N).all(|row| row == equation || off[row].abs() <= closed);
+    // The equation of a distance is (d^2 - L^2) / (2 L).
+    is_closed.then(|| (has * (has + 2.0 * off[equation])).sqrt())
 }
 
 /// The hinge with the greatest share in the end of a motion, at the time `reached` and the configuration `q`; `None`
@@ -151,7 +160,8 @@ pub(crate) struct AtLock<const N: usize> {
     /// `f`, a unit vector.
     pub(crate) forces: SVector<f64, N>,
     /// The share of each equation, `f_k C_k(v, v) / f^T C(v, v)`. Their sum is one; equations with a negative share
-    /// let the drive go on.
+    /// let the drive go on. A link has `C_k(v, v) > 0`: if its share is positive, the drive would go on if it were longer,
+    /// otherwise if it were shorter.
     shares: SVector<f64, N>,
     /// `v`, a unit vector.
     along: SVector<f64, N>,

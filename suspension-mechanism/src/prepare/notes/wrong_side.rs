@@ -16,7 +16,7 @@ const MIDDLE_OF_PICK_UPS: f64 = 0.2;
 /// The only point on the other side of the vehicle than a wheel's centre, of points with their y and whether they are
 /// pick-up points on the chassis: its y probably has the wrong sign. If there are several, they may well belong to
 /// the other wheel.
-pub fn only_on_wrong_side<T>(
+fn only_on_wrong_side<T>(
     points: impl IntoIterator<Item = (T, f64, bool)>,
     centre: f64,
 ) -> Option<T> {

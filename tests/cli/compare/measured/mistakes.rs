@@ -194,7 +194,18 @@ fn columns_that_the_model_cannot_follow_together_are_refused() {
             "Pad height L [mm],Toe L [deg]\n0,0\n",
             "m.csv:1:1: no column says where the model is; head one with a drive and its unit (the drives are steer, bump_left, \
              bump_right), or with wheel travel, as `left wheel travel [mm]` and `right wheel travel [mm]`, for which [vehicle] may \
-             have to state travel = \"DRIVE\", or with steering_wheel_angle, for which",
+             have to state travel = \"DRIVE\", or with steering_wheel_angle, for which [vehicle] states rack_per_turn. The \
+             headings are the first line of several fields that does not begin with #",
+        ),
+        (
+            &axle,
+            "Radhub [mm],Toe L [deg]\n0,0\n",
+            "m.csv:1:1: unknown quantity `Radhub`; did you mean `left_wheel_travel` or `right_wheel_travel`? A column whose heading",
+        ),
+        (
+            &axle,
+            "Radhub links [mm],Spur [deg]\n0,0\n",
+            "m.csv:1:19: unknown quantity `Spur`; did you mean `left_toe`, `right_toe` or `total_toe`? A column whose heading",
         ),
         (
             NO_WHEEL,

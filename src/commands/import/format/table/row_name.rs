@@ -38,6 +38,9 @@ pub(super) fn name_of(row: &Row<'_>, heading: &str, names: &Names) -> String {
 /// (inner)`; else they are a remark, as in `Wheel centre (WC)`, or the name itself. A remark may state a corner; one on
 /// the ground names another point.
 pub(super) fn with_whole_name(line: &str, names: &Names) -> (String, Section) {
+    if !line.contains('(') {
+        return (line.to_owned(), Section::default());
+    }
     let joined = replace_words_in_parentheses(line, |words| format!(" {words}"));
     let mut section = Section::default();
     let remarked = replace_words_in_parentheses(line, |words| {
