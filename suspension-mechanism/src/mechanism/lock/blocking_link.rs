@@ -145,10 +145,15 @@ pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     greatest(hinges.map(|hinge| (hinge, share(hinge))))
 }
 
-/// The item with the greatest share, of either sign, if that is large.
-fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
-    let greatest = shares.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-    let (named, _) = greatest.filter(|(_, share)| share.abs() > LEAST_SHARE)?;
+/// The item with the greatest share, of either sign, if that is large; of equal ones, as in a symmetric suspension, the
+/// first.
+fn greatest<T>(shares: impl Iterator<Item = (T, f64)> + Clone) -> Option<T> {
+    /// The part of the greatest share within which others count as equal: more than their rounding at a lock.
+    const EQUAL: f64 = 1e-3;
+    let sizes = shares.clone().map(|(_, share)| share.abs());
+    let greatest = sizes.fold(0.0, f64::max);
+    let mut large = shares.filter(|(_, share)| share.abs() > LEAST_SHARE);
+    let (named, _) = large.find(|(_, share)| share.abs() >= greatest * (1.0 - EQUAL))?;
     Some(named)
 }
 
