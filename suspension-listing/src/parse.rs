@@ -15,8 +15,8 @@ use crate::errors::{Errors, lacks_semicolon};
 use crate::include::IncludeSource;
 use crate::listing::Listing;
 use crate::statement::mirror::{MIRROR, Mirror};
-use crate::statement::operands::{first_word, lines};
-use statement::{skip_statement, statement, tokens};
+use crate::statement::operands::lines;
+use statement::{is_at_end, skip_statement, statement, tokens};
 
 /// Reads the statements of a listing to the end of the input, and the errors of those that could not be read.
 /// Messages about the listing as a whole point to `span`.
@@ -94,9 +94,7 @@ impl<'a> Reading<'a> {
             match statement(input, &mut self.listing) {
                 Ok(()) => {}
                 // Nothing but the semicolon is missing.
-                Err(error)
-                    if lacks_semicolon(&error.to_string()) && first_word(input).is_some() =>
-                {
+                Err(error) if lacks_semicolon(&error.to_string()) && is_at_end(begin, input) => {
                     self.errors.push(error);
                 }
                 Err(error) => {

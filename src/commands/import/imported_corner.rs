@@ -54,8 +54,8 @@ impl ImportedCorner<'_> {
             false => "state the unit with --unit; convert lengths in cm to mm",
         };
         Err(format!(
-            "the unit of lengths would be {}, {why}, but then {} is {} m from the middle of the vehicle and no other point more than \
-             {} m: {remedy}",
+            "the unit of lengths would be {}, {why}, but then {} is {} m from the middle of the vehicle and no point off the spin \
+             axis more than {} m: {remedy}",
             unit.symbol(),
             self.stated.quoted(centre),
             rounded(off(centre), 3),

@@ -108,7 +108,8 @@ pub(super) fn choose<'a>(
     let Some(best) = candidates.next() else {
         return Err(catalogue::unknown(wanted.unwrap_or_default(), ""));
     };
-    if let Some(why) = best.does_not_fit(stated, points, names, wanted) {
+    let others = candidates.as_slice();
+    if let Some(why) = best.does_not_fit(others, stated, points, names, wanted) {
         return Err(why);
     }
     match candidates.next() {

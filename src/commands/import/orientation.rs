@@ -152,8 +152,8 @@ fn check_outboard(choice: &Choice<'_>) -> Result<(), String> {
         let (name, of) = (&point.name, &centre.name);
         return Err(match outboard().count() {
             1 => format!(
-                "y is {y} at `{name}` on the chassis, further from the middle of the vehicle than {at} at `{of}` and all other points: \
-                 correct it, or if the columns are swapped, {ORDER}"
+                "y is {y} at `{name}` on the chassis, and no other point off the spin axis is as far from the middle of the vehicle as \
+                 `{of}`, at {at}: correct it, or if the columns are swapped, {ORDER}"
             ),
             _ => swapped(&format!(
                 "is {y} at `{name}` on the chassis, but {at} at `{of}`"

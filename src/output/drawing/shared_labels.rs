@@ -38,7 +38,7 @@ impl<'a> Label<'a> {
     }
 
     /// The name, or the words that all names have, and those in which they differ: `ball (left, right)`, `upper (front, rear)`.
-    /// Names that begin with other words than those of a corner stay whole.
+    /// Names that differ in another word than the last one or that of a corner stay whole.
     fn text(&self) -> String {
         let Some((index, each)) = &self.varying else {
             return self.words.join("_");

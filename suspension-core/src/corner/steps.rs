@@ -45,11 +45,11 @@ impl<T: Real, L: Linkage<N, Scalar = T>, const N: usize> Corner<L, N> {
     ///
     /// # Errors
     ///
-    /// See [`Stopped`], with times on the clock of [`Corner::time`]; the corner is then unchanged. Detecting that a
-    /// mechanism locks takes 500 to 2,000 times as long as a step of a millisecond, half as much in
+    /// See [`Stopped`], with times on the clock of [`Corner::time`]; the corner is then unchanged. If the mechanism locks, the
+    /// unknown that is named there is the one that moves farthest at the lock; the program's `range` says which link is too long
+    /// or too short to go on. Detecting a lock takes 500 to 2,000 times as long as a step of a millisecond, half as much in
     /// [`step_towards`](Self::step_towards); a refusal by [`Bounded::attempt`](crate::Bounded::attempt) takes no longer than a
-    /// step. The unknown that is named there is the one that moves farthest at the lock; the program's `range` says which link
-    /// is too long or too short to go on.
+    /// step.
     pub fn step(
         &mut self,
         dt: T,

@@ -84,7 +84,7 @@ impl<T: Real> Leader<T> {
     }
 
     /// Follows the motion from time `from` to time `to`, in either direction, in as few steps as the bounds on
-    /// corrections allow: a refused step is halved, and after two good ones the step is doubled.
+    /// corrections allow: a refused step is halved, and from the second good one in a row on the step is doubled.
     ///
     /// # Errors
     ///

@@ -35,7 +35,7 @@ pub trait Stepper<T: Real> {
         C: ChassisMotion<L::Fixed>;
 
     /// Goes from one time to another, in either direction, in as few steps as succeed: a refused step is halved, and
-    /// after two good ones the step is doubled.
+    /// from the second good one in a row on the step is doubled.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! An interval of time in as few steps as possible: after a refusal the step is halved, after two successes doubled.
+//! An interval of time in as few steps as possible: after a refusal the step is halved, and from the second success in a row
+//! on it is doubled.
 
 use crate::arithmetic::scalar::Real;
 use crate::error::{Cause, Explain, Facts, SolveError, messages};

@@ -170,7 +170,7 @@ impl<T: Real> Tracker<T> {
     }
 
     /// Follows the motion from time `from` to time `to`, in either direction, in as few steps as the bounds on
-    /// corrections allow: a refused step is halved, and after two good ones the step is doubled.
+    /// corrections allow: a refused step is halved, and from the second good one in a row on the step is doubled.
     ///
     /// A step into another assembly is refused. If an odd number of singularities lies in between, the sign of the
     /// Jacobian's determinant shows it; otherwise the Jacobian's change over the step does.

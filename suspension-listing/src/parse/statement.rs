@@ -26,8 +26,9 @@ pub(super) fn tokens(begin: Cursor<'_>, end: Cursor<'_>) -> Vec<TokenTree> {
 pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::Result<()> {
     let docs = docs(input)?;
     let word: Ident = input.parse().map_err(|error| no_statement(&error))?;
-    let mut statements = STATEMENTS.iter();
-    let Some(statement) = statements.find(|statement| word == statement.word) else {
+    let Some(statement) = known(&word) else {
+        // The name may be the word of a statement.
+        input.parse::<Option<Ident>>()?;
         return Err(unknown_statement(&word));
     };
     let begin = input.cursor();
@@ -35,6 +36,11 @@ pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::R
     read.and_then(|()| input.parse::<Token![;]>().map(drop))
         .map_err(|error| errors::at_statement_end(error, begin, input.cursor()))
         .map_err(|error| with_example(error, statement))
+}
+
+/// The statement that begins with this word.
+fn known(word: &Ident) -> Option<&'static Word> {
+    STATEMENTS.iter().find(|statement| word == statement.word)
 }
 
 /// The error for something that begins no statement, for example a second `;`.
@@ -81,9 +87,17 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
     )
 }
 
+/// Whether a statement that was read from `begin` ends here, at the next one or at the end. If its last word is that of the
+/// next one, as behind a comma, it does not.
+pub(super) fn is_at_end(begin: Cursor<'_>, input: ParseStream<'_>) -> bool {
+    let last = errors::tokens(begin, input.cursor()).last();
+    let is_word = |last| matches!(&last, TokenTree::Ident(word) if known(word).is_some());
+    (input.is_empty() || first_word(input).is_some()) && !last.is_some_and(is_word)
+}
+
 /// Skips past the next semicolon, or to the next known statement if that comes first, and past its comments.
 pub(super) fn skip_statement(input: ParseStream<'_>) -> syn::Result<()> {
-    let is_known = |word: Ident| STATEMENTS.iter().any(|known| word == known.word);
+    let is_known = |word: Ident| known(&word).is_some();
     let is_at_statement = || !input.peek(Token![#]) && first_word(input).is_some_and(is_known);
     while !input.is_empty() && !is_at_statement() {
         let token: TokenTree = input.parse()?;

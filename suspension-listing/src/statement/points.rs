@@ -35,16 +35,18 @@ pub(crate) const FREE: Word = Word {
 pub(crate) fn declared(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vec<Point>> {
     input.parse::<Token![:]>()?;
     let mut points = Vec::new();
-    let ends = || input.peek(Token![;]) || first_word(input).is_some();
-    while !ends() {
+    while !input.peek(Token![;]) {
         let (docs, name) = (docs(input)?, name(input)?);
         let at = position(input)?;
         let named = Named { docs, name };
         points.push(Point { named, at });
+        if first_word(input).is_some() {
+            break;
+        }
         let next = input.lookahead1();
         if next.peek(Token![,]) {
             input.parse::<Token![,]>()?;
-        } else if !next.peek(Token![;]) && !ends() {
+        } else if !next.peek(Token![;]) {
             return Err(next.error());
         }
     }

@@ -91,7 +91,7 @@ fn mistakes_below_a_missing_semicolon_are_reported() {
     for statement in [
         "fixed: left_b at [0, 0, 0]",
         "fixed: left_b",
-        "fixed: left_b,",
+        "fixed: left_d, left_b",
         "fixed: left_b;\nlink left_c: left_b -> left_p",
     ] {
         for (next, expected) in [
@@ -102,6 +102,14 @@ fn mistakes_below_a_missing_semicolon_are_reported() {
             (
                 "/// A rod.\nlnik left_rod: left_b -> left_p;",
                 "unknown statement `lnik`",
+            ),
+            (
+                "free: left_e;\nlink left_rod: left_b -> left_q;",
+                "there is no point `left_q`",
+            ),
+            (
+                "wheel left: left_p -> left_q;",
+                "there is no point `left_q`",
             ),
         ] {
             let text = format!(
@@ -124,6 +132,31 @@ fn a_statement_that_cannot_be_read_ends_at_the_next_one() {
     let text = "fixed: a;\nfree: p;\nlink rod: a => p\nlink strut: a => p;\nwheel: p => a;";
     let lines: Vec<usize> = mistakes(text).iter().map(|it| it.line).collect();
     assert_eq!(lines, [3, 4, 5]);
+}
+
+/// The word of the next statement is then read as a name.
+#[test]
+fn a_statement_that_ends_too_early_has_one_message() {
+    for statement in [
+        "fixed: b,",
+        "body plate: a, p,",
+        "link rod: a ->",
+        "mirror: left ->",
+    ] {
+        for next in ["link strut: a -> p;", "free: q;"] {
+            only_message(&format!(
+                "fixed: a;\nfree: p;\n{statement}\n{next}\ndrive z: p.z;"
+            ));
+        }
+    }
+}
+
+/// A name is no statement, even if it is the word of one.
+#[test]
+fn a_mistyped_statement_has_one_message() {
+    let text = "fixed: a;\nfree: p, q;\nbody plate: a, p, q;\nwheel: p -> q;\nlnik wheel: a -> p;";
+    let message = only_message(text);
+    assert!(message.starts_with("unknown statement `lnik`"), "{message}");
 }
 
 /// The next statement may begin several lines below.
@@ -154,10 +187,13 @@ fn a_missing_semicolon_is_reported_at_the_end_of_its_statement() {
 
 #[test]
 fn a_semicolon_missing_at_the_end_of_the_text_is_reported_there() {
-    let [mistake] = &mistakes("fixed: a;\nfree: p;\nlink rod: a -> p")[..] else {
-        panic!("one mistake");
+    let text =
+        "fixed: a;\nfree: p;\nlink strut: a -> q;\ndrive y: p.y; drive z: p.z;\nlink rod: a -> p";
+    let [mistake, other] = &mistakes(text)[..] else {
+        panic!("two mistakes");
     };
-    assert_eq!([mistake.line, mistake.column, mistake.length], [3, 17, 0]);
+    assert!(other.message.contains("no point `q`"), "{other:?}");
+    assert_eq!([mistake.line, mistake.column, mistake.length], [5, 17, 0]);
     assert!(mistake.message.contains("expected `;`"), "{mistake:?}");
     assert!(!mistakes("").is_empty());
 }

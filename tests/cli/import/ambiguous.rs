@@ -99,7 +99,7 @@ fn a_table_in_centimetres_that_does_not_say_so_is_refused() {
     let corner = table(&CORNER.map(|(name, at)| (name, at.map(|coordinate| coordinate / 10.0))));
     let said = refusal("a.csv", &corner, &[]);
     let expected = "a.csv: the unit of lengths would be in, as the points are up to 59 apart, but then `wheel_center` (a.csv:9) is 1.55 m \
-                    from the middle of the vehicle and no other point more than 1.42 m: state the unit with --unit; convert lengths in cm to mm";
+                    from the middle of the vehicle and no point off the spin axis more than 1.42 m: state the unit with --unit; convert lengths in cm to mm";
     assert_eq!(said, expected);
 }
 

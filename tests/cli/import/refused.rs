@@ -156,6 +156,16 @@ fn an_ambiguous_file_is_refused() {
             vec![],
             "a.csv: no point has a known name, for example `foo` has none",
         ),
+        // Another layout than the nearest has eight of thirteen points.
+        (
+            "a.csv",
+            "wheel_centre, 0, 765, 320\ndamper_upper, -30, 560, 700\ndamper_lower, -50, 670, 240\nlower_front_inner, 280, 380, 240\n\
+             lower_front_outer, 40, 680, 200\nupper_front_inner, 150, 400, 470\nupper_front_outer, 30, 670, 470\n\
+             track_rod_inner, -180, 330, 275\n"
+                .to_owned(),
+            vec![],
+            "a.csv: no layout has all its points here; the nearest, trailing_arm, lacks `pivot_inner`",
+        ),
         (
             "a.csv",
             "upper_ball, 1, 2, 3\n".to_owned(),

@@ -145,14 +145,14 @@ fn a_slipped_y_is_refused_by_its_point() {
         (
             "150, -175",
             "150, -1750",
-            "a.csv: y is -1750 at `lca_rear` on the chassis, further from the middle of the vehicle than -610 at `wheel_center` and \
-             all other points: correct it, or if the columns are swapped, put them in the order x (along), y (across), z (up or down)",
+            "a.csv: y is -1750 at `lca_rear` on the chassis, and no other point off the spin axis is as far from the middle of the \
+             vehicle as `wheel_center`, at -610: correct it, or if the columns are swapped, put them in the order x (along), y (across), z (up or down)",
         ),
         (
             "0, -610",
             "0, -6100",
             "a.csv: the unit of lengths would be mm, as the points are up to 6080 apart, but then `wheel_center` (a.csv:9) is 6.1 m from \
-             the middle of the vehicle and no other point more than 0.56 m: correct its y",
+             the middle of the vehicle and no point off the spin axis more than 0.56 m: correct its y",
         ),
     ] {
         let message = refusal("a.csv", &table(&CORNER).replace(point, slipped), &[]);

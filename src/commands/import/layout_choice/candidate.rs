@@ -202,9 +202,10 @@ impl<'a> Candidate<'a> {
         })
     }
 
-    /// Says why the points do not suit the listing; `None` if they do.
+    /// Says why the points do not suit the listing, the nearest one; `None` if they do.
     pub(super) fn does_not_fit(
         &self,
+        others: &[Self],
         stated: &Hardpoints<'_>,
         points: &[&Hardpoint],
         names: &Names,
@@ -232,15 +233,16 @@ impl<'a> Candidate<'a> {
             self.unknown(points, names, stated),
         );
         // The user may name a layout that leaves points of the file out.
-        let (what, others) = match wanted {
+        let (what, of_others) = match wanted {
             Some(_) => (format!("{linkage} lacks"), String::new()),
             None => {
-                let none = match self.found.len() < self.needed().len() {
-                    true => {
+                let has_half = |each: &Self| each.found.len() >= each.needed().len();
+                let none = match has_half(self) || others.iter().any(has_half) {
+                    true => "no layout has all its points here",
+                    false => {
                         "no layout has half of its points here under known names; a suspension of another kind needs a listing of its own, see \
                          suspension motion --help"
                     }
-                    false => "no layout has all its points here",
                 };
                 (
                     format!("{none}; the nearest, {linkage}, lacks"),
@@ -249,7 +251,7 @@ impl<'a> Candidate<'a> {
             }
         };
         Some(format!(
-            "{what} {lacks}{unknown}{others}; suspension import --names lists all names, suspension list {linkage} says what the points \
+            "{what} {lacks}{unknown}{of_others}; suspension import --names lists all names, suspension list {linkage} says what the points \
              are"
         ))
     }
