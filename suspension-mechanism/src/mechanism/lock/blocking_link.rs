@@ -44,6 +44,9 @@ const CLOSED: f64 = 1e-6;
 /// The share in the end of a motion from which a link or a hinge is named as its cause.
 const LEAST_SHARE: f64 = 0.1;
 
+/// The difference up to which shares are alike: rounding does not decide which of two links is named first.
+const ALIKE: f64 = 1e-6;
+
 /// The fraction of the named link's share from which another link is named with it.
 const BESIDE: f64 = 0.5;
 
@@ -145,9 +148,12 @@ pub(crate) fn find_hinge_at_lock<'n, L: Suspension<N>, const N: usize>(
     greatest(hinges.map(|hinge| (hinge, share(hinge))))
 }
 
-/// The item with the greatest share, of either sign, if that is large.
+/// The item with the greatest share, of either sign, if that is large; of several alike the first.
 fn greatest<T>(shares: impl Iterator<Item = (T, f64)>) -> Option<T> {
-    let greatest = shares.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let greatest = shares.reduce(|greatest, next| {
+        let more = next.1.abs() - greatest.1.abs();
+        if more > ALIKE { next } else { greatest }
+    });
     let (named, _) = greatest.filter(|(_, share)| share.abs() > LEAST_SHARE)?;
     Some(named)
 }
