@@ -35,6 +35,7 @@ pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::R
     read.and_then(|()| input.parse::<Token![;]>().map(drop))
         .map_err(|error| errors::at_statement_end(error, begin, input.cursor()))
         .map_err(|error| with_example(error, statement))
+        .map_err(|error| with_spelling(error, input))
 }
 
 /// The error for something that begins no statement, for example a second `;`.
@@ -79,6 +80,15 @@ fn with_example(error: syn::Error, Word { word, syntax, .. }: &Word) -> syn::Err
         error.span(),
         format!("{message}; {article} `{word}` is written `{syntax}`"),
     )
+}
+
+/// How names are written, where the parser stopped at a `-` before a word.
+fn with_spelling(error: syn::Error, input: ParseStream<'_>) -> syn::Error {
+    if input.peek(Token![-]) && input.peek2(Ident) {
+        let message = format!("{error}; a name has `_` where others have `-`");
+        return syn::Error::new(error.span(), message);
+    }
+    error
 }
 
 /// Skips past the next semicolon, or to the next known statement if that comes first, and past its comments.
