@@ -1,5 +1,6 @@
 //! `suspension import`: from an engineer's hardpoints to a motion file.
 
+mod contact;
 mod corner_points;
 mod corner_words;
 #[cfg(test)]

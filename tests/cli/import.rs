@@ -3,6 +3,7 @@
 mod ambiguous;
 mod axle;
 mod both_sides;
+mod contact;
 mod designer;
 mod ends;
 mod formats;

@@ -85,9 +85,17 @@ impl ImportedCorner<'_> {
         remarks.extend(self.toe_link());
         remarks.extend(self.semi_trailing_arm());
         remarks.extend(self.strut_from_ball_joint());
-        let unused = self.points.iter().filter(|point| !choice.uses(point));
+        let contact = self.contact();
+        let is_contact = |point: &Hardpoint| {
+            contact
+                .as_ref()
+                .is_some_and(|contact| std::ptr::eq(contact.point, point))
+        };
+        let unused = self.points.iter();
+        let unused = unused.filter(|point| !choice.uses(point) && !is_contact(point));
         let unused = listed(unused, |point| self.unused(point));
         remarks.extend(unused.map(|unused| format!("not used: {unused}")));
+        remarks.extend(contact.map(|contact| format!("the wheel radius is {}", contact.why)));
         remarks.extend(choice.larger.clone());
         remarks
     }

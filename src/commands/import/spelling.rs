@@ -11,8 +11,13 @@ pub(super) fn spelled(name: &str) -> String {
 
 /// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
 pub(super) fn is_on_ground(name: &str) -> bool {
+    is_contact(name) || name.split('_').any(|word| word == "ground")
+}
+
+/// Returns whether a spelled name may be that of the wheel's contact point.
+pub(super) fn is_contact(name: &str) -> bool {
     let mut words = name.split('_');
-    words.any(|word| ["contact", "patch", "ground"].contains(&word))
+    words.any(|word| ["contact", "patch", "radaufstandspunkt"].contains(&word))
 }
 
 /// Removes the code of a corner at either end of a spelled name.

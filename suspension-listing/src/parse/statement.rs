@@ -36,6 +36,7 @@ pub(super) fn statement(input: ParseStream<'_>, listing: &mut Listing) -> syn::R
     read.and_then(|()| input.parse::<Token![;]>().map(drop))
         .map_err(|error| errors::at_statement_end(error, begin, input.cursor()))
         .map_err(|error| with_example(error, statement))
+        .map_err(|error| with_spelling(error, input))
 }
 
 /// The statement that begins with this word.
@@ -93,6 +94,15 @@ pub(super) fn is_at_end(begin: Cursor<'_>, input: ParseStream<'_>) -> bool {
     let last = errors::tokens(begin, input.cursor()).last();
     let is_word = |last| matches!(&last, TokenTree::Ident(word) if known(word).is_some());
     (input.is_empty() || first_word(input).is_some()) && !last.is_some_and(is_word)
+}
+
+/// How names are written, where the parser stopped at a `-` before a word.
+fn with_spelling(error: syn::Error, input: ParseStream<'_>) -> syn::Error {
+    if input.peek(Token![-]) && input.peek2(Ident) {
+        let message = format!("{error}; a name has `_` where others have `-`");
+        return syn::Error::new(error.span(), message);
+    }
+    error
 }
 
 /// Skips past the next semicolon, or to the next known statement if that comes first, and past its comments.

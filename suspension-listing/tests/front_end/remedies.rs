@@ -195,6 +195,27 @@ fn what_is_no_name_is_refused_with_how_names_are_written() {
     }
 }
 
+/// As in tables of hardpoints; a `-` between numbers or coordinates is a sign.
+#[test]
+fn a_dash_in_a_name_is_refused_with_how_names_are_written() {
+    for (text, column) in [
+        ("fixed: lower-front at [0.1, 0.3, 0.2];", 13),
+        ("link tie-rod: a -> p;", 9),
+        ("link tie_rod: a -> tie-ball;", 23),
+        ("body upright: lower-ball, hub, tie;", 20),
+        ("drive bump: wheel-centre.z;", 18),
+    ] {
+        let [mistake, ..] = &mistakes(text)[..] else {
+            panic!("no mistake in {text}");
+        };
+        let expected = "; a name has `_` where others have `-`";
+        assert!(mistake.message.ends_with(expected), "{mistake:?}");
+        assert_eq!(mistake.column, column, "{text}");
+    }
+    let mistyped = &mistakes("link tie_rod: a = p;")[0].message;
+    assert!(!mistyped.contains("a name has"), "{mistyped}");
+}
+
 #[test]
 fn a_missing_word_is_named() {
     let [mistake, ..] = &mistakes("slide s: c, a -> b;")[..] else {

@@ -56,7 +56,9 @@ pub(super) fn notes<P: Values<Vector3<f64>>>(
     let of_radius = wheels
         .clone()
         .find_map(|wheel| diameter(task, wheel, &placed_points));
-    let of_ground = below_ground::note(task, &placed_points).filter(|_| !has_outlier);
+    let of_ground = below_ground::note(task, &placed_points)
+        .or_else(|| below_ground::wheel_below_all(task, &placed_points))
+        .filter(|_| !has_outlier);
     let of_wheels = wheels.flat_map(|wheel| notes_on_wheel(task, wheel, &placed_points));
     let of_points = of_points.into_iter().flatten();
     let notes = of_points

@@ -143,6 +143,29 @@ fn a_point_below_the_ground_is_noted() {
     }
 }
 
+#[test]
+fn a_wheel_below_all_other_points_is_noted() {
+    let folder = folder();
+    let file = table(&CORNER) + "tire_radius, 229\n";
+    for (z, expected) in [
+        ("-90", None),
+        (
+            "-229",
+            Some(
+                "note: motion.toml: `wheel_centre` (wheel_center, a.csv:9) lies 349 mm below all other points, which is more than wheel_radius: is its z right?",
+            ),
+        ),
+    ] {
+        assert!(file.contains("-610, 229"), "{file}");
+        let file = file.replace("-610, 229", &format!("-610, {z}"));
+        let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+        let noted = notes
+            .lines()
+            .find(|note| note.contains("below all other points"));
+        assert_eq!(noted, expected, "{notes}");
+    }
+}
+
 /// As points of unknown names are.
 #[test]
 fn rows_of_numbers_with_unknown_names_are_listed() {

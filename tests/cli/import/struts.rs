@@ -294,3 +294,49 @@ fn points_of_other_layouts_are_named_where_one_is_missing() {
     let expected = "; of other layouts: `Pushrod inner` (a.csv:10); suspension import --names";
     assert!(message.contains(expected), "{message}");
 }
+
+/// The upper point of the strut's line, which the file lacks, is placed halfway, and does not hide the mistake.
+#[test]
+fn a_slipped_decimal_point_of_a_strut_is_noted() {
+    let strut = STRUT.replace("0.64966; 0.17098\nlower arm", "0.6; 0.41\nlower arm");
+    for (written, slipped, expected) in [
+        (
+            "0.6; 0.41",
+            "0.6; 4.1",
+            "`strut_low` (strut bottom, a.csv:4) lies 3.367 m from the other points: should its z be 0.41 instead of 4.1?",
+        ),
+        (
+            "0.73718",
+            "7.3718",
+            "`top` (strut top, a.csv:3) lies 6.964 m from the other points: ",
+        ),
+    ] {
+        assert!(strut.contains(written), "{strut}");
+        let folder = folder();
+        let file = strut.replace(written, slipped);
+        let notes = import(folder.path(), "a.csv", &file, &[]).notes;
+        assert!(notes.contains(expected), "{notes}");
+        let notes = import(folder.path(), "a.csv", &strut, &[]).notes;
+        assert!(!notes.contains("from the other points"), "{notes}");
+    }
+}
+
+#[test]
+fn german_names_of_a_strut_are_known() {
+    let strut = STRUT
+        .replace("strut top", "Domlager")
+        .replace("tie rod inner", "Spurstangengelenk innen");
+    let strut = strut
+        .replace("tie rod outer", "Spurstangengelenk außen")
+        .replace("units; m", "Alle Maße in m");
+    let folder = folder();
+    let imported = import(folder.path(), "a.csv", &strut, &[]);
+    assert!(
+        imported
+            .notes
+            .contains("the unit of lengths is m, as the file says"),
+        "{}",
+        imported.notes
+    );
+    assert_eq!(imported.points()["top"], [-0.08294, 0.47253, 0.73718]);
+}

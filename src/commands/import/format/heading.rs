@@ -149,11 +149,14 @@ pub(super) fn check_columns(words: &[&str]) -> Result<(), String> {
 }
 
 /// Words of a remark on the unit of lengths.
-const OF_LENGTHS: [&str; 13] = [
+const OF_LENGTHS: [&str; 16] = [
     "unit",
     "units",
     "einheit",
     "einheiten",
+    "angaben",
+    "maße",
+    "werte",
     "length",
     "lengths",
     "dimensions",

@@ -1,5 +1,6 @@
 //! The section `[vehicle]` of the motion file that an import writes.
 
+use crate::commands::import::contact::Contact;
 use crate::commands::import::imported_corner::ImportedCorner;
 use crate::commands::import::stand_in::number;
 use crate::vehicle_corner::End;
@@ -54,6 +55,12 @@ impl Vehicle {
 
 /// Returns the wheel's radius and its origin.
 fn wheel_radius(imported: &ImportedCorner<'_>) -> Option<[String; 2]> {
+    let to_contact = |contact: Contact<'_>| [contact.radius, contact.why];
+    stated_radius(imported).or_else(|| imported.contact().map(to_contact))
+}
+
+/// Returns the radius that the file states, with its line.
+fn stated_radius(imported: &ImportedCorner<'_>) -> Option<[String; 2]> {
     let ImportedCorner {
         stated,
         names,

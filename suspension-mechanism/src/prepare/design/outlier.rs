@@ -89,6 +89,10 @@ impl Surroundings {
         let others = places.iter().enumerate();
         let others = others.filter(|(other, _)| *other != index);
         let others: Vec<_> = others.map(|(_, place)| *place).collect();
+        // Points that `import` places halfway follow the mistake.
+        let middles: Vec<_> = others.iter().map(|other| 0.5 * (at + other)).collect();
+        let others = others.into_iter().filter(|other| !middles.contains(other));
+        let others: Vec<_> = others.collect();
         let first = others.first()?;
         let (low, high) = others.iter().fold((*first, *first), |(low, high), at| {
             (low.inf(at), high.sup(at))

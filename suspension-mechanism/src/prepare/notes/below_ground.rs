@@ -1,4 +1,4 @@
-//! A point below the ground.
+//! A point below the ground, and a wheel below the suspension.
 
 use std::ops::Range;
 
@@ -31,5 +31,27 @@ pub(super) fn note(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
         format!(
             "`{point}` lies {depth} {unit} below the ground, which is wheel_radius below `{centre}`: are the z of both right?"
         )
+    })
+}
+
+/// A note on a wheel centre so far below the points of all parts that the whole tyre is: the sign of its z is probably wrong.
+pub(super) fn wheel_below_all(task: &Task<'_>, placed: &[Vector3<f64>]) -> Option<String> {
+    let names = &task.names;
+    let is_of_axis = |point: &usize| {
+        let mut wheels = names.wheels.iter();
+        wheels.any(|wheel| wheel.points.axis.contains(point))
+    };
+    names.wheels.iter().find_map(|wheel| {
+        let ([_, centre], radius) = (wheel.points.axis, wheel.radius?);
+        let up = |point: usize| task.file.axes.turned(placed[point] - placed[centre]).z;
+        let others = (0..names.points.len()).filter(|point| !is_of_axis(point));
+        let above = others.map(up).min_by(f64::total_cmp)?;
+        (above > radius).then(|| {
+            let (centre, above) = (&names.points[centre], rounded(above, 3));
+            let unit = task.file.length.symbol();
+            format!(
+                "`{centre}` lies {above} {unit} below all other points, which is more than wheel_radius: is its z right?"
+            )
+        })
     })
 }
