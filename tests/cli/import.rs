@@ -16,6 +16,7 @@ mod noted;
 mod random;
 mod rear;
 mod refused;
+mod row_names;
 mod rows;
 mod spreadsheets;
 mod struts;

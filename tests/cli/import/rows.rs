@@ -1,4 +1,4 @@
-//! Rows and columns of a table that are refused, and notes on mistyped names.
+//! Rows and columns of a table: which are read, and which are refused.
 
 use super::super::program::folder;
 use super::refused::refusal;
@@ -190,31 +190,6 @@ fn an_unreadable_number_is_refused() {
 }
 
 #[test]
-fn a_mistyped_name_of_a_number_is_noted_with_a_suggestion() {
-    let folder = folder();
-    let imported = import(
-        folder.path(),
-        "a.csv",
-        &(table(&CORNER) + "toe_angel, 0.2\n"),
-        &[],
-    );
-    let expected = "numbers that are not used: `toe_angel` (a.csv:16, did you mean toe_angle?)\n";
-    assert!(imported.notes.contains(expected), "{}", imported.notes);
-}
-
-/// `Spur` is the toe or the track, and a diameter is no radius: neither is guessed.
-#[test]
-fn numbers_that_may_be_toe_or_are_a_diameter_are_noted_with_what_to_write() {
-    let folder = folder();
-    let rows = "Spur, 0.2\nTire Diameter, 458\nReifendurchmesser, 458\nSpurweite, 1220\n";
-    let notes = import(folder.path(), "a.csv", &(table(&CORNER) + rows), &[]).notes;
-    let expected = "numbers that are not used: `Spur` (a.csv:16, did you mean vorspur?), \
-                    `Tire Diameter` (a.csv:17, write half of it as wheel_radius), \
-                    `Reifendurchmesser` (a.csv:18, write half of it as wheel_radius), `Spurweite` (a.csv:19)\n";
-    assert!(notes.contains(expected), "{notes}");
-}
-
-#[test]
 fn rows_of_a_hardpoint_table_may_be_numbered() {
     let rows = table(&CORNER) + "toe_angle, 0.2\n";
     let rows = rows.lines().enumerate();
@@ -222,67 +197,6 @@ fn rows_of_a_hardpoint_table_may_be_numbered() {
     let folder = folder();
     let imported = import(folder.path(), "a.csv", &numbered, &[]);
     assert!(imported.notes.contains("toe 0.2 deg"), "{}", imported.notes);
-}
-
-/// A pushrod that is not known would leave a double wishbone without one.
-#[test]
-fn words_of_a_point_name_may_be_joined_or_separate() {
-    let names = [
-        ("prod_outboard", "Push rod outer"),
-        ("prod_inboard", "Push rod inner"),
-        ("shock_to_bellcrank", "Shock to bell crank"),
-        ("uca_front", "UCA Front"),
-    ];
-    let folder = folder();
-    let [known, apart] = [false, true].map(|is_apart| {
-        let file = names.iter().fold(table(&CORNER), |file, (name, other)| {
-            assert!(file.contains(name), "{name}");
-            if is_apart {
-                file.replace(name, other)
-            } else {
-                file
-            }
-        });
-        import(folder.path(), "a.csv", &file, &[])
-    });
-    assert!(
-        known.notes.contains("the layout is double_wishbone_"),
-        "{}",
-        known.notes
-    );
-    let layout = |notes: &str| notes.lines().next().map(str::to_owned);
-    assert_eq!(layout(&apart.notes), layout(&known.notes));
-    assert!(!apart.notes.contains("not used"), "{}", apart.notes);
-}
-
-/// `axle` is a point of the layout too.
-#[test]
-fn words_in_parentheses_are_part_of_a_name_or_a_remark() {
-    let names = [
-        ("tierod_inner", "Tie rod (inner)"),
-        ("wheel_center", "Wheel centre (WC)"),
-        ("uca_outer", "UCA outer (axle)"),
-        ("lca_outer", "Joint (LCA outer)"),
-        ("tire_radius", "tire radius (mm)"),
-    ];
-    let folder = folder();
-    let plain = table(&CORNER) + "tire_radius, 229\n";
-    let names = names.iter();
-    let file = names.fold(plain.clone(), |file, (name, other)| {
-        file.replace(name, other)
-    });
-    let [plain, file] = [plain, file].map(|file| import(folder.path(), "a.csv", &file, &[]));
-    assert_eq!(file.points(), plain.points(), "{}", file.notes);
-    assert_eq!(file.motion["vehicle"], plain.motion["vehicle"]);
-}
-
-#[test]
-fn a_mistyped_optional_point_is_noted_with_a_suggestion() {
-    let folder = folder();
-    let file = table(&CORNER).replace("shock_to_chassis", "shock_to_chasis");
-    let imported = import(folder.path(), "a.csv", &file, &[]);
-    let expected = "shock_to_chasis (did you mean shock_to_chassis?)";
-    assert!(imported.notes.contains(expected), "{}", imported.notes);
 }
 
 #[test]
