@@ -21,6 +21,10 @@ const FAR_BY_ONE_DIGIT: f64 = 1.0;
 /// How far beyond the coordinates of the others a tenth, and the other two coordinates, may lie, as a fraction of their extent.
 const BESIDE: f64 = 0.25;
 
+/// How far from the middle of two points a point may lie that counts as halfway, as a fraction of their distance: more than the
+/// rounding of a file.
+const HALFWAY: f64 = 1e-6;
+
 /// The distance of a point from the others once its unit is corrected, as a multiple of the extent of the others.
 const IN_UNIT: f64 = 1.5;
 
@@ -86,13 +90,14 @@ struct Surroundings {
 impl Surroundings {
     fn new(places: &[Vector3<f64>], index: usize) -> Option<Self> {
         let at = *places.get(index)?;
+        // A point that `import` places halfway follows the mistake.
+        let is_halfway = |point: &Vector3<f64>| {
+            let mut ends = places.iter();
+            ends.any(|end| (at + end - 2.0 * point).norm() < HALFWAY * (at - end).norm())
+        };
         let others = places.iter().enumerate();
-        let others = others.filter(|(other, _)| *other != index);
+        let others = others.filter(|(other, place)| *other != index && !is_halfway(place));
         let others: Vec<_> = others.map(|(_, place)| *place).collect();
-        // Points that `import` places halfway follow the mistake.
-        let middles: Vec<_> = others.iter().map(|other| 0.5 * (at + other)).collect();
-        let others = others.into_iter().filter(|other| !middles.contains(other));
-        let others: Vec<_> = others.collect();
         let first = others.first()?;
         let (low, high) = others.iter().fold((*first, *first), |(low, high), at| {
             (low.inf(at), high.sup(at))
