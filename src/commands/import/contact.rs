@@ -25,13 +25,15 @@ impl<'a> ImportedCorner<'a> {
     pub(super) fn contact(&self) -> Option<Contact<'a>> {
         let Self { stated, names, .. } = self;
         let centre = self.choice.point("wheel_centre")?;
-        let radius = number(stated, names, "wheel_radius", self.corner.stated_side);
+        if number(stated, names, "wheel_radius", self.corner.stated_side).is_some() {
+            return None;
+        }
         let mut points = self.points.iter().filter(|point| is_contact(&point.key));
         points.find_map(|point| {
             let [at, from] = [point.at, centre.at].map(Vector3::from);
             let down = self.orientation.axes.turned(from - at);
             let is_below = down.z > UPRIGHT * down.norm();
-            (radius.is_none() && is_below).then(|| Contact {
+            is_below.then(|| Contact {
                 point,
                 radius: rounded(down.norm(), 9),
                 why: format!(
