@@ -11,11 +11,13 @@ mod design;
 mod first_instant;
 mod listing;
 mod loaded;
+mod measured_points;
 mod mechanism;
 mod notes;
 mod other_axes;
 mod own_linkage;
 mod own_motion;
+mod stated_laws;
 mod task;
 mod vehicle;
 

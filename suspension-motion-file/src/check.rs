@@ -1,5 +1,6 @@
 //! Rules for motion files beyond their grammar. Each error names its place.
 
+mod drives;
 mod instants;
 
 use std::borrow::Borrow;
@@ -13,10 +14,10 @@ use crate::motion_file::MotionFile;
 use crate::number::exact;
 use crate::place_of_key::place_of_key;
 use crate::source::Source;
-use crate::tables::coefficients::Coefficients;
 use crate::tables::entries::Table;
 use crate::tables::position::{Offset, Position};
 
+pub use drives::drives;
 pub use instants::instants;
 
 /// Checks that a table has an entry for each known name and no other.
@@ -225,25 +226,4 @@ fn base_of_marker(
         )),
         None => Err(source.refuse(&from.span(), format!("there is no point `{base}`"))),
     }
-}
-
-/// Checks the drives' polynomials: at least one coefficient each, all finite.
-///
-/// # Errors
-///
-/// [`Failure::Input`] at the first other polynomial.
-pub fn drives(source: &Source, table: &Table<Coefficients>) -> Result<(), Failure> {
-    for (name, coefficients) in table.get_ref().iter() {
-        let name = name.get_ref();
-        let Coefficients(numbers) = coefficients.get_ref();
-        let fault = if numbers.is_empty() {
-            "needs at least one coefficient"
-        } else if numbers.iter().any(|c| !c.is_finite()) {
-            "has a coefficient that is not a finite number"
-        } else {
-            continue;
-        };
-        return Err(source.refuse(&coefficients.span(), format!("drive `{name}` {fault}")));
-    }
-    Ok(())
 }

@@ -8,12 +8,12 @@ use crate::failure::Failure;
 use crate::inputs;
 use crate::parse_errors::explained;
 use crate::source::Source;
-use crate::tables::coefficients::Coefficients;
 use crate::tables::entries::{Entries, Table};
 use crate::tables::loads::LoadCase;
 use crate::tables::mass::MassTable;
 use crate::tables::position::{Offset, Position};
 use crate::tables::spring::SpringTable;
+use crate::tables::stated_law::StatedLaw;
 use crate::tables::tune::TuneTable;
 use crate::tables::vehicle::VehicleTable;
 use crate::{Angle, Axes, Length, Unit};
@@ -59,8 +59,8 @@ pub struct MotionFile {
     pub tune: Option<Spanned<TuneTable>>,
     /// The instants of the motion.
     pub time: Spanned<Time>,
-    /// Each drive as a polynomial of time in seconds.
-    pub drives: Table<Coefficients>,
+    /// Each drive over time in seconds.
+    pub drives: Table<StatedLaw>,
 }
 
 impl MotionFile {
@@ -76,8 +76,10 @@ impl MotionFile {
             source.refuse(&span, message)
         })?;
         let tune = file.tune.iter().map(Spanned::get_ref);
-        for measured in tune.flat_map(TuneTable::measured) {
-            inputs::note(&source.beside(measured.csv.get_ref()));
+        let drives = file.drives.get_ref().values();
+        let recorded = drives.filter_map(|law| law.get_ref().recording());
+        for table in tune.flat_map(TuneTable::measured).chain(recorded) {
+            inputs::note(&source.beside(table.csv.get_ref()));
         }
         Ok(file)
     }

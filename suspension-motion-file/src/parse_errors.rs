@@ -112,6 +112,11 @@ fn example_of_key(key: &str) -> &'static str {
         "of" => "; write the name of a quantity, as of = \"toe\"",
         "within" => "; write how far the target may be off, as within = 0.001",
         "rate" => "; write it in N per unit of length, or for an angle in N m per unit of angle",
+        "mean" => "; write the value about which the drive moves, as mean = 0.30",
+        "amplitude" => "; write half of the distance between the ends, as amplitude = 0.05",
+        "csv" => "; write the path of the file, as csv = \"logged.csv\"",
+        "columns" => "; write the headings of its two columns, as columns = [\"NAME\", \"NAME\"]",
+        "frequency" => "; write it in Hz, as frequency = 1.5",
         "drives" => "; write [drives] with a line for each drive, as bump = [0.30, 0.05]",
         _ => "",
     }

@@ -6,7 +6,7 @@ use super::program::{CORNER, edited, example, folder, run, text};
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]
-const BAD: [Case; 72] = [
+const BAD: [Case; 76] = [
     ("unit", "unit = ", ":7:", "value"),
     ("unit", "unit = \"m\"\nspeed = 3", ":8:1", "speed"),
     ("unit", "unit = \"ft\"", ":7:8", "`m`, `mm`, `in`"),
@@ -51,8 +51,12 @@ const BAD: [Case; 72] = [
     ("theta = [", "theta = 0,7", ":55:10", "; a decimal separator is a point, as in 0.5\n"),
     ("theta = [", "bump = [0.7]", ":55:1", "unknown drive `bump`"),
     ("theta = [", "theta = []", ":55:9", "coefficient"),
-    ("theta = [", "theta = \"far\"", ":55:9", "a number, or coefficients of a polynomial of time as [value, rate, ...]"),
+    ("theta = [", "theta = \"far\"", ":55:9", "a number, coefficients of a polynomial of time as [value, rate, ...]"),
     ("theta = [", "theta = [nan]", ":55:9", "finite"),
+    ("theta = [", "theta = { mean = 1.2, amplitude = 0.5 }", ":55:9", "missing field `frequency`; write it in Hz, as frequency = 1.5"),
+    ("theta = [", "theta = { mean = 1.2, amplitude = 0.5, frequency = 0 }", ":55:52", "drive `theta` needs a positive frequency"),
+    ("theta = [", "theta = { mean = 1.2, amplitude = inf, frequency = 1 }", ":55:35", "finite"),
+    ("theta = [", "theta = { mean = 1.2, amplitude = 0.5, frequenc = 1 }", ":55:40", "did you mean `frequency`"),
     ("theta = 1", "theta = nan", ":47:9", "finite"),
     ("theta = 1", "theta = -1.57", ":47:9", "between 0 and pi"),
     ("theta = [", "theta = [7.0]", ":55:9", "between 0 and pi"),

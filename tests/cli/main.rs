@@ -11,6 +11,7 @@ mod check;
 mod compare;
 mod corner;
 mod draw;
+mod drives_over_time;
 mod exact_derivatives;
 mod figures;
 mod files;

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use suspension::mechanism::DriveLaws;
-use suspension::mechanism::Polynomial;
+use suspension::mechanism::Law;
 use suspension::mechanism::Suspension;
 use suspension::output::progress::Progress;
 use suspension_core::linkages::{attia2003, five_link};
@@ -36,7 +36,7 @@ struct Case<L> {
 fn case<L: Suspension<15>>(model: L) -> Case<L> {
     Case {
         model,
-        drives: DriveLaws::new([Polynomial::new(vec![0.7, 0.5, 0.125])]),
+        drives: DriveLaws::new([Law::Polynomial(vec![0.7, 0.5, 0.125])]),
     }
 }
 

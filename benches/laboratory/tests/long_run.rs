@@ -7,7 +7,7 @@ mod support;
 
 use counting::{Counting, allocations};
 use suspension::mechanism::DriveLaws;
-use suspension::mechanism::Polynomial;
+use suspension::mechanism::Law;
 use suspension_core::Real;
 use suspension_core::linkages::five_link;
 use suspension_laboratory::failures::long_run::{LongRun, Stretch, Way};
@@ -19,7 +19,7 @@ static ALLOCATOR: Counting = Counting;
 type Model<T> = five_link::Model<T>;
 
 fn drives() -> DriveLaws {
-    DriveLaws::new([Polynomial::new(vec![0.7, 0.5, 0.125])])
+    DriveLaws::new([Law::Polynomial(vec![0.7, 0.5, 0.125])])
 }
 
 /// The first thousand steps, then three times as many as `later`, each with its allocations.

@@ -135,6 +135,10 @@ The file:
   [drives]                           # polynomials of time in seconds, constant first,
   theta = [0.7, 0.5, 0.125]          # in the units of angles or lengths; a single number
                                      # holds the drive there
+  bump = { mean = 0.30, amplitude = 0.05, frequency = 1.5 }      # or a sine: mean + amplitude sin(2 pi frequency t + phase),
+                                     # frequency in Hz, phase in the unit of angles, 0 if left out
+  steer = { csv = "logged.csv", columns = ["t_s", "rack"] }      # or a recording: times in s and values in the units of the
+                                     # file, led through by a cubic spline; noise in it becomes accelerations
   height = [0.05, 0.01]              # or, in place of one drive, a measure of the linkage, which
                                      # leads through turning points of the drive: attia2003 and
                                      # five_link have height, that of the wheel centre

@@ -5,7 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use toml::Spanned;
 
-use crate::file::{Coefficients, Dimension, MotionFile, Offset, Position, Source};
+use crate::file::{Dimension, MotionFile, Offset, Position, Source, StatedLaw};
 use crate::mechanism::Description;
 use crate::number::exact;
 use crate::prepare::Loaded;
@@ -111,13 +111,20 @@ fn drives(
     let edits = each.filter_map(|(drive, (before, after))| {
         let law = file.drives.get_ref().get(drive.name.as_str())?;
         let by = (after - before) * Dimension::from(drive.kind).file_factor(mechanism.unit);
-        let Coefficients(coefficients) = law.get_ref();
-        let (first, others) = coefficients.split_first()?;
         if by.abs() < ROUNDING {
             return None;
         }
+        let (place, first, others) = match law.get_ref() {
+            // Values in another file stay as they were recorded.
+            StatedLaw::Recorded(_) => return None,
+            StatedLaw::Sine(sine) => (sine.mean.span(), sine.mean.get_ref(), &[][..]),
+            StatedLaw::Polynomial(coefficients) => {
+                let (first, others) = coefficients.split_first()?;
+                (law.span(), first, others)
+            }
+        };
         let later = decimal(first + by);
-        let is_list = source.text()[law.span()].starts_with('[');
+        let is_list = source.text()[place.clone()].starts_with('[');
         let text = if is_list {
             let others = others.iter().map(|other| exact(*other));
             let all: Vec<String> = [later].into_iter().chain(others).collect();
@@ -125,7 +132,7 @@ fn drives(
         } else {
             later
         };
-        Some((law.span(), text))
+        Some((place, text))
     });
     edits.collect()
 }

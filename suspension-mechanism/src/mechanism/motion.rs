@@ -2,5 +2,7 @@
 
 pub(super) mod drive_laws;
 pub(super) mod end;
+pub(super) mod law;
 pub(super) mod lead;
 pub(super) mod moving;
+pub(super) mod spline;

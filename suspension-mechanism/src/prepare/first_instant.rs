@@ -5,7 +5,7 @@ pub(super) mod by_measure;
 use suspension_core::{Motion, Values};
 
 use crate::failure::Failure;
-use crate::mechanism::{DriveLaws, Lock, Polynomial, Suspension, follow};
+use crate::mechanism::{DriveLaws, Law, Lock, Suspension, follow};
 use crate::number::number;
 use crate::prepare::design::Design;
 use crate::prepare::task::Task;
@@ -18,7 +18,7 @@ pub(super) fn line_from_design<L: Suspension<N>, const N: usize>(
 ) -> DriveLaws {
     let first = drives.inputs::<L::Drives>(task.first).drives.value;
     let ends = design.drives.values().zip(first.values());
-    DriveLaws::new(ends.map(|(from, to)| Polynomial::line(from, to)))
+    DriveLaws::new(ends.map(|(from, to)| Law::line(from, to)))
 }
 
 /// From where an instant is out of reach, in words.

@@ -34,7 +34,7 @@ pub(super) fn prepare<L: Suspension<N>, const N: usize>(
     let (task, design) = (&assembled.task, &assembled.design);
     let measured = assembled.measured();
     let (names, of_drives) = complete_names(&assembled, request.listing, &measured)?;
-    let drives = task.drive_laws(&design.drive_offsets, &design.drives);
+    let drives = task.drive_laws(&design.drive_offsets, &design.drives)?;
     let doubts = doubts(&assembled, &drives, request.instants);
     let outlier = assembled.outlier.iter();
     let mut notes: Vec<String> = outlier.map(|outlier| outlier.note(task.source)).collect();
@@ -223,7 +223,7 @@ impl<const N: usize> Begin<N> {
         let there = lead.inputs(&design.model, &inputs, &lead.start);
         Ok(Self {
             start: lead.start.motion(),
-            drives: task.drive_laws(&design.drive_offsets, &there.drives.value),
+            drives: task.drive_laws(&design.drive_offsets, &there.drives.value)?,
             lead: Some(lead),
             out_of_reach: None,
         })

@@ -1,15 +1,15 @@
 //! A file that is being prepared, and what is to be made of it.
 
 use nalgebra::Vector3;
+use suspension_core::GeometryError;
 use suspension_core::listing::{Part, Parts};
 use suspension_core::model::local::LocalOrigin;
-use suspension_core::{GeometryError, Values};
 use suspension_runtime::Listing;
 use toml::Spanned;
 
 use crate::failure::Failure;
-use crate::file::{Coefficients, Dimension, MotionFile, Source, Table};
-use crate::mechanism::{DriveLaws, DrivenLength, Instants, Names, Polynomial};
+use crate::file::{Dimension, MotionFile, Source, Table};
+use crate::mechanism::{DrivenLength, Instants, Names};
 use crate::number::{number, rounded};
 use crate::prepare::design::unsatisfied::Unsatisfied;
 
@@ -42,6 +42,8 @@ pub(super) struct Task<'a> {
     pub(super) file: &'a MotionFile,
     /// The first instant, s.
     pub(super) first: f64,
+    /// The last instant, s.
+    pub(super) last: f64,
     pub(super) names: Names,
     /// The origin of the local coordinates, in which the mechanism is computed.
     pub(super) origin: LocalOrigin<f64>,
@@ -50,10 +52,12 @@ pub(super) struct Task<'a> {
 impl<'a> Task<'a> {
     /// A file with the names of all parts.
     pub(super) fn new(request: &Request<'a>, names: Names, origin: LocalOrigin<f64>) -> Self {
+        let [first, last] = request.instants.ends();
         Self {
             source: request.source,
             file: request.file,
-            first: request.instants.ends()[0],
+            first,
+            last,
             names,
             origin,
         }
@@ -112,36 +116,6 @@ impl<'a> Task<'a> {
     /// A number of the file, in radians if it is an angle.
     pub(super) fn in_radians(&self, stated: f64, dimension: impl Into<Dimension>) -> f64 {
         stated / dimension.into().file_factor(self.file.unit())
-    }
-
-    /// A polynomial of the file in local coordinates, which differ by `offset` from those of the file.
-    pub(super) fn local(
-        &self,
-        Coefficients(stated): &Coefficients,
-        dimension: impl Into<Dimension> + Copy,
-        offset: f64,
-    ) -> Polynomial {
-        let radians = stated
-            .iter()
-            .map(|stated| self.in_radians(*stated, dimension));
-        let mut coefficients: Vec<f64> = radians.collect();
-        if let Some(constant) = coefficients.first_mut() {
-            *constant -= offset;
-        }
-        Polynomial::new(coefficients)
-    }
-
-    /// The drives over time, which differ by `offsets` from those of the file; drives that the file does not lead keep
-    /// their values in `held`.
-    pub(super) fn drive_laws<D: Values<f64>>(&self, offsets: &D, held: &D) -> DriveLaws {
-        let table = self.file.drives.get_ref();
-        let each = self.names.drives.iter();
-        let each = each.zip(offsets.values().zip(held.values()));
-        DriveLaws::new(each.map(|(drive, (offset, held))| {
-            let stated = table.get(drive.name.as_str());
-            let stated = stated.map(|stated| self.local(stated.get_ref(), drive.kind, offset));
-            stated.unwrap_or_else(|| Polynomial::new(vec![held]))
-        }))
     }
 
     /// Checks that driving angles are in their ranges. `table` has the drives' places.

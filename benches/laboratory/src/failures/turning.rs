@@ -6,7 +6,7 @@ use suspension_core::{Motion, Newton, Real, Values};
 
 use super::trial::Trial;
 use super::truth::Truth;
-use suspension::mechanism::{DriveLaws, Polynomial, Suspension, follow};
+use suspension::mechanism::{DriveLaws, Law, Suspension, follow};
 
 /// A turning point, and the way there.
 #[derive(Clone, Debug)]
@@ -64,8 +64,8 @@ impl<const N: usize> TurningPoint<N> {
     /// Returns the drives that reach the value `end` of the first one at time 0.
     pub fn drives(&self, end: f64) -> DriveLaws {
         let others = self.values.iter().skip(1);
-        let moving = Polynomial::new(vec![end, self.speed]);
-        let held = others.map(|value| Polynomial::new(vec![*value]));
+        let moving = Law::Polynomial(vec![end, self.speed]);
+        let held = others.map(|value| Law::Polynomial(vec![*value]));
         DriveLaws::new(std::iter::once(moving).chain(held))
     }
 

@@ -9,7 +9,8 @@ use suspension_core::{Inputs, Linkage, Signal, SolveError, Still, Values};
 
 use crate::file::{Dimension, Unit};
 use crate::mechanism::measure::nearest;
-use crate::mechanism::motion::drive_laws::{DriveLaws, Law, MAX_STEPS};
+use crate::mechanism::motion::drive_laws::{DriveLaws, MAX_STEPS};
+use crate::mechanism::motion::law::Law;
 use crate::mechanism::parts::names::Names;
 use crate::number::{number, without_rounding};
 

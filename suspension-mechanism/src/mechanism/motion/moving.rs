@@ -11,8 +11,9 @@ use crate::failure::Failure;
 use crate::file::Instants;
 use crate::mechanism::driven_linkage::Mechanism;
 use crate::mechanism::lock::Lock;
-use crate::mechanism::motion::drive_laws::{DriveLaws, Polynomial, advance, follow};
+use crate::mechanism::motion::drive_laws::{DriveLaws, advance, follow};
 use crate::mechanism::motion::end::{End, Stop};
+use crate::mechanism::motion::law::Law;
 use crate::mechanism::motion::lead::Lead;
 use crate::mechanism::state::State;
 use crate::mechanism::suspension::Suspension;
@@ -189,7 +190,7 @@ impl<L: Suspension<N>, const N: usize> Mechanism<L, N> {
             let ends = drives.iter().enumerate();
             let laws = DriveLaws::new(ends.map(|(index, from)| {
                 let moved = to.iter().find(|(drive, _)| *drive == index);
-                Polynomial::line(*from, moved.map_or(*from, |(_, value)| *value))
+                Law::line(*from, moved.map_or(*from, |(_, value)| *value))
             }));
             (laws, stopped)
         })

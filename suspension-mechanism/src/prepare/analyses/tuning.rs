@@ -1,6 +1,5 @@
 //! Tuning as a motion file states it, with its names replaced by indices.
 
-mod measured_points;
 mod moves;
 mod named_parts;
 mod one_sided_moves;

@@ -5,7 +5,7 @@ use suspension_core::path::{Curve, Led};
 
 use crate::failure::Failure;
 use crate::file::LeadingMeasure;
-use crate::mechanism::{DriveLaws, Law, Lead, Polynomial, Suspension};
+use crate::mechanism::{DriveLaws, Law, Lead, Suspension};
 use crate::prepare::design::Design;
 use crate::prepare::first_instant::{
     FROM_DESIGN, FROM_DESIGN_TO_FIRST, line_from_design, out_of_reach,
@@ -25,7 +25,7 @@ pub(crate) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     let points = led.points(&design.model, &way.inputs::<L::Drives>(0.0));
     let measured = |all: L::Measures| all.values().nth(leading.measure).unwrap_or_default();
     let offset = measured(task.origin.of_measures(&design.model));
-    let law = law(task, leading, offset);
+    let law = law(task, leading, offset)?;
     let ends = [
         measured(design.model.measures(&points).value),
         law.at(task.first).value,
@@ -33,7 +33,7 @@ pub(crate) fn lead_to_first_instant<L: Suspension<N>, const N: usize>(
     let lead = Lead {
         measure: leading.measure,
         drive: leading.drive,
-        law: Law::new(Polynomial::line(ends[0], ends[1])),
+        law: Law::line(ends[0], ends[1]),
         offset,
         start: led,
     };
@@ -79,8 +79,8 @@ fn at_rest<L: Suspension<N>, const N: usize>(
 }
 
 /// The measure over time according to the file, for points in local coordinates.
-fn law(task: &Task<'_>, leading: &LeadingMeasure, offset: f64) -> Law {
+fn law(task: &Task<'_>, leading: &LeadingMeasure, offset: f64) -> Result<Law, Failure> {
     let stated = &task.file.drives.get_ref()[leading.key.get_ref().as_str()];
     let kind = task.names.measures[leading.measure].kind;
-    Law::new(task.local(stated.get_ref(), kind, offset))
+    task.law(stated, kind, offset)
 }

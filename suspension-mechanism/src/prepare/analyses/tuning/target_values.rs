@@ -8,8 +8,8 @@ use crate::failure::Failure;
 use crate::file::{NumberList, TargetTable, TargetValues};
 use crate::mechanism::{CountedFrom, Grid, GridAxis, ends, evenly_spaced};
 use crate::number::number;
-use crate::prepare::analyses::tuning::measured_points;
 use crate::prepare::analyses::tuning::named_parts::Naming;
+use crate::prepare::measured_points;
 use crate::tune;
 
 /// The number of places along a drive if the file states one number for all.
@@ -81,7 +81,8 @@ impl Naming<'_> {
                 self.measured(*over, points.clone(), &stated.span())
             }
             (TargetValues::Csv(file), [over]) => {
-                let points = measured_points::read(self.source, file)?;
+                let of = "of the drive and of the quantity, for example [\"travel\", \"toe\"]";
+                let points = measured_points::read(self.source, file, of)?;
                 self.measured(*over, points, &stated.span())
             }
             (TargetValues::Points(_) | TargetValues::Csv(_), _) => refuse(

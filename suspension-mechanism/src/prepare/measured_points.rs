@@ -1,4 +1,4 @@
-//! Measured points of a target in a CSV file.
+//! Measured or recorded points in a CSV file.
 
 use suspension_listing::did_you_mean::unknown;
 use toml::Spanned;
@@ -7,14 +7,14 @@ use crate::failure::Failure;
 use crate::file::{CsvTable, Source};
 use crate::measured_table::MeasuredTable;
 
-/// The points of the two columns that a motion file names.
+/// The points of the two columns that a motion file names; `of` says what they hold, with an example.
 ///
 /// # Errors
 ///
 /// [`Failure::Input`] at the path, at a column that the file does not have, and at a line without a number in a column.
-pub(crate) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, Failure> {
-    let [drive, value] = stated.columns.get_ref().as_slice() else {
-        let message = "`columns` are two headings of the file, of the drive and of the quantity, for example [\"travel\", \"toe\"]";
+pub(super) fn read(source: &Source, stated: &CsvTable, of: &str) -> Result<Vec<[f64; 2]>, Failure> {
+    let [at, value] = stated.columns.get_ref().as_slice() else {
+        let message = format!("`columns` are two headings of the file, {of}");
         return Err(source.refuse(&stated.columns.span(), message));
     };
     let table = MeasuredTable::new(&source.read_beside(&stated.csv)?)?;
@@ -27,8 +27,8 @@ pub(crate) fn read(source: &Source, stated: &CsvTable) -> Result<Vec<[f64; 2]>, 
             source.refuse(&wanted.span(), unknown(&what, wanted.get_ref(), &headings))
         })
     };
-    let (drive, value) = (column(drive)?, column(value)?);
-    let (places, values) = (table.numbers(drive)?, table.numbers(value)?);
+    let (at, value) = (column(at)?, column(value)?);
+    let (places, values) = (table.numbers(at)?, table.numbers(value)?);
     Ok(places
         .into_iter()
         .zip(values)

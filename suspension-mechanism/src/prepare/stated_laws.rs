@@ -1,0 +1,100 @@
+//! Drives over time, from what the file states.
+
+use suspension_core::Values;
+use toml::Spanned;
+
+use crate::failure::Failure;
+use crate::file::{CsvTable, Dimension, StatedLaw};
+use crate::mechanism::{DriveLaws, Law, Sine, Spline};
+use crate::number::number;
+use crate::prepare::measured_points;
+use crate::prepare::task::Task;
+
+/// A part of the time between two instants: what a sum of steps may be off.
+const ROUNDING: f64 = 1e-9;
+
+impl Task<'_> {
+    /// The drives over time, which differ by `offsets` from those of the file; drives that the file does not lead keep
+    /// their values in `held`.
+    pub(super) fn drive_laws<D: Values<f64>>(
+        &self,
+        offsets: &D,
+        held: &D,
+    ) -> Result<DriveLaws, Failure> {
+        let table = self.file.drives.get_ref();
+        let each = self.names.drives.iter();
+        let each = each.zip(offsets.values().zip(held.values()));
+        let laws = each.map(
+            |(drive, (offset, held))| match table.get(drive.name.as_str()) {
+                Some(stated) => self.law(stated, drive.kind, offset),
+                None => Ok(Law::Polynomial(vec![held])),
+            },
+        );
+        Ok(DriveLaws::new(laws.collect::<Result<Vec<_>, _>>()?))
+    }
+
+    /// A drive or a measure over time in local coordinates, which differ by `offset` from those of the file.
+    pub(super) fn law(
+        &self,
+        stated: &Spanned<StatedLaw>,
+        dimension: impl Into<Dimension> + Copy,
+        offset: f64,
+    ) -> Result<Law, Failure> {
+        let value = |stated: f64| self.in_radians(stated, dimension);
+        match stated.get_ref() {
+            StatedLaw::Polynomial(stated) => {
+                let mut coefficients: Vec<f64> = stated.iter().copied().map(value).collect();
+                if let Some(constant) = coefficients.first_mut() {
+                    *constant -= offset;
+                }
+                Ok(Law::Polynomial(coefficients))
+            }
+            StatedLaw::Sine(sine) => Ok(Law::Sine(Sine {
+                mean: value(*sine.mean.get_ref()) - offset,
+                amplitude: value(*sine.amplitude.get_ref()),
+                frequency: *sine.frequency.get_ref(),
+                phase: self.in_radians(*sine.phase.get_ref(), Dimension::Angle),
+            })),
+            StatedLaw::Recorded(file) => {
+                let mut points = self.recorded(file)?;
+                for [_, recorded] in &mut points {
+                    *recorded = value(*recorded) - offset;
+                }
+                self.through(file, points).map(Law::Recorded)
+            }
+        }
+    }
+
+    /// Times and values of a file.
+    fn recorded(&self, file: &CsvTable) -> Result<Vec<[f64; 2]>, Failure> {
+        let of = "of the time in seconds and of the drive, for example [\"t_s\", \"bump\"]";
+        measured_points::read(self.source, file, of)
+    }
+
+    /// The curve through recorded points, which must cover the motion.
+    fn through(&self, file: &CsvTable, points: Vec<[f64; 2]>) -> Result<Spline, Failure> {
+        let refuse = |message: String| Err(self.source.refuse(&file.csv.span(), message));
+        let name = file.csv.get_ref();
+        if points.iter().flatten().any(|number| !number.is_finite()) {
+            return refuse(format!("{name} has numbers that are not finite"));
+        }
+        let late = points.windows(2).find(|two| two[0][0] >= two[1][0]);
+        if let Some([[before, _], [after, _]]) = late {
+            let (before, after) = (number(*before), number(*after));
+            return refuse(format!(
+                "the times of {name} must increase; {after} s follows {before} s"
+            ));
+        }
+        let Some(spline) = Spline::through(points) else {
+            return refuse(format!("{name} needs at least two lines of numbers"));
+        };
+        let ([start, end], slack) = (spline.ends(), ROUNDING * (self.last - self.first));
+        if self.first < start - slack || self.last > end + slack {
+            let [start, end, first, last] = [start, end, self.first, self.last].map(number);
+            return refuse(format!(
+                "{name} covers {start} to {end} s, but the motion takes {first} to {last} s; change [time]"
+            ));
+        }
+        Ok(spline)
+    }
+}

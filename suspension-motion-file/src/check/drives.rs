@@ -1,0 +1,54 @@
+//! Drives over time.
+
+use std::ops::Range;
+
+use crate::failure::Failure;
+use crate::source::Source;
+use crate::tables::entries::Table;
+use crate::tables::stated_law::{Sine, StatedLaw};
+
+/// Checks the drives over time: at least one coefficient each, a positive frequency, all numbers finite.
+///
+/// # Errors
+///
+/// [`Failure::Input`] at the first other drive.
+pub fn drives(source: &Source, table: &Table<StatedLaw>) -> Result<(), Failure> {
+    for (name, law) in table.get_ref().iter() {
+        let fault = match law.get_ref() {
+            StatedLaw::Polynomial(coefficients) => {
+                polynomial_fault(coefficients).map(|fault| (law.span(), fault))
+            }
+            StatedLaw::Sine(sine) => sine_fault(sine),
+            StatedLaw::Recorded(_) => None,
+        };
+        if let Some((place, fault)) = fault {
+            let name = name.get_ref();
+            return Err(source.refuse(&place, format!("drive `{name}` {fault}")));
+        }
+    }
+    Ok(())
+}
+
+fn polynomial_fault(coefficients: &[f64]) -> Option<&'static str> {
+    if coefficients.is_empty() {
+        Some("needs at least one coefficient")
+    } else if coefficients.iter().any(|c| !c.is_finite()) {
+        Some("has a coefficient that is not a finite number")
+    } else {
+        None
+    }
+}
+
+fn sine_fault(sine: &Sine) -> Option<(Range<usize>, &'static str)> {
+    let numbers = [&sine.mean, &sine.amplitude, &sine.frequency, &sine.phase];
+    if let Some(number) = numbers.iter().find(|number| !number.get_ref().is_finite()) {
+        return Some((number.span(), "has a number that is not finite"));
+    }
+    let standing = *sine.frequency.get_ref() <= 0.0;
+    standing.then(|| {
+        (
+            sine.frequency.span(),
+            "needs a positive frequency, in periods per second",
+        )
+    })
+}

@@ -1,0 +1,118 @@
+//! A drive over time: a polynomial, a sine, or a recording.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{
+    self, MapAccess, SeqAccess, Visitor,
+    value::{MapAccessDeserializer, SeqAccessDeserializer},
+};
+use toml::Spanned;
+
+use crate::tables::target_values::CsvTable;
+
+/// A drive over time, as the file states it.
+#[derive(Clone, Debug)]
+pub enum StatedLaw {
+    /// Coefficients of a polynomial of time, constant first; in the file a single number is a constant.
+    Polynomial(Vec<f64>),
+    /// A harmonic motion.
+    Sine(Sine),
+    /// Recorded values over time, with a smooth curve through them.
+    Recorded(CsvTable),
+}
+
+impl StatedLaw {
+    /// The file of a recording.
+    pub(crate) fn recording(&self) -> Option<&CsvTable> {
+        match self {
+            Self::Recorded(file) => Some(file),
+            Self::Polynomial(_) | Self::Sine(_) => None,
+        }
+    }
+}
+
+/// `mean + amplitude sin(2 pi frequency t + phase)`, in the units of the drive.
+#[derive(Clone, Debug)]
+pub struct Sine {
+    /// The value about which the drive moves.
+    pub mean: Spanned<f64>,
+    /// Half of the distance between the ends.
+    pub amplitude: Spanned<f64>,
+    /// Periods in a second, Hz.
+    pub frequency: Spanned<f64>,
+    /// The angle at time 0, in the file's unit of angles.
+    pub phase: Spanned<f64>,
+}
+
+/// The keys of a sine and of a recording.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    mean: Option<Spanned<f64>>,
+    amplitude: Option<Spanned<f64>>,
+    frequency: Option<Spanned<f64>>,
+    phase: Option<Spanned<f64>>,
+    csv: Option<Spanned<String>>,
+    columns: Option<Spanned<Vec<Spanned<String>>>>,
+}
+
+impl Keys {
+    fn law<E: de::Error>(self) -> Result<StatedLaw, E> {
+        let needed = E::missing_field;
+        if self.csv.is_none() && self.columns.is_none() {
+            return Ok(StatedLaw::Sine(Sine {
+                mean: self.mean.ok_or_else(|| needed("mean"))?,
+                amplitude: self.amplitude.ok_or_else(|| needed("amplitude"))?,
+                frequency: self.frequency.ok_or_else(|| needed("frequency"))?,
+                phase: self.phase.unwrap_or_else(|| Spanned::new(0..0, 0.0)),
+            }));
+        }
+        let of_sine = [self.mean, self.amplitude, self.frequency, self.phase];
+        if of_sine.iter().any(Option::is_some) {
+            return Err(E::custom(
+                "a drive is a sine or a recording, not both: leave out csv and columns, or mean, amplitude, frequency and phase",
+            ));
+        }
+        Ok(StatedLaw::Recorded(CsvTable {
+            csv: self.csv.ok_or_else(|| needed("csv"))?,
+            columns: self.columns.ok_or_else(|| needed("columns"))?,
+        }))
+    }
+}
+
+impl<'de> Deserialize<'de> for StatedLaw {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LawVisitor)
+    }
+}
+
+struct LawVisitor;
+
+impl<'de> Visitor<'de> for LawVisitor {
+    type Value = StatedLaw;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "a number, coefficients of a polynomial of time as [value, rate, ...], \
+             a sine as { mean = 0.30, amplitude = 0.05, frequency = 1.5 }, \
+             or a recording as { csv = \"logged.csv\", columns = [\"t_s\", \"bump\"] }",
+        )
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<StatedLaw, E> {
+        Ok(StatedLaw::Polynomial(vec![value]))
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<StatedLaw, E> {
+        Ok(StatedLaw::Polynomial(vec![value as f64]))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, entries: A) -> Result<StatedLaw, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(entries)).map(StatedLaw::Polynomial)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<StatedLaw, A::Error> {
+        Keys::deserialize(MapAccessDeserializer::new(map))?.law()
+    }
+}
