@@ -1,5 +1,6 @@
 //! The end of a motion that its drives lead: the drive that turns there, and the link or hinge that limits it.
 
+mod at_drives;
 mod blocking_link;
 pub(super) mod end_of_angle;
 mod turning_drive;
