@@ -9,6 +9,11 @@ pub(super) fn spelled(name: &str) -> String {
     words.collect::<Vec<_>>().join("_").to_lowercase()
 }
 
+/// Returns whether a word is one of several, with blanks between them.
+pub(super) fn is_one_of(word: &str, words: &str) -> bool {
+    words.split_ascii_whitespace().any(|other| other == word)
+}
+
 /// Returns whether a spelled name is that of a point on the ground, such as `wheel_centre_contact_patch`: no layout has one.
 pub(super) fn is_on_ground(name: &str) -> bool {
     is_contact(name) || name.split('_').any(|word| word == "ground")
