@@ -7,7 +7,7 @@ use suspension_core::listing::DriveKind;
 
 use crate::characteristics::movement::Effect;
 use crate::kinematics::Kinematics;
-use crate::mechanism::{Description, Drive, Names, Pair, Place, Wheel, listed};
+use crate::mechanism::{Description, Drive, Names, Pair, Place, Wheel, quoted};
 
 /// A mode in which wheels move.
 pub struct Mode {
@@ -128,10 +128,7 @@ pub fn counted_downwards(mechanism: &dyn Kinematics) -> Option<String> {
     let wheels = names.wheels.iter().enumerate();
     let downwards = wheels.filter(|(wheel, _)| rises.upwards(*wheel) < 0.0);
     let drives: BTreeSet<usize> = downwards.filter_map(|(_, wheel)| wheel.travel).collect();
-    let called = drives
-        .iter()
-        .map(|drive| format!("`{}`", names.drives[*drive].name));
-    let called = listed(called);
+    let called = quoted(drives.iter().map(|drive| &names.drives[*drive].name));
     let verb = if drives.len() == 1 {
         "becomes"
     } else {

@@ -8,7 +8,7 @@ use crate::mechanism::lock::at_drives::{AtDrives, AtLock};
 use crate::mechanism::motion::drive_laws::DriveLaws;
 use crate::mechanism::parts::hinge::Hinge;
 use crate::mechanism::parts::names::Names;
-use crate::mechanism::parts::words::listed;
+use crate::mechanism::parts::words::quoted;
 use crate::mechanism::suspension::Suspension;
 use crate::number::rounded;
 
@@ -71,8 +71,7 @@ impl BlockingLink {
     pub(crate) fn fault(&self) -> String {
         let fault = if self.is_short { "short" } else { "long" };
         let are = if self.names.len() == 1 { "is" } else { "are" };
-        let names = listed(self.names.iter().map(|name| format!("`{name}`")));
-        format!("{names} {are} too {fault}")
+        format!("{} {are} too {fault}", quoted(&self.names))
     }
 
     /// The fault, and the lengths if the digits shown differ.

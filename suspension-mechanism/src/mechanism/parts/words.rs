@@ -1,5 +1,7 @@
 //! Names and values in messages.
 
+use std::fmt::Display;
+
 use suspension_core::SolveError;
 
 use crate::file::{Dimension, Unit};
@@ -19,6 +21,11 @@ pub fn listed(words: impl IntoIterator<Item = String>) -> String {
         [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
         _ => words.concat(),
     }
+}
+
+/// Names in quotes, as `a`, `b` and `c`.
+pub fn quoted<T: Display>(names: impl IntoIterator<Item = T>) -> String {
+    listed(names.into_iter().map(|name| format!("`{name}`")))
 }
 
 /// A length or an angle in the unit of a file, such as `0.7 rad`.
